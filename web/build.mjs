@@ -2,12 +2,13 @@
 import { copyFile, mkdir } from "node:fs/promises";
 import { build } from "esbuild";
 
-const dist = new URL("dist/", import.meta.url).pathname;
+const [, , folder = new URL("dist/", import.meta.url).pathname] = process.argv;
+const dist = folder.endsWith("/") ? folder : `${folder}/`;
 await mkdir(dist, { recursive: true });
 await build({
   absWorkingDir: new URL(".", import.meta.url).pathname,
   entryPoints: { studio: "src/main.tsx" },
-  outdir: "dist",
+  outdir: dist,
   bundle: true,
   minify: true,
   format: "esm",

@@ -36,7 +36,7 @@ export interface Catalog {
   engines: Engine[];
   /** The filters that can be chosen, with the parameters of each. */
   filters: Filter[];
-  /** The reasons why a pixel has no value, by code. Code 0 is a measured pixel. */
+  /** The reasons why a pixel has no value, sorted by code; codes have gaps. Code 0 is a measured pixel. */
   reasons: Reason[];
   /** The largest file that can be dropped, bytes. */
   maxUploadBytes: number;
@@ -298,7 +298,7 @@ export interface Statistics {
   medianAbsoluteErrorM: number | null;
   medianAbsoluteErrorPercent: number | null;
   p95AbsoluteErrorM: number | null;
-  /** The number of pixels of each reason, as many as {@link Catalog.reasons}. */
+  /** The number of pixels of each reason, by its code. */
   reasons: number[];
   /** Errors in bins of equal width between the ends. */
   histogram: { fromM: number; toM: number; counts: number[] };
@@ -370,10 +370,12 @@ export interface CoverageRequest {
 /** For each of the states. */
 export interface CoverageAnswer {
   poses: {
-    /** Shares of the region's surface. */
+    /** The share of the region's surface that the camera sees, measured or not. */
+    seen: number;
+    /** The share that is measured. */
     measured: number;
     medianAbsoluteErrorM: number | null;
-    /** Shares by reason, as many as {@link Catalog.reasons}. */
-    reasons: number[];
+    /** The shares that are not measured, by the name of the reason. */
+    lost: Record<string, number>;
   }[];
 }

@@ -1,4 +1,5 @@
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { after as afterAll, before, test } from "node:test";
 import { after, drop, launch, open, pixels, rest, skip, url } from "./page.mjs";
 
@@ -71,6 +72,37 @@ test("a broken file leaves the scene and says what is wrong", { skip }, async ()
   await context.close();
 });
 
+test("a broken calibration and a file that is too large change nothing", { skip }, async () => {
+  const { page, context } = await open(browser);
+  const address = page.url();
+  await drop(page, "unit.json", "{}");
+  await page.getByTestId("notice").filter({ hasText: "unit.json" }).waitFor();
+  await page.route("**/api/catalog", async (route) => {
+    const response = await route.fetch();
+    await route.fulfill({ response, json: { ...(await response.json()), maxUploadBytes: 10 } });
+  });
+  await page.reload();
+  await rest(page);
+  const uploads = [];
+  page.on("request", (request) => request.method() === "POST" && request.url().includes("/api/scenes") && uploads.push(request.url()));
+  await drop(page, "large.glb", "x".repeat(100));
+  await page.getByTestId("notice").filter({ hasText: "large.glb" }).waitFor();
+  assert.deepEqual(uploads, [], "a file that is too large is not sent");
+  assert.equal(page.url(), address);
+  await context.close();
+});
+
+test("images are exported as shown", { skip }, async () => {
+  const { page, context, errors } = await open(browser);
+  await page.getByTestId("export").click();
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("menuitem", { name: "As shown" }).click()]);
+  const bytes = await readFile(await download.path());
+  assert.equal(bytes.subarray(1, 4).toString(), "PNG");
+  assert.ok(bytes.length > 10_000);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
 test("the page fits windows of all sizes", { skip }, async () => {
   const { page, context, errors } = await open(browser);
   for (const [width, height] of [[1024, 700], [1920, 1080], [3840, 2160], [1280, 800]]) {
@@ -134,6 +166,65 @@ test("the page can be used by keyboard", { skip }, async () => {
   await page.locator(".surface").first().focus();
   await page.keyboard.press("ArrowRight");
   await page.locator('[data-testid="readout"] dl').waitFor();
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("an OAK flies with the view", { skip }, async () => {
+  const { page, context, errors } = await open(browser);
+  const before = await page.getByTestId("position-x").inputValue();
+  await page.getByTestId("view").focus();
+  await page.keyboard.press("f");
+  await after(page, async () => {
+    await page.keyboard.down("w");
+    await page.waitForFunction((before) => document.querySelector('[data-testid="position-x"]').value !== before, before);
+    await page.keyboard.up("w");
+  });
+  await page.keyboard.press("Escape");
+  await after(page, () => page.keyboard.press("Control+z"));
+  assert.equal(await page.getByTestId("position-x").inputValue(), before, "a flight is one step of undo");
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("assistive technology finds its way in both themes", { skip }, async () => {
+  const axe = await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
+  for (const colorScheme of ["light", "dark"]) {
+    const { page, context } = await open(browser, { bypassCSP: true, colorScheme });
+    await page.addScriptTag({ content: axe });
+    await after(page, () => page.getByTestId("show-reason").click());
+    const check = async (part) => {
+      const runOnly = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"];
+      const violations = await page.evaluate(async (runOnly) => (await window.axe.run(document, { runOnly })).violations, runOnly);
+      assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]), [], `${part}, ${colorScheme}`);
+    };
+    await check("images and numbers");
+    await page.getByTestId("tab-place").click();
+    await page.getByTestId("target").selectOption({ index: 1 });
+    await check("placement");
+    await page.keyboard.press("?");
+    await check("keys");
+    await context.close();
+  }
+});
+
+test("the coverage of an object is measured, and a sweep ranks poses", { skip }, async () => {
+  const { page, context, errors } = await open(browser);
+  await page.getByTestId("tab-place").click();
+  await page.getByTestId("target").selectOption({ index: 1 });
+  const share = (table, column) => page.locator(table).evaluate((table, column) => {
+    return [...table.rows].slice(1).map((row) => Number.parseFloat(row.cells[column].textContent));
+  }, column);
+  const coverage = '[data-testid="coverage"] table';
+  await page.locator(coverage).waitFor();
+  assert.ok((await share(coverage, 1)).every((value) => value >= 0));
+  await page.getByTestId("sweep").getByLabel("steps").first().fill("2");
+  await page.getByTestId("run-sweep").click();
+  await page.locator('[data-testid="sweep"] [role="status"]').waitFor();
+  await page.locator('[data-testid="sweep"] [role="status"]').waitFor({ state: "detached", timeout: 120_000 });
+  const measured = await share("table.ranking", 2);
+  assert.equal(measured.length, 6);
+  assert.deepEqual(measured, measured.toSorted((a, b) => b - a), "the best pose is the first");
   assert.deepEqual(errors, []);
   await context.close();
 });

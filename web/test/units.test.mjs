@@ -113,7 +113,7 @@ test("a sweep tries all heights and tilts, and ranks them", () => {
   assert.deepEqual(states.map(({ pose }) => [pose.position[2], Math.round(toAngles(pose.quaternion, "z").pitch)]), [
     [1, 0], [1, 15], [1, 30], [2, 0], [2, 15], [2, 30],
   ]);
-  const poses = [0.1, 0.5, 0.5, 0.2, 0, 0].map((measured, i) => ({ measured, medianAbsoluteErrorM: 0.1 / (i + 1), reasons: [] }));
+  const poses = [0.1, 0.5, 0.5, 0.2, 0, 0].map((measured, i) => ({ measured, medianAbsoluteErrorM: 0.1 / (i + 1), lost: {} }));
   const ranked = rank(states, { poses }, "z");
   assert.deepEqual(ranked.slice(0, 3).map(({ heightM, tiltDeg }) => [heightM, Math.round(tiltDeg)]), [[1, 30], [1, 15], [2, 0]]);
 });

@@ -58,6 +58,20 @@ pub(crate) fn of_data_skipped_by_pytest(line: &str, variable: &str) -> Option<Co
     })
 }
 
+/// Reads a line of the summary of Node's test runner: `ℹ pass 3` or `# pass 3`.
+pub(crate) fn of_node_test(line: &str) -> Option<Counts> {
+    let (word, number) = line.trim_start_matches(['ℹ', '#', ' ']).split_once(' ')?;
+    let number = number.trim().parse().ok()?;
+    let mut counts = Counts::default();
+    match word {
+        "pass" => counts.passed = number,
+        "fail" | "cancelled" => counts.failed = number,
+        "skipped" | "todo" => counts.skipped = number,
+        _ => return None,
+    }
+    line.starts_with(['ℹ', '#']).then_some(counts)
+}
+
 /// Reads the closing line of `pytest`: `=== 2 failed, 3 passed, 1 skipped in 0.1s ===`, or that without the bars.
 pub(crate) fn of_pytest(line: &str) -> Option<Counts> {
     let (figures, time) = line.trim_matches(['=', ' ']).rsplit_once(" in ")?;
@@ -127,5 +141,15 @@ mod tests {
         let line = "SKIPPED [2] x.py:3: DATA is not set";
         assert_eq!(of_data_skipped_by_pytest(line, "DATA"), counts(0, 2, 0));
         assert_eq!(of_data_skipped_by_pytest(line, "OTHER"), None);
+    }
+
+    #[test]
+    fn reads_the_summary_of_node() {
+        let counts = |line| of_node_test(line).map(|counts| (counts.passed, counts.failed, counts.skipped));
+        assert_eq!(counts("ℹ pass 12"), Some((12, 0, 0)));
+        assert_eq!(counts("# fail 2"), Some((0, 2, 0)));
+        assert_eq!(counts("ℹ skipped 1"), Some((0, 0, 1)));
+        assert_eq!(counts("ℹ tests 15"), None);
+        assert_eq!(counts("pass 3"), None);
     }
 }

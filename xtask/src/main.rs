@@ -13,6 +13,7 @@ mod report;
 mod schema;
 mod soak;
 mod test;
+mod web;
 mod workspace;
 
 use std::process::ExitCode;
@@ -49,6 +50,8 @@ enum Task {
     Schema,
     /// Regenerate the licences that the Python wheel contains.
     Licenses,
+    /// Bundle the page of `oaktwin studio` into web/dist; requires npm.
+    Web,
 }
 
 fn main() -> ExitCode {
@@ -61,6 +64,7 @@ fn main() -> ExitCode {
         Task::Fuzz(args) => fuzz::run(&args),
         Task::Schema => schema::run(),
         Task::Licenses => licenses::run(),
+        Task::Web => web::run(),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -8,7 +8,7 @@ use crate::counts::{self, Counts};
 use crate::docs;
 use crate::python::{self, BARE, ENVIRONMENTS, Environment, Interpreter, PACKAGE, PEERS, RENDER, TORCH};
 use crate::report::Report;
-use crate::workspace;
+use crate::{web, workspace};
 
 /// The variable that names the folder of the public test data.
 const TEST_DATA: &str = "OAKTWIN_TEST_DATA";
@@ -24,7 +24,7 @@ pub(crate) struct Args {
     /// Also run the Rust tests without vector instructions, as on processors other than x86-64
     #[arg(long)]
     portable: bool,
-    /// Also test the Python package beside its large peers: Ray, Rerun, Open3D
+    /// Also test the Python package beside its large peers: Ray, Rerun, Open3D; and the page in a browser
     #[arg(long)]
     peers: bool,
     /// Skip the Python oracles
@@ -69,6 +69,10 @@ pub(crate) fn run(args: &Args) -> ExitCode {
                 report.count_failure();
             }
         },
+    }
+    match args.all || args.peers {
+        true => web::steps(&mut report),
+        false => report.skip("page", "run by --peers"),
     }
     report.finish()
 }

@@ -16,6 +16,7 @@ mod scene;
 mod sense;
 mod sensor;
 mod stereo;
+mod studio;
 mod threads;
 mod unit;
 
@@ -42,6 +43,7 @@ pub(crate) use scene::SceneArgs;
 pub(crate) use sense::SenseArgs;
 pub(crate) use sensor::{MatcherArgs, SensorArgs};
 pub(crate) use stereo::StereoArgs;
+pub(crate) use studio::StudioArgs;
 pub(crate) use threads::ThreadArgs;
 pub(crate) use unit::{MeasuredUnitArgs, UnitArgs};
 
@@ -100,6 +102,8 @@ pub(crate) enum Command {
     Fit(Box<FitArgs>),
     /// Check the cameras and depth sensors of a USD file
     Check(CheckArgs),
+    /// Serve a page to choose, tune, place and understand an OAK by looking
+    Studio(StudioArgs),
     /// Print a shell completion script
     Completions(CompletionsArgs),
     /// Print a manual page

@@ -16,3 +16,4 @@ pub(crate) mod render;
 pub(crate) mod sense;
 pub(crate) mod show;
 pub(crate) mod stereo;
+pub(crate) mod studio;

@@ -77,6 +77,7 @@ fn run(cli: &Cli) -> Result<Exit> {
         Command::Coverage(args) => commands::coverage::run(&context, args),
         Command::Fit(args) => commands::fit::run(&context, args),
         Command::Check(args) => commands::check::run(&context, args),
+        Command::Studio(args) => commands::studio::run(&context, args),
         Command::Completions(_) | Command::Man(_) => Ok(Exit::Success),
     }
 }

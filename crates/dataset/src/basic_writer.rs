@@ -30,6 +30,8 @@ use crate::{Options, Shot, WriteError, Writer, json};
 /// | `depth_sensor_point_cloud_color_0000.npy` | `uint8` (H, W, 4) |
 /// | `depth_sensor_imager_0000.npy` | `float32` (H, W) |
 /// | `depth_sensor_output_visualization_0000.png` | RGBA |
+/// | `depth_sensor_reason_0000.png` | 8-bit grey: codes |
+/// | `depth_sensor_reason_legend_0000.json` | the name and the meaning of each code |
 /// | `depth_sensor_point_cloud_0000.ply` | an extra: the measured points, with their colours if those are rendered |
 #[derive(Clone, Debug, Default)]
 pub struct BasicWriter {
@@ -94,9 +96,16 @@ mod tests {
     use super::*;
     use crate::Extras;
     use oaktwin_image::annotation::{
-        Box2d, Boxes2d, Frame, Labels, PointCloud, Segmentation, SemanticSegmentation,
+        Box2d, Boxes2d, Frame, Labels, PointCloud, ReasonLabel, Reasons, Segmentation, SemanticSegmentation,
     };
     use oaktwin_image::{Image, RangeDepth, ZDepth, npy, ply, png};
+
+    fn label(name: &str) -> ReasonLabel {
+        ReasonLabel {
+            name: name.to_owned(),
+            documentation: "A sentence.".to_owned(),
+        }
+    }
 
     fn frame() -> Frame {
         let depth = Image::new(2, 1, vec![1.5f32, f32::INFINITY]).unwrap();
@@ -142,6 +151,10 @@ mod tests {
             depth_sensor_point_cloud_color: Some(Image::new(2, 1, vec![[0; 4], [7, 8, 9, 255]]).unwrap()),
             depth_sensor_imager: Some(Image::filled(2, 1, 0.5)),
             depth_sensor_output_visualization: Some(Image::filled(2, 1, [4, 5, 6, 255])),
+            depth_sensor_reason: Some(Reasons {
+                codes: Image::new(2, 1, vec![2, 0]).unwrap(),
+                legend: [(2, label("too_near"))].into(),
+            }),
         }
     }
 
@@ -194,6 +207,8 @@ mod tests {
                 "depth_sensor_point_cloud_color_0012.npy",
                 "depth_sensor_imager_0012.npy",
                 "depth_sensor_output_visualization_0012.png",
+                "depth_sensor_reason_0012.png",
+                "depth_sensor_reason_legend_0012.json",
             ]
         );
         assert_eq!(paths(Options::default(), None, Frame::default()), [""; 0]);
@@ -275,6 +290,12 @@ mod tests {
             text("semantic_segmentation_labels_0000.json"),
             r#"{"(0, 0, 0, 0)": {"class": "BACKGROUND"}, "(0, 0, 0, 255)": {"class": "UNLABELLED"}, "(255, 25, 25, 255)": {"class": "cup"}}"#
         );
+        assert_eq!(
+            text("depth_sensor_reason_legend_0000.json"),
+            r#"{"2": {"name": "too_near", "documentation": "A sentence."}}"#
+        );
+        let codes = png::decode::<u8>(&bytes("depth_sensor_reason_0000.png")).unwrap();
+        assert_eq!(codes.pixels(), [2, 0]);
         let semantic = png::decode::<[u8; 4]>(&bytes("semantic_segmentation_0000.png")).unwrap();
         assert_eq!(semantic.pixels(), [[255, 25, 25, 255], [0; 4]]);
         for (name, shape) in [

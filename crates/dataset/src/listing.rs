@@ -1,11 +1,13 @@
 use std::collections::BTreeMap;
 
 use oaktwin_image::annotation::{
-    AnnotationRef, Annotator, Boxes2d, Frame, PointCloud, Segmentation, SemanticSegmentation,
+    AnnotationRef, Annotator, Boxes2d, Frame, PointCloud, ReasonLabel, Reasons, Segmentation,
+    SemanticSegmentation,
 };
 use oaktwin_image::npy::Element;
 use oaktwin_image::{Image, exr, millimetres, ply, png, preview};
 use serde::Serialize;
+use serde_json::{Value, json};
 
 use crate::file::{Array, Content, DatasetFile, Fault};
 use crate::segmentation::{self, Kind};
@@ -144,6 +146,12 @@ impl<'a> Files<'a> {
                 }
                 AnnotationRef::PixelColors(colors) => self.push_vectors(name, colors),
                 AnnotationRef::Scalar(image) => self.push_image(name, name, image),
+                AnnotationRef::Reasons(Reasons { codes, legend }) => {
+                    self.push(name, name, "png", move || Ok(png::encode(codes)?));
+                    self.push(name, &format!("{name}_legend"), "json", move || {
+                        Ok(json::encode(&reason_legend(legend)))
+                    });
+                }
             }
         }
     }
@@ -212,4 +220,13 @@ impl<'a> Files<'a> {
             });
         }
     }
+}
+
+/// The legend of reasons: `{"2": {"name": …, "documentation": …}}`.
+fn reason_legend(legend: &BTreeMap<u8, ReasonLabel>) -> Value {
+    let entry = |(code, label): (&u8, &ReasonLabel)| {
+        let label = json!({"name": label.name, "documentation": label.documentation});
+        (code.to_string(), label)
+    };
+    Value::Object(legend.iter().map(entry).collect())
 }

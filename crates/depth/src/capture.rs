@@ -2,6 +2,7 @@ use oaktwin_image::annotation::Annotator;
 use oaktwin_image::{Image, ZDepth};
 
 use crate::filter::Chain;
+use crate::reason::ReasonCodes;
 
 /// The output of a sensor for one input. All images have one size, and show what the
 /// [output camera](crate::Sensor::output_camera) sees.
@@ -29,6 +30,8 @@ pub enum Layer {
     Points(Image<[f32; 4]>),
     /// Fixed-point disparity.
     Disparity(FixedDisparity),
+    /// Why pixels have no value.
+    Reasons(ReasonCodes),
 }
 
 impl Capture {
@@ -68,8 +71,8 @@ impl Capture {
                 Layer::Bytes(image) => Layer::Bytes(filters.companion(image)),
                 Layer::Floats(image) => Layer::Floats(filters.companion(image)),
                 Layer::Colors(image) => Layer::Colors(filters.companion(image)),
-                // Disparity is filtered itself.
-                layer @ (Layer::Points(_) | Layer::Disparity(_)) => layer,
+                // Disparity is filtered itself, and filters are among the reasons.
+                layer @ (Layer::Points(_) | Layer::Disparity(_) | Layer::Reasons(_)) => layer,
             };
         }
     }
@@ -118,6 +121,7 @@ layers! {
     Colors(Image<[u8; 4]>);
     Points(Image<[f32; 4]>);
     Disparity(FixedDisparity);
+    Reasons(ReasonCodes);
 }
 
 /// A disparity image in fixed point.

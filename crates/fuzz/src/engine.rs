@@ -7,7 +7,10 @@ use oaktwin_depth::filter::{Chain, parse};
 use oaktwin_depth::parameters::Platform;
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::stereo_matching::Pair;
-use oaktwin_depth::{Capture, Engine, EngineInput, EngineKind, Input, Layer, Sensor, Setup, Shot};
+use oaktwin_depth::{
+    Capture, Engine, EngineInput, EngineKind, Input, Layer, ReasonCodes, Sensor, Setup, Shot,
+};
+use oaktwin_image::annotation::Annotator;
 use oaktwin_image::{Image, ImageView};
 
 use crate::random::Random;
@@ -126,6 +129,13 @@ fn measure(engine: &Arc<dyn Engine>, filters: &Chain, input: Input<'_>) {
     assert_eq!((image.width(), image.height()), filters.size(width, height));
     let strange = image.pixels().iter().find(|z| !(z.is_finite() && **z >= 0.0));
     assert!(strange.is_none(), "{engine:?}: measured {strange:?}");
+    let codes: Option<&ReasonCodes> = first.extra(Annotator::DepthSensorReason);
+    let pixels = codes
+        .iter()
+        .flat_map(|codes| image.pixels().iter().zip(codes.0.pixels()));
+    for (z, code) in pixels {
+        assert_eq!(*z > 0.0, *code == 0, "{engine:?}: the reason of {z} is {code}");
+    }
 }
 
 /// The bits of all images, so that NaN equals itself.
@@ -139,6 +149,7 @@ fn bits(capture: &Capture) -> Vec<u32> {
                 bits.extend(image.pixels().iter().map(|&color| u32::from_le_bytes(color)));
             }
             Layer::Points(image) => bits.extend(image.pixels().iter().flatten().map(|value| value.to_bits())),
+            Layer::Reasons(codes) => bits.extend(codes.0.pixels().iter().map(|&code| u32::from(code))),
             Layer::Disparity(fixed) => bits.extend(format!("{fixed:?}").bytes().map(u32::from)),
         }
     }

@@ -60,6 +60,7 @@ kinds! {
     "A homogeneous point for each pixel." PixelPoints(Image<[f32; 4]>) 16;
     "An sRGB colour for each of [`PixelPoints`](Self::PixelPoints)." PixelColors(Image<[u8; 4]>) 4;
     "A scalar image." Scalar(Image<f32>) 4;
+    "Codes with a legend." Reasons(Reasons) 1;
 }
 
 /// Declares the annotators in the order of their output: documentation, variant, name, source, and the kind and type of the
@@ -176,6 +177,8 @@ annotators! {
     DepthSensorImager depth_sensor_imager DepthSensor Scalar(Image<f32>);
     "The view that `rgbDepthOutputMode` selects, sRGB."
     DepthSensorOutputVisualization depth_sensor_output_visualization DepthSensor Color(Image<[u8; 4]>);
+    "Why a pixel of the sensor has no value, as codes with a legend. Isaac Sim has no such output."
+    DepthSensorReason depth_sensor_reason DepthSensor Reasons(Reasons);
     "The disparity of a stereo matcher."
     Disparity disparity StereoMatcher;
     "The confidence of a stereo matcher."
@@ -217,6 +220,24 @@ pub struct SemanticSegmentation {
     pub ids: Image<u32>,
     /// The labels of each id in the image: `{"class": "BACKGROUND"}` for 0, `{"class": "UNLABELLED"}` for 1.
     pub labels: BTreeMap<u32, Labels>,
+}
+
+/// An image of codes. 0 is a measured pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reasons {
+    /// The code of each pixel.
+    pub codes: Image<u8>,
+    /// The meaning of all codes.
+    pub legend: BTreeMap<u8, ReasonLabel>,
+}
+
+/// The meaning of a code.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ReasonLabel {
+    /// A name for machines: `too_near`.
+    pub name: String,
+    /// A sentence.
+    pub documentation: String,
 }
 
 /// The bounding boxes of an image.

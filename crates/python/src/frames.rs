@@ -48,6 +48,9 @@ impl<'py> Frames<'py> {
                 Some(Annotation::Color(image) | Annotation::PixelColors(image)) => {
                     self.image(py, name, number, flat(image), &[4])?;
                 }
+                Some(Annotation::Reasons(reasons)) => {
+                    self.image(py, name, number, reasons.codes.into_pixels(), &[])?;
+                }
                 Some(Annotation::PixelPoints(image)) => self.image(py, name, number, flat(image), &[4])?,
                 Some(Annotation::Normals(image)) => self.image(py, name, number, flat(image), &[3])?,
                 Some(Annotation::InstanceIds(seen)) => {

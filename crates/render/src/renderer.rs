@@ -90,6 +90,15 @@ impl Renderer {
         self.ray_caster().are_occluded(&self.scene, rays)
     }
 
+    /// Returns the mean sRGB colour of each triangle of a mesh, without light: for overviews. Empty if the scene has no such mesh.
+    #[must_use]
+    pub fn flat_colors(&self, mesh: usize) -> Vec<[u8; 3]> {
+        let mesh = self.scene.meshes.get(mesh);
+        mesh.map_or_else(Vec::new, |mesh| {
+            self.shader_assets().flat_colors(&self.scene, mesh)
+        })
+    }
+
     pub(crate) fn rasterizer(&self) -> &Rasterizer {
         self.rasterizer
             .get_or_init(|| in_own_pool(|| Rasterizer::new(&self.scene)))
@@ -100,8 +109,12 @@ impl Renderer {
             .get_or_init(|| in_own_pool(|| RayCaster::new(&self.scene)))
     }
 
+    fn shader_assets(&self) -> &ShaderAssets {
+        self.shader_assets.get_or_init(|| ShaderAssets::new(&self.scene))
+    }
+
     pub(crate) fn shader(&self) -> &Shader {
-        let assets = self.shader_assets.get_or_init(|| ShaderAssets::new(&self.scene));
+        let assets = self.shader_assets();
         self.shader
             .get_or_init(|| in_own_pool(|| Shader::new(&self.scene, self.ray_caster(), assets.clone())))
     }

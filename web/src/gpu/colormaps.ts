@@ -66,8 +66,12 @@ export function errorTable(): Uint8Array<ArrayBuffer> {
   return remembered(DIVERGING);
 }
 
+/** The codes from this one on are those of filters, which have the last colours. */
+const FIRST_FILTER = 32;
+const FILTER_COLORS = 7;
+
 /**
- * The colours of reasons by code. Code 0, a measured pixel, recedes; neighbours differ in lightness as well as in hue, because there
+ * The colours of reasons. Code 0, a measured pixel, recedes; neighbours differ in lightness as well as in hue, because there
  * are more reasons than hues that everybody can tell apart. The legend and the readout name them.
  */
 const REASON_COLORS: Rgb[] = parse(
@@ -76,7 +80,9 @@ const REASON_COLORS: Rgb[] = parse(
 );
 
 export function reasonColor(code: number): Rgb {
-  return REASON_COLORS[code % REASON_COLORS.length] as Rgb;
+  const own = REASON_COLORS.length - FILTER_COLORS;
+  const place = code < FIRST_FILTER ? code % own : own + ((code - FIRST_FILTER) % FILTER_COLORS);
+  return REASON_COLORS[place] as Rgb;
 }
 
 export function reasonTable(): Uint8Array<ArrayBuffer> {

@@ -34,7 +34,7 @@ export function range({ type, choices, minimum, maximum, unit }: Parameter): str
   if (minimum !== null && maximum !== null) return `${minimum} to ${maximum}${suffix}`;
   if (minimum !== null) return `at least ${minimum}${suffix}`;
   if (maximum !== null) return `at most ${maximum}${suffix}`;
-  return type === "string" ? "any text" : `any number${suffix}`;
+  return `any number${suffix}`;
 }
 
 /** A slider reaches this many times as far as the default where the range is much wider or has no end. */

@@ -11,8 +11,12 @@ import type { Studio } from "./studio";
 /** How long nothing must have changed before images of full size are requested, ms. */
 const REST = 150;
 
-/** The largest images while something moves. */
-const COARSE: [number, number] = [640, 400];
+/** The limits of images while something moves; smaller ones are used while the server takes long. */
+const COARSE: [number, number][] = [[640, 400], [480, 300], [320, 200]];
+
+/** A frame that takes longer than the first number makes the next one coarser, one below the second finer, ms. */
+const SLOW = 120;
+const FAST = 40;
 
 /** Fits a sensor's resolution into a limit, with its aspect ratio. Null: the sensor's own. */
 export function fit([width, height]: [number, number], limit: [number, number] | null): [number, number] | null {
@@ -39,6 +43,12 @@ export class FrameLoop {
   private readonly scheduler: FrameScheduler;
   /** What was last requested of each OAK, to find changes. */
   private readonly requested = new Map<string, readonly unknown[]>();
+  /** The requests that were made while something moved. */
+  private readonly moving = new WeakSet<Wanted>();
+  /** The place in {@link COARSE} of the next such request. */
+  private coarseness = 0;
+  /** The limit of the last request of each OAK. */
+  private readonly limits = new Map<string, string | undefined>();
   private timer = 0;
   private wasLost = false;
 
@@ -92,7 +102,7 @@ export class FrameLoop {
       const before = this.requested.get(oak.key);
       if (before && before.length === key.length && before.every((part, i) => part === key[i])) continue;
       this.requested.set(oak.key, key);
-      this.request(oak, COARSE, images);
+      this.moving.add(this.request(oak, COARSE[this.coarseness] ?? null, images));
       this.rest();
     }
   }
@@ -103,19 +113,21 @@ export class FrameLoop {
       this.timer = 0;
       const { document, display } = this.studio;
       const limit = FULL_SIZES.find(({ size }) => size === display.get().fullSize)?.limit ?? null;
-      if (display.get().fullSize === "small") return;
       const images = neededImages(display.get());
       for (const oak of document.get().oaks) {
-        if (!oak.isHidden && this.studio.hasDepth(oak.state)) this.request(oak, limit, images);
+        if (!oak.isHidden && this.studio.hasDepth(oak.state) && this.limits.get(oak.key) !== limit?.join()) this.request(oak, limit, images);
       }
     }, REST);
   }
 
-  private request(oak: Oak, limit: [number, number] | null, images: ImageName[]): void {
+  private request(oak: Oak, limit: [number, number] | null, images: ImageName[]): Wanted {
     const { scene, region } = this.studio.document.get();
     const resolution = findSensor(this.studio.catalog.get(), oak.state)?.resolution;
     const size = resolution ? fit(resolution, limit) : null;
-    this.scheduler.request({ oak: oak.key, scene, state: oak.state, size, images, region });
+    this.limits.set(oak.key, limit?.join());
+    const wanted = { oak: oak.key, scene, state: oak.state, size, images, region };
+    this.scheduler.request(wanted);
+    return wanted;
   }
 
   private forgetRemoved(oaks: Oak[]): void {
@@ -136,9 +148,15 @@ export class FrameLoop {
     const wanted = this.scheduler.settle(oak, id);
     if (!wanted) return;
     this.received++;
+    if (this.moving.has(wanted)) this.adapt(frame.header.milliseconds);
     this.defaults.learn(wanted.state, frame.header.parameters);
     this.accept(oak, wanted, frame);
     this.probes.refresh(oak);
+  }
+
+  private adapt(milliseconds: number): void {
+    if (milliseconds > SLOW) this.coarseness = Math.min(this.coarseness + 1, COARSE.length - 1);
+    else if (milliseconds < FAST) this.coarseness = Math.max(this.coarseness - 1, 0);
   }
 
   private accept(oak: string, wanted: Wanted, frame: Frame): void {

@@ -26,6 +26,8 @@ export class SceneView {
   readonly gizmo = new Store<GizmoMode>("translate");
   /** Whether the next click in the view chooses the object whose coverage is computed. */
   readonly isPicking = new Store(false);
+  /** Whether the selected OAK moves with the view. */
+  readonly isRiding = new Store(false);
   /** The triangles that are drawn, and those that the scene has. */
   readonly detail = new Store<{ shown: number; of: number } | null>(null);
   readonly viewer: Viewer;
@@ -40,10 +42,10 @@ export class SceneView {
   private roof: number | null = null;
 
   constructor(private readonly studio: Studio, canvas: HTMLCanvasElement) {
-    this.viewer = new Viewer(canvas, { onPose: (pose) => this.movePose(pose), onPick: (object) => this.pick(object), onOak: (index) => this.select(index) });
+    this.viewer = new Viewer(canvas, { onPose: (pose) => this.movePose(pose), onPick: (object) => this.pick(object), onOak: (index) => this.select(index), onView: () => this.ride() });
     const { document, display, scene, frames, probe } = studio;
     scene.subscribe(() => void this.loadScene());
-    for (const store of [document, display, this.gizmo]) store.subscribe(() => this.follow());
+    for (const store of [document, display, this.gizmo, this.isRiding]) store.subscribe(() => this.follow());
     frames.subscribe(() => this.followClouds());
     probe.subscribe(() => this.followProbe());
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.paintBackground());
@@ -61,6 +63,12 @@ export class SceneView {
   lookThrough(): void {
     const oak = selectedOak(this.studio.document.get());
     if (oak) this.viewer.navigation.lookAlong(oak.state.pose);
+  }
+
+  /** Couples the selected OAK with the view, or releases it. */
+  setRiding(isOn: boolean): void {
+    if (isOn) this.lookThrough();
+    this.isRiding.set(isOn);
   }
 
   /** Loads every triangle of the scene, for a computer with a GPU. */
@@ -107,7 +115,7 @@ export class SceneView {
     const { document, display, scene } = this.studio;
     const [shown, state, info] = [display.get(), document.get(), scene.get()];
     this.followOaks(state.oaks, state.selected, shown);
-    const [mode, pose] = [this.gizmo.get(), selectedOak(state)?.state.pose ?? null];
+    const [mode, pose] = [this.isRiding.get() ? "none" : this.gizmo.get(), selectedOak(state)?.state.pose ?? null];
     if (this.isNew("gizmo", mode, pose)) this.viewer.setGizmo(mode, pose);
     if (this.isNew("scene", this.mesh, shown.showScene)) this.viewer.showScene(shown.showScene);
     const roof = shown.showRoof ? null : this.roof;
@@ -127,8 +135,9 @@ export class SceneView {
   /** Makes the OAKs again only if more than their poses changed. */
   private followOaks(oaks: Oak[], selected: string, shown: Display): void {
     const visible = oaks.filter((oak) => !oak.isHidden);
+    const isRiding = this.isRiding.get();
     const looks = JSON.stringify([
-      selected, shown.showCameras, shown.showRanges,
+      selected, isRiding, shown.showCameras, shown.showRanges,
       visible.map(({ key, state }) => [key, state.model, state.sensor, this.bodies.get(state.model) ? 1 : 0]), oaks.map(({ key }) => key),
     ]);
     if (this.isNew("looks", looks)) {
@@ -139,6 +148,9 @@ export class SceneView {
     for (const entry of this.groups) {
       const oak = oaks.find(({ key }) => key === entry.oak.key);
       if (oak) place(entry.group, oak.state.pose);
+      // Linked OAKs ride along; from inside, their bodies would fill the view.
+      const { arePosesLinked } = this.studio.document.get();
+      entry.group.visible = !isRiding || (entry.oak.key !== selected && !arePosesLinked);
     }
     this.viewer.invalidate();
   }
@@ -228,6 +240,11 @@ export class SceneView {
     const rows = sensor.bodyFromCamera;
     const eye = new Vector3(rows[3], rows[7], rows[11]).applyQuaternion(new Quaternion(...frame.state.pose.quaternion));
     this.viewer.setMarker(answer.point, eye.add(new Vector3(...frame.state.pose.position)).toArray() as Vec3);
+  }
+
+  /** Moves the selected OAK to where the view is. */
+  private ride(): void {
+    if (this.isRiding.get()) this.movePose(this.viewer.pose());
   }
 
   private movePose(pose: Pose): void {

@@ -8,7 +8,9 @@ import { useStore } from "../util/store";
 import { Section } from "./controls";
 import { useApp } from "./context";
 
-const HEIGHT = 170;
+/** The height of the chart and its texts, in units of the page's font. */
+const HEIGHT = 13;
+const TEXT = 0.85;
 
 /** The error over distance of all OAKs, with the maker's bands and the distance under the mouse. */
 export function Accuracy() {
@@ -78,20 +80,21 @@ function draw(
   });
   if (shown.length === 0) return null;
   const style = getComputedStyle(document.documentElement);
+  const unit = Number.parseFloat(style.fontSize);
   const color = (name: string) => style.getPropertyValue(name).trim();
-  const axis = { stroke: color("--muted"), grid: { stroke: color("--line"), width: 1 }, ticks: { stroke: color("--line"), width: 1 }, font: "11px system-ui", size: 34 };
+  const axis = { stroke: color("--muted"), grid: { stroke: color("--line"), width: 1 }, ticks: { stroke: color("--line"), width: 1 }, font: `${TEXT * unit}px system-ui`, size: 2.6 * unit };
   const errors = shown.flatMap(({ curve }) => curve.errorPercent.filter((error) => error !== null));
   const top = Math.max(1, ...errors.map(Math.abs), ...bands.map(({ percent }) => percent)) * 1.1;
   const bottom = Math.min(0, ...errors) * 1.1;
   const options: uPlot.Options = {
     width: Math.max(holder.clientWidth, 120),
-    height: HEIGHT,
+    height: HEIGHT * unit,
     legend: { show: false },
     cursor: { drag: { x: false, y: false }, points: { size: 5 } },
     scales: { x: { time: false }, y: { range: [bottom, top] } },
     axes: [
       { ...axis, values: (_, splits) => splits.map((metres) => `${metres} m`) },
-      { ...axis, size: 40, values: (_, splits) => splits.map((percent) => `${Number(percent.toFixed(2))} %`) },
+      { ...axis, size: 3.2 * unit, values: (_, splits) => splits.map((percent) => `${Number(percent.toFixed(2))} %`) },
     ],
     series: [{}, ...shown.map(({ oak, index }) => ({ label: oak.state.model, stroke: css(oakColor(index)), width: 2, points: { show: false } }))],
     hooks: {

@@ -10,6 +10,7 @@ import { Button } from "./controls";
 import { useApp } from "./context";
 import { Dialog } from "./Dialog";
 import { Menu } from "./Menu";
+import { composePanels } from "./compose";
 
 type What = Omit<ExportRequest, "scene" | "state" | "size">;
 
@@ -40,13 +41,20 @@ async function exported(studio: Studio, what: What): Promise<{ name: string; fil
   }
 }
 
-export function save(name: string, file: Blob): void {
+function save(name: string, file: Blob): void {
   const address = URL.createObjectURL(file);
   const link = document.createElement("a");
   link.href = address;
   link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
+}
+
+/** Saves all panels in one picture, as they are on the page. */
+async function saveShown(studio: Studio): Promise<void> {
+  const picture = await composePanels(document);
+  if (picture) save("oaktwin-images.png", picture);
+  else studio.notify("warning", "No image is shown.");
 }
 
 /** What can be taken away: files of the selected OAK, and texts that reproduce its state. */
@@ -77,6 +85,7 @@ export function ExportMenu() {
               <p class="menu-head">Files</p>
               {FILES.map(({ title, what }) => item(title, () => void download(what)))}
               <p class="menu-head">Images</p>
+              {item("As shown (PNG)", () => void saveShown(studio))}
               {images.flatMap(({ kind, title, images: [image] }) => (image === undefined || kind === "error" ? [] : [
                 item(`${title} (PNG)`, () => void download({ what: "image", image, format: "png" })),
                 item(`${title} (NumPy)`, () => void download({ what: "image", image, format: "npy" })),

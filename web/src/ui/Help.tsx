@@ -8,6 +8,7 @@ const KEYS: [string, [string, string][]][] = [
     ["P", "Points: none, true, measured, both"],
     ["Home", "Look at the OAK"],
     ["C", "Look from the OAK"],
+    ["F", "Fly the OAK: it moves with the view"],
     ["[, ]", "Select the previous, next OAK"],
     ["Escape", "Close, or stop probing"],
     ["?", "This list"],

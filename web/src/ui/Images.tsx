@@ -1,6 +1,6 @@
 import { useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 import { findScales } from "../gpu/scales";
-import { FULL_SIZES, type PanelKind, PANELS } from "../state/display";
+import { type Display, FULL_SIZES, type PanelKind, PANELS } from "../state/display";
 import type { Oak } from "../state/document";
 import { useStore } from "../util/store";
 import { Button, Select } from "./controls";
@@ -74,9 +74,14 @@ export function Images() {
         </div>
         {cells.length === 0 && <p class="hint pad">Choose at least one image above.</p>}
       </div>
-      <Legend kinds={display.wipe ? [display.wipe.left, display.wipe.right] : kinds} scales={scales} />
+      <Legend kinds={[...(display.wipe ? [display.wipe.left, display.wipe.right] : kinds), ...cloudKinds(display)]} scales={scales} />
     </section>
   );
+}
+
+/** Returns the images whose colours the points in the 3D view have. */
+function cloudKinds({ cloud, cloudColor }: Display): PanelKind[] {
+  return cloud === "none" || cloudColor === "oak" ? [] : [cloudColor];
 }
 
 function ImageBar() {

@@ -5,6 +5,7 @@ import { useStore } from "../util/store";
 import { Accuracy } from "./Accuracy";
 import { Button, NumberField, Section } from "./controls";
 import { useApp } from "./context";
+import { ColumnName } from "./ColumnName";
 import { Histogram } from "./Histogram";
 
 /** What is known about the pixel under the mouse and about the images. */
@@ -97,8 +98,7 @@ function Numbers() {
               <td />
               {shown.map(({ key, state }) => (
                 <th key={key} scope="col" data-tip={state.model}>
-                  <span class="dot-small" style={{ background: css(oakColor(oaks.findIndex((oak) => oak.key === key))) }} />
-                  <span class={shown.length > 2 ? "sr-only" : ""}>{state.model}</span>
+                  <ColumnName index={oaks.findIndex((oak) => oak.key === key)} model={state.model} isShort={shown.length > 2} />
                 </th>
               ))}
             </tr>

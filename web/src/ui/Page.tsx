@@ -52,11 +52,17 @@ export function Page() {
 function RightSide() {
   const [tab, setTab] = useState<"inspect" | "place">("inspect");
   const tabs = [["inspect", "Understand"], ["place", "Place"]] as const;
+  const key = (event: KeyboardEvent) => {
+    if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return;
+    const next = tab === "inspect" ? "place" : "inspect";
+    setTab(next);
+    document.getElementById(`tab-${next}`)?.focus();
+  };
   return (
     <aside class="side right" aria-label="Numbers">
-      <div class="tabs" role="tablist">
+      <div class="tabs" role="tablist" onKeyDown={key}>
         {tabs.map(([id, title]) => (
-          <button key={id} type="button" role="tab" id={`tab-${id}`} aria-selected={tab === id} aria-controls="tab-panel" data-testid={`tab-${id}`} onClick={() => setTab(id)}>{title}</button>
+          <button key={id} type="button" role="tab" id={`tab-${id}`} aria-selected={tab === id} tabIndex={tab === id ? 0 : -1} aria-controls="tab-panel" data-testid={`tab-${id}`} onClick={() => setTab(id)}>{title}</button>
         ))}
       </div>
       <div role="tabpanel" id="tab-panel" aria-labelledby={`tab-${tab}`}>{tab === "inspect" ? <Inspect /> : <Place />}</div>

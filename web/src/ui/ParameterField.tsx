@@ -18,7 +18,7 @@ interface Props {
 export function ParameterField({ parameter, value, fallback, problem, onChange }: Props) {
   const { name, isEstimate } = parameter;
   const shown = value ?? brief(fallback);
-  const isChanged = value !== undefined;
+  const isChanged = value !== undefined && value !== fallback;
   const set = (text: string): string | null => {
     const checked = check(parameter, text);
     if ("problem" in checked) return checked.problem;
@@ -97,9 +97,10 @@ function brief(text: string): string {
 
 function describe(parameter: Parameter, fallback: string): string {
   const unit = parameter.unit ? ` ${parameter.unit}` : "";
+  const isFree = parameter.type === "string" && !parameter.choices;
   return [
     `${parameter.name}: ${parameter.documentation}`,
-    `Range: ${range(parameter)}`,
+    ...(isFree ? [] : [`Range: ${range(parameter)}`]),
     `Default: ${fallback}${unit}`,
     `Source: ${parameter.isEstimate ? "estimate" : parameter.source}`,
   ].join("\n");

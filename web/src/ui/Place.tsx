@@ -1,5 +1,5 @@
 import { useEffect, useRef, useState } from "preact/hooks";
-import { css, oakColor, reasonColor } from "../gpu/colormaps";
+import { css, reasonColor } from "../gpu/colormaps";
 import { api } from "../net/api";
 import type { CoverageAnswer, OakState, Vec3 } from "../protocol";
 import type { Oak, Target } from "../state/document";
@@ -8,6 +8,7 @@ import { bareMillimetres, bareShare, words } from "../util/format";
 import { useStore } from "../util/store";
 import { Button, NumberField, Section } from "./controls";
 import { useApp } from "./context";
+import { ColumnName } from "./ColumnName";
 import { Sweep } from "./Sweep";
 
 /** Which share of a region the OAKs measure, and which poses measure more. */
@@ -129,13 +130,15 @@ function Coverage({ target }: { target: Target }) {
 }
 
 function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer: CoverageAnswer }) {
-  const { studio } = useApp();
-  const { reasons } = useStore(studio.catalog);
   const columns = oaks.flatMap((oak, i) => {
     const pose = answer.poses[i];
     return pose ? [{ oak, pose }] : [];
   });
-  const lost = reasons.filter(({ code }) => code !== 0 && columns.some(({ pose }) => (pose.reasons[code] ?? 0) > 0));
+  const { reasons } = useStore(useApp().studio.catalog);
+  const most = (name: string) => Math.max(...columns.map(({ pose }) => pose.lost[name] ?? 0));
+  const names = [...new Set(columns.flatMap(({ pose }) => Object.keys(pose.lost)))].sort((a, b) => most(b) - most(a));
+  // Those of visibility, such as "hidden", are no reasons of pixels.
+  const lost = names.map((name) => ({ name, reason: reasons.find((reason) => reason.name === name) }));
   return (
     <div class="scroll-x">
       <table class="numbers">
@@ -144,19 +147,21 @@ function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer:
             <td />
             {columns.map(({ oak }) => (
               <th key={oak.key} scope="col" data-tip={oak.state.model}>
-                <span class="dot-small" style={{ background: css(oakColor(all.indexOf(oak))) }} />
-                <span class={columns.length > 2 ? "sr-only" : ""}>{oak.state.model}</span>
+                <ColumnName index={all.indexOf(oak)} model={oak.state.model} isShort={columns.length > 2} />
               </th>
             ))}
           </tr>
         </thead>
         <tbody>
+          <tr><th scope="row">Visible, %</th>{columns.map(({ oak, pose }) => <td key={oak.key}>{bareShare(pose.seen)}</td>)}</tr>
           <tr><th scope="row">Measured, %</th>{columns.map(({ oak, pose }) => <td key={oak.key}><b>{bareShare(pose.measured)}</b></td>)}</tr>
           <tr><th scope="row">Median |error|, mm</th>{columns.map(({ oak, pose }) => <td key={oak.key}>{bareMillimetres(pose.medianAbsoluteErrorM)}</td>)}</tr>
-          {lost.map(({ code, name, documentation }) => (
-            <tr key={code}>
-              <th scope="row" data-tip={documentation}><span class="swatch" style={{ background: css(reasonColor(code)) }} />{words(name)}, %</th>
-              {columns.map(({ oak, pose }) => <td key={oak.key}>{bareShare(pose.reasons[code])}</td>)}
+          {lost.map(({ name, reason }) => (
+            <tr key={name}>
+              <th scope="row" data-tip={reason?.documentation}>
+                {reason && <span class="swatch" style={{ background: css(reasonColor(reason.code)) }} />}{words(name)}, %
+              </th>
+              {columns.map(({ oak, pose }) => <td key={oak.key}>{bareShare(pose.lost[name] ?? 0)}</td>)}
             </tr>
           ))}
         </tbody>

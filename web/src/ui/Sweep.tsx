@@ -1,5 +1,6 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { api } from "../net/api";
+import type { CoverageAnswer } from "../protocol";
 import { changeOak, selectedOak, type Target } from "../state/document";
 import { height, MAX_POSES, rank, type Ranked, type Span, sweep } from "../studio/sweep";
 import { millimetres, share } from "../util/format";
@@ -7,6 +8,9 @@ import { toAngles } from "../util/pose";
 import { useStore } from "../util/store";
 import { Button, Check, NumberField, Section } from "./controls";
 import { useApp } from "./context";
+
+/** How many poses are computed by one request: the ranking grows with each answer. */
+const AT_ONCE = 3;
 
 /** How many of the ranked poses are listed. */
 const LISTED = 12;
@@ -27,7 +31,8 @@ export function Sweep({ target }: { target: Target }) {
   const [ranked, setRanked] = useState<Ranked[] | null>(null);
   const [problem, setProblem] = useState<string | null>(null);
   const running = useRef<AbortController | null>(null);
-  const [isRunning, setRunning] = useState(false);
+  /** The number of poses that were tried; null while none are. */
+  const [done, setDone] = useState<number | null>(null);
   useEffect(() => () => running.current?.abort(), []);
   if (!oak) return null;
   const shown = isForAll ? document.oaks.filter((oak) => !oak.isHidden && studio.hasDepth(oak.state)).map(({ state }) => state) : [oak.state];
@@ -36,14 +41,19 @@ export function Sweep({ target }: { target: Target }) {
     const states = sweep(shown, heights, tilts, up);
     const own = new AbortController();
     running.current = own;
-    setRunning(true);
     setProblem(null);
+    const poses: CoverageAnswer["poses"] = [];
     try {
-      setRanked(rank(states, await api.coverage({ scene: document.scene, states, region: target }, own.signal), up));
+      while (poses.length < states.length) {
+        setDone(poses.length);
+        const next = states.slice(poses.length, poses.length + AT_ONCE);
+        poses.push(...(await api.coverage({ scene: document.scene, states: next, region: target }, own.signal)).poses);
+        setRanked(rank(states, { poses }, up));
+      }
     } catch (error) {
       if (!own.signal.aborted) setProblem(error instanceof Error ? error.message : String(error));
     } finally {
-      setRunning(false);
+      setDone(null);
     }
   };
   const take = ({ state }: Ranked) => studio.document.commit("sweep", (document) =>
@@ -54,10 +64,10 @@ export function Sweep({ target }: { target: Target }) {
       <SpanFields name="Tilt" unit="°" span={tilts} onChange={setTilts} />
       {document.oaks.length > 1 && <Check label="All models, not only the selected OAK" isOn={isForAll} onChange={setForAll} />}
       <div class="row">
-        {isRunning
+        {done !== null
           ? <Button label="Cancel" onClick={() => running.current?.abort()} />
           : <Button label={`Try ${count} poses`} class="primary" isDisabled={count > MAX_POSES} onClick={() => void run()} testId="run-sweep" />}
-        {isRunning && <span class="hint" role="status">Computing…</span>}
+        {done !== null && <span class="hint" role="status">{`${done} of ${count}`}</span>}
         {count > MAX_POSES && <span class="problem">{`At most ${MAX_POSES} poses.`}</span>}
       </div>
       {problem && <p class="problem" role="alert">{problem}</p>}

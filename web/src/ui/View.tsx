@@ -54,6 +54,7 @@ function Tools() {
     <>
       <div class="tools top" role="toolbar" aria-label="Tools of the 3D view">
         {made && <GizmoTools view={made} />}
+        {made && <RideTool view={made} />}
         <Button icon="home" label="Look at the OAK (Home)" onClick={() => made?.home()} />
       </div>
       <div class="tools layers" role="toolbar" aria-label="What the 3D view shows">
@@ -81,6 +82,11 @@ function GizmoTools({ view }: { view: SceneView }) {
       <Button icon="turn" label="Turn the OAK (R)" isOn={mode === "rotate"} onClick={() => toggle("rotate")} />
     </>
   );
+}
+
+function RideTool({ view }: { view: SceneView }) {
+  const isRiding = useStore(view.isRiding);
+  return <Button icon="camera" label="Fly the OAK: it moves with the view (F)" isOn={isRiding} onClick={() => view.setRiding(!isRiding)} />;
 }
 
 /** Says what is drawn of a large scene. */

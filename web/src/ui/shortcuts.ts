@@ -46,12 +46,14 @@ function plainKey(app: App, event: KeyboardEvent, onHelp: () => void): boolean {
     r: () => gizmo("rotate"),
     p: () => studio.show({ cloud: CLOUDS[(CLOUDS.indexOf(display.cloud) + 1) % CLOUDS.length] ?? "none" }),
     c: () => view?.lookThrough(),
+    f: () => view?.setRiding(!view.isRiding.get()),
     "[": () => selectNeighbour(app, -1),
     "]": () => selectNeighbour(app, 1),
     Home: () => view?.home(),
     Escape: () => {
       studio.hover.set(null);
       view?.isPicking.set(false);
+      view?.setRiding(false);
     },
   };
   const action = actions[event.key];

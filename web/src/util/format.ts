@@ -52,6 +52,11 @@ export function words(name: string): string {
   return spaced.charAt(0).toUpperCase() + spaced.slice(1);
 }
 
+/** Keeps a name such as "OAK-D" on one line. */
+export function unbroken(name: string): string {
+  return name.replaceAll("-", "\u2011");
+}
+
 export function bytes(count: number): string {
   return count < 1e6 ? `${(count / 1e3).toFixed(0)} kB` : `${(count / 1e6).toFixed(0)} MB`;
 }

@@ -20,7 +20,6 @@ export class Gizmo {
   ) {
     this.controls = new TransformControls(camera, canvas);
     this.controls.setSize(0.7);
-    this.controls.setSpace("local");
     scene.add(this.handle, this.controls.getHelper());
     this.controls.addEventListener("change", onChange);
     this.controls.addEventListener("dragging-changed", ({ value }) => {
@@ -44,6 +43,8 @@ export class Gizmo {
       return;
     }
     this.controls.setMode(mode);
+    // A tilted OAK still moves level and upright; it turns about its own axes.
+    this.controls.setSpace(mode === "translate" ? "world" : "local");
     if (!this.controls.dragging) {
       this.handle.position.set(...pose.position);
       this.handle.quaternion.set(...pose.quaternion);

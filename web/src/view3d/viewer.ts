@@ -1,6 +1,6 @@
 import {
   Box3, Box3Helper, BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, GridHelper, Group, HemisphereLight, Line,
-  LineBasicMaterial, type Mesh, type MeshLambertMaterial, PerspectiveCamera, Plane, Points, PointsMaterial, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+  LineBasicMaterial, Matrix4, type Mesh, type MeshLambertMaterial, PerspectiveCamera, Plane, Points, PointsMaterial, Quaternion, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import type { Mesh as WireMesh } from "../net/wire";
 import type { Pose, SceneInfo, Vec3 } from "../protocol";
@@ -15,6 +15,8 @@ export interface ViewerHandlers {
   onPose(pose: Pose): void;
   /** An object of the scene was clicked, by its index; null for nothing. */
   onPick(object: number | null): void;
+  /** The camera of the view moved. */
+  onView(): void;
   /** The body of an OAK was clicked, by its place among the drawn ones. */
   onOak(index: number): void;
 }
@@ -58,7 +60,10 @@ export class Viewer {
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.scene.add(new HemisphereLight("#ffffff", "#8a8f98", 1.9), this.lamp, this.oaks, this.clouds);
     const invalidate = () => this.invalidate();
-    this.navigation = new Navigation(this.camera, canvas, invalidate);
+    this.navigation = new Navigation(this.camera, canvas, () => {
+      this.invalidate();
+      handlers.onView();
+    });
     this.gizmo = new Gizmo(this.camera, canvas, this.scene, this.navigation, handlers.onPose, invalidate);
     this.marker = new Points(
       new BufferGeometry().setAttribute("position", new Float32BufferAttribute([0, 0, 0], 3)),
@@ -230,6 +235,14 @@ export class Viewer {
     const [back, right, rise] = isRoom ? [0.12, 0.12, 0.62] : [0.3, 0.22, 0.25];
     const from = body.clone().addScaledVector(forward, -size * back).addScaledVector(side, -size * right).addScaledVector(up, size * rise);
     this.navigation.look(info.up, target, from);
+  }
+
+  /** Returns the pose of a body that looks as the view does. */
+  pose(): Pose {
+    // A body's x axis is forward, y left and z up; a camera's x axis is right, y up and z backward.
+    const axes = new Matrix4().makeBasis(new Vector3(0, 0, -1), new Vector3(-1, 0, 0), new Vector3(0, 1, 0));
+    const { x, y, z, w } = this.camera.quaternion.clone().multiply(new Quaternion().setFromRotationMatrix(axes));
+    return { position: this.camera.position.toArray(), quaternion: [x, y, z, w] };
   }
 
   /** Finds what a place of the canvas shows, given in pixels of the page. */

@@ -1,13 +1,13 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
-use oaktwin::coverage::{REASONS, SAMPLES};
+use oaktwin::coverage::{SAMPLES, reasons};
 
 use super::{PairArgs, PlaceArgs, SceneArgs, SensorArgs, ThreadArgs, UnitArgs};
 
 fn after_help() -> String {
-    let reasons = REASONS[1..].iter();
-    let reasons: String = reasons
+    let reasons: String = reasons()[1..]
+        .iter()
         .map(|reason| format!("\n  {}: {}", reason.name, reason.doc))
         .collect();
     format!(

@@ -26,4 +26,5 @@ mod sense;
 mod sense_bad_input;
 mod sense_folders;
 mod stereo;
+mod studio;
 mod whole_files;

@@ -10,6 +10,7 @@ use oaktwin_image::{Image, ImageView, ZDepth, millimetres};
 
 use crate::disparity::Subpixel;
 use crate::filter::{Chain, Filter};
+use crate::reason::{Reason, ReasonCodes};
 
 /// The range over which disparities are spread where filters change them: 13 bits, by `DepthAI`'s
 /// `StereoDepthConfig::getMaxDisparity`.
@@ -29,13 +30,20 @@ pub(super) fn run_on_disparity(
     rgb: Rgb<'_>,
     max_px: u32,
     subpixel: Subpixel,
+    reasons: Option<&mut ReasonCodes>,
 ) -> (Image<u16>, f64) {
     if are_of_depth(filters) {
         return (disparity, 1.0);
     }
     let scale = spread(filters.filters(), max_px, subpixel, &mut disparity);
     let integer_level = scale * f64::from(1 << subpixel.bits());
-    let filtered = filters.run_some(disparity, rgb, integer_level, |filter| !filter.is_of_depth());
+    let filtered = filters.run_some(
+        disparity,
+        rgb,
+        integer_level,
+        |filter| !filter.is_of_depth(),
+        reasons,
+    );
     (filtered, scale)
 }
 
@@ -45,11 +53,20 @@ pub(super) fn run_on_metres(
     depth: &ZDepth,
     rgb: Rgb<'_>,
     chosen: impl Fn(&Filter) -> bool,
+    mut reasons: Option<&mut ReasonCodes>,
 ) -> Option<ZDepth> {
     if !filters.filters().iter().any(&chosen) {
         return None;
     }
-    let filtered = filters.run_some(millimetres::from_metres(&depth.0), rgb, 1.0, chosen);
+    let millimetres = millimetres::from_metres(&depth.0);
+    if let Some(reasons) = &mut reasons {
+        let beyond = |place: usize| match depth.0.pixels().get(place) {
+            Some(metres) if *metres > 1.0 => Reason::TooFar.code(),
+            _ => Reason::TooNear.code(),
+        };
+        reasons.after(millimetres.pixels(), |value| value > 0, beyond);
+    }
+    let filtered = filters.run_some(millimetres, rgb, 1.0, chosen, reasons);
     Some(ZDepth(millimetres::to_metres(&filtered)))
 }
 

@@ -54,6 +54,7 @@ impl Engine for SingleView {
             Annotator::DepthSensorPointCloudColor,
             Annotator::DepthSensorImager,
             Annotator::DepthSensorOutputVisualization,
+            Annotator::DepthSensorReason,
         ]
     }
 
@@ -118,14 +119,17 @@ impl Engine for SingleView {
             colors: wants(Annotator::DepthSensorPointCloudColor),
             imager: wants(Annotator::DepthSensorImager),
             view: wants(Annotator::DepthSensorOutputVisualization),
+            reasons: wants(Annotator::DepthSensorReason),
         };
-        let output = self.sense(shot, random, wanted);
-        let filtered = run_on_metres(filters, &output.distance, shot.rgb(), |_| true);
+        let mut output = self.sense(shot, random, wanted);
+        let reasons = output.reasons.as_mut();
+        let filtered = run_on_metres(filters, &output.distance, shot.rgb(), |_| true, reasons);
         let mut capture = Capture::new(output.distance, filtered);
         capture.add(Annotator::DepthSensorPointCloudPosition, output.positions);
         capture.add(Annotator::DepthSensorPointCloudColor, output.colors);
         capture.add(Annotator::DepthSensorImager, output.imager);
         capture.add(Annotator::DepthSensorOutputVisualization, output.view);
+        capture.add(Annotator::DepthSensorReason, output.reasons);
         Ok(capture)
     }
 

@@ -80,7 +80,11 @@ impl Engine for StereoMatching {
     }
 
     fn outputs(&self) -> &'static [Annotator] {
-        &[Annotator::Disparity, Annotator::Confidence]
+        &[
+            Annotator::Disparity,
+            Annotator::Confidence,
+            Annotator::DepthSensorReason,
+        ]
     }
 
     fn nearest_m(&self, _width_px: u32) -> f64 {
@@ -156,16 +160,32 @@ impl Engine for StereoMatching {
         filters: &mut Chain,
     ) -> Result<Capture, ParameterError> {
         let (pair, p) = (input.pair(&STEREO_MATCHING)?, self.parameters());
-        let matched = self.disparity(pair);
+        let wants = |annotator| request.contains(&annotator);
+        let (matched, mut reasons) = match wants(Annotator::DepthSensorReason) {
+            true => {
+                let (matched, reasons) = self.explained(pair);
+                (matched, Some(reasons))
+            }
+            false => (self.disparity(pair), None),
+        };
         let needs_rgb = filters.filters().iter().any(Filter::needs_rgb);
         let rgb = needs_rgb.then(|| pair.left().picture());
         let rgb = rgb.as_ref().map(ImageView::from);
         let max_px = p.max_disparity_px();
-        let (disparity, scale) = run_on_disparity(filters, matched.disparity, rgb, max_px, p.subpixel);
+        let (disparity, scale) = run_on_disparity(
+            filters,
+            matched.disparity,
+            rgb,
+            max_px,
+            p.subpixel,
+            reasons.as_mut(),
+        );
         let depth = self.depth(&disparity, scale, pair.width());
-        let filtered = run_on_metres(filters, &depth, rgb, Filter::is_of_depth);
+        if let Some(reasons) = &mut reasons {
+            reasons.after_depth(&depth.0);
+        }
+        let filtered = run_on_metres(filters, &depth, rgb, Filter::is_of_depth, reasons.as_mut());
         let mut capture = Capture::new(depth, filtered);
-        let wants = |annotator| request.contains(&annotator);
         let disparity = wants(Annotator::Disparity).then(|| FixedDisparity {
             fixed: disparity,
             step_px: p.subpixel.step_px() / scale,
@@ -174,6 +194,7 @@ impl Engine for StereoMatching {
         capture.add(Annotator::Disparity, disparity);
         let confidence = wants(Annotator::Confidence).then_some(matched.confidence);
         capture.add(Annotator::Confidence, confidence);
+        capture.add(Annotator::DepthSensorReason, reasons);
         Ok(capture)
     }
 }

@@ -46,6 +46,10 @@ impl Engine for StereoNoise {
         self.parameters().by_name().collect()
     }
 
+    fn outputs(&self) -> &'static [Annotator] {
+        &[Annotator::DepthSensorReason]
+    }
+
     fn nearest_m(&self, _width_px: u32) -> f64 {
         let p = self.parameters();
         p.stereo.depth(f64::from(p.max_disparity_px()))
@@ -92,20 +96,35 @@ impl Engine for StereoNoise {
         &self,
         input: &Input<'_>,
         random: &Stream,
-        _request: &[Annotator],
+        request: &[Annotator],
         filters: &mut Chain,
     ) -> Result<Capture, ParameterError> {
         let shot = input.shot(&STEREO_NOISE)?;
+        let mut reasons = request
+            .contains(&Annotator::DepthSensorReason)
+            .then(|| self.reasons(shot, random));
         let depth = if are_of_depth(filters) {
             self.sense(shot, random)
         } else {
             let (disparity, p) = (self.disparity(shot, random), self.parameters());
             let max_px = p.max_disparity_px();
-            let (filtered, scale) = run_on_disparity(filters, disparity, shot.rgb(), max_px, p.subpixel);
+            let (filtered, scale) = run_on_disparity(
+                filters,
+                disparity,
+                shot.rgb(),
+                max_px,
+                p.subpixel,
+                reasons.as_mut(),
+            );
             self.depth(&filtered, scale)
         };
-        let filtered = run_on_metres(filters, &depth, shot.rgb(), Filter::is_of_depth);
-        Ok(Capture::new(depth, filtered))
+        if let Some(reasons) = &mut reasons {
+            reasons.after_depth(&depth.0);
+        }
+        let filtered = run_on_metres(filters, &depth, shot.rgb(), Filter::is_of_depth, reasons.as_mut());
+        let mut capture = Capture::new(depth, filtered);
+        capture.add(Annotator::DepthSensorReason, reasons);
+        Ok(capture)
     }
 
     fn batches(&self) -> Option<&dyn BatchEngine> {

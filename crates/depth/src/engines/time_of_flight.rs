@@ -47,6 +47,10 @@ impl Engine for TimeOfFlight {
         self.parameters().by_name().collect()
     }
 
+    fn outputs(&self) -> &'static [Annotator] {
+        &[Annotator::DepthSensorReason]
+    }
+
     fn nearest_m(&self, _width_px: u32) -> f64 {
         self.nearest_m()
     }
@@ -72,13 +76,18 @@ impl Engine for TimeOfFlight {
         &self,
         input: &Input<'_>,
         random: &Stream,
-        _request: &[Annotator],
+        request: &[Annotator],
         filters: &mut Chain,
     ) -> Result<Capture, ParameterError> {
         let shot = input.shot(&TIME_OF_FLIGHT)?;
         let depth = self.sense(shot, random);
-        let filtered = run_on_metres(filters, &depth, shot.rgb(), |_| true);
-        Ok(Capture::new(depth, filtered))
+        let mut reasons = request
+            .contains(&Annotator::DepthSensorReason)
+            .then(|| self.reasons(shot, random));
+        let filtered = run_on_metres(filters, &depth, shot.rgb(), |_| true, reasons.as_mut());
+        let mut capture = Capture::new(depth, filtered);
+        capture.add(Annotator::DepthSensorReason, reasons);
+        Ok(capture)
     }
 
     fn batches(&self) -> Option<&dyn BatchEngine> {

@@ -4,6 +4,7 @@ use oaktwin_simd::Level;
 
 use super::temporal::Memory;
 use super::{Decimation, Filter, Pixel, Sample};
+use crate::reason::{self, ReasonCodes};
 
 /// A sequence of filters with their memory of earlier frames, for one camera and one type of pixel.
 #[derive(Clone, Debug, PartialEq)]
@@ -86,17 +87,18 @@ impl<P: Pixel> Chain<P> {
     /// Filters the next image of a sequence, with its colour image if there is one.
     #[must_use]
     pub fn run_seeing(&mut self, image: Image<P>, rgb: Option<ImageView<'_, [u8; 4]>>) -> Image<P> {
-        self.run_some(image, rgb, 1.0, |_| true)
+        self.run_some(image, rgb, 1.0, |_| true, None)
     }
 
     /// Runs some of the filters, as [`Chain::run_seeing`]. `integer_level` is the pixel value of one pixel of disparity, the
-    /// unit of [`Speckle::difference_threshold`](super::Speckle).
+    /// unit of [`Speckle::difference_threshold`](super::Speckle). The reasons follow the image.
     pub(crate) fn run_some(
         &mut self,
         mut image: Image<P>,
         rgb: Option<ImageView<'_, [u8; 4]>>,
         integer_level: f64,
         wanted: impl Fn(&Filter) -> bool,
+        mut reasons: Option<&mut ReasonCodes>,
     ) -> Image<P> {
         let level = Level::detect();
         for (filter, memory) in self.filters.iter().zip(&mut self.memories) {
@@ -115,6 +117,13 @@ impl<P: Pixel> Chain<P> {
                         brightness.run(&mut image, rgb);
                     }
                 }
+            }
+            if let Some(reasons) = &mut reasons {
+                if let Filter::Decimation(decimation) = filter {
+                    reasons.0 = decimation.companion(&reasons.0);
+                }
+                let code = reason::of_filter(filter);
+                reasons.after(image.pixels(), |value| value != P::default(), |_| code);
             }
         }
         image

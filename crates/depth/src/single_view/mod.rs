@@ -55,6 +55,7 @@ mod assumptions;
 mod confidence;
 mod outliers;
 mod plan;
+mod reasons;
 mod sense;
 mod tile;
 mod view;

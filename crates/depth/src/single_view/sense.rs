@@ -7,6 +7,7 @@ use super::plan::Plan;
 use super::tile::{self, Planes, Rows, Scratch};
 use crate::batch::{Batch, check_length};
 use crate::random::Stream;
+use crate::reason::ReasonCodes;
 use crate::{BatchError, Shot};
 
 /// The requested outputs besides the distance.
@@ -20,6 +21,8 @@ pub struct Wanted {
     pub imager: bool,
     /// The visualization of the parameters' [`OutputMode`](super::OutputMode); mode 0 requires a colour image.
     pub view: bool,
+    /// Why pixels have no value.
+    pub reasons: bool,
 }
 
 /// The outputs of the sensor; all images have the shot's size.
@@ -36,6 +39,8 @@ pub struct Output {
     pub imager: Option<Image<f32>>,
     /// The visualization of the parameters' [`OutputMode`](super::OutputMode), sRGB.
     pub view: Option<Image<[u8; 4]>>,
+    /// Why pixels have no value.
+    pub reasons: Option<ReasonCodes>,
 }
 
 impl Output {
@@ -68,6 +73,7 @@ pub(super) fn sense(sensor: &SingleView, shot: &Shot<'_>, random: &Stream, wante
         colors: image(wanted.colors && has_rgb, width, height, [0; 4]),
         imager: image(wanted.imager && has_rgb, width, height, 0.0),
         view: image(has_view, width, height, [0; 4]),
+        reasons: image(wanted.reasons, width, height, 0).map(ReasonCodes),
     };
     let plan = Plan::new(sensor.parameters(), sensor.assumptions(), width, height);
     if plan.width == 0 || plan.height == 0 {
@@ -111,6 +117,7 @@ pub(super) fn batch(
             colors: None,
             imager: None,
             view: None,
+            reasons: None,
         };
         let random = Planes::new(random, &shot);
         tile::sense(&plan, &shot, &random, OutputMode::Color, &mut rows, scratch);

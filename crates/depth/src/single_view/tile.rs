@@ -9,11 +9,12 @@ use super::assumptions::{ConfidenceAt, Invalid};
 use super::confidence::{self, Texture};
 use super::outliers::{self, Validity};
 use super::plan::Plan;
+use super::reasons;
 use super::sense::Output;
 use super::view;
 use super::warp::{self, Key, LANES, Row};
-use crate::Shot;
 use crate::random::{Plane, Stage, Stream};
+use crate::{Reason, Shot};
 
 /// Rows of the outputs.
 #[derive(Debug)]
@@ -24,6 +25,7 @@ pub(super) struct Rows<'a> {
     pub(super) colors: Option<&'a mut [[u8; 4]]>,
     pub(super) imager: Option<&'a mut [f32]>,
     pub(super) view: Option<&'a mut [[u8; 4]]>,
+    pub(super) reasons: Option<&'a mut [u8]>,
 }
 
 impl<'a> Rows<'a> {
@@ -46,6 +48,10 @@ impl<'a> Rows<'a> {
             .view
             .as_mut()
             .map(|image| image.pixels_mut().chunks_mut(length));
+        let mut reasons = output
+            .reasons
+            .as_mut()
+            .map(|codes| codes.0.pixels_mut().chunks_mut(length));
         let parts = output.distance.0.pixels_mut().chunks_mut(length);
         parts
             .enumerate()
@@ -56,6 +62,7 @@ impl<'a> Rows<'a> {
                 colors: colors.as_mut().and_then(Iterator::next),
                 imager: imager.as_mut().and_then(Iterator::next),
                 view: view.as_mut().and_then(Iterator::next),
+                reasons: reasons.as_mut().and_then(Iterator::next),
             })
             .collect()
     }
@@ -259,6 +266,17 @@ impl<K: Key> Tile<'_, '_, K> {
         {
             confidence::luma(plan.luma, &rgb[y * width..][..width], &mut imager[at.clone()]);
         }
+        if let Some(reasons) = &mut self.rows.reasons {
+            let distance = &self.rows.distance[at.clone()];
+            reasons::row(
+                plan,
+                depth,
+                &scratch.row,
+                self.landed,
+                distance,
+                &mut reasons[at.clone()],
+            );
+        }
         self.visualize(depth, at);
     }
 
@@ -339,6 +357,11 @@ impl<K: Key> Tile<'_, '_, K> {
             }
             for x in outliers::columns(lone.measured) {
                 distance[x] = 0.0;
+            }
+            if let Some(reasons) = &mut self.rows.reasons {
+                let reasons = &mut reasons[at.clone()];
+                outliers::columns(lone.missing).for_each(|x| reasons[x] = Reason::Measured.code());
+                outliers::columns(lone.measured).for_each(|x| reasons[x] = Reason::Outlier.code());
             }
         }
         let image_at = y * width..(y + 1) * width;

@@ -55,6 +55,7 @@ mod parameters;
 mod pass;
 mod paths;
 mod plan;
+mod reasons;
 mod refine;
 mod rvc4;
 mod scan;
@@ -75,7 +76,7 @@ use oaktwin_image::{Image, ZDepth};
 use oaktwin_simd::Level;
 
 use self::census::Source;
-use self::pass::Workspace;
+use self::pass::{Out, Workspace};
 use self::plan::Plan;
 use crate::ParameterError;
 use crate::disparity::{DepthTable, Fixed};
@@ -97,6 +98,12 @@ pub struct Matched {
     pub disparity: Image<u16>,
     /// The confidence from 0 to 255 (highest), also of invalid pixels; `DepthAI` 2 inverts it.
     pub confidence: Image<u8>,
+}
+
+/// The result of a pass, with the codes of the reasons that depend on the position of a match if they are needed.
+struct Passed {
+    matched: Matched,
+    lost: Vec<u8>,
 }
 
 impl fmt::Debug for StereoMatching {
@@ -136,7 +143,7 @@ impl StereoMatching {
     /// Returns the disparity and the confidence of a pair, before filters.
     #[must_use]
     pub fn disparity(&self, pair: &Pair<'_>) -> Matched {
-        self.disparity_at(Level::detect(), pair)
+        self.disparity_at(Level::detect(), pair, false).matched
     }
 
     /// Returns the depth of the left image in metres, rounded to millimetres, up to 65.535 m; 0 is invalid.
@@ -170,7 +177,7 @@ impl StereoMatching {
         ZDepth(out)
     }
 
-    fn disparity_at(&self, level: Level, pair: &Pair<'_>) -> Matched {
+    fn disparity_at(&self, level: Level, pair: &Pair<'_>, explains: bool) -> Passed {
         let p = &self.parameters;
         let (width, height) = (pair.width() as usize, pair.height() as usize);
         let levels = [pair.left().levels(), pair.right().levels()];
@@ -183,11 +190,7 @@ impl StereoMatching {
         });
         let mut memory = self.take();
         let plan = Plan::new(p, width);
-        let matched = pass(level, &plan, &sources, &mut memory);
-        let Matched {
-            mut disparity,
-            mut confidence,
-        } = matched;
+        let Passed { mut matched, lost } = pass(level, &plan, &sources, &mut memory, explains);
         if p.extended_disparity && width > 1 && height > 1 {
             let halves = sources.each_ref().map(extended::halve);
             let sources = halves.each_ref().map(|(width, height, levels)| Source {
@@ -200,17 +203,18 @@ impl StereoMatching {
                 invalid_edge: plan.invalid_edge / 2,
                 ..plan.clone()
             };
-            let half = pass(level, &half_plan, &sources, &mut memory);
+            let half = pass(level, &half_plan, &sources, &mut memory, false).matched;
             let shift = p.disparity_shift_px << p.subpixel.bits();
             let beyond = u32::from(plan.disparities[plan.candidates - 1] - plan.shift) << p.subpixel.bits();
             let half = (&half.disparity, &half.confidence);
-            extended::merge(half, shift, beyond, &mut disparity, &mut confidence);
+            let Matched {
+                disparity,
+                confidence,
+            } = &mut matched;
+            extended::merge(half, shift, beyond, disparity, confidence);
         }
         self.give_back(memory);
-        Matched {
-            disparity,
-            confidence,
-        }
+        Passed { matched, lost }
     }
 
     fn take(&self) -> Workspace {
@@ -224,23 +228,29 @@ impl StereoMatching {
     }
 }
 
-fn pass(level: Level, plan: &Plan, sources: &[Source<'_>; 2], memory: &mut Workspace) -> Matched {
+fn pass(
+    level: Level,
+    plan: &Plan,
+    sources: &[Source<'_>; 2],
+    memory: &mut Workspace,
+    explains: bool,
+) -> Passed {
     let [left, right] = sources;
     let size = |side: usize| u32::try_from(side).unwrap_or(u32::MAX);
     let mut disparity = Image::filled(size(left.width), size(left.height), 0);
     let mut confidence = Image::filled(size(left.width), size(left.height), 0);
-    pass::run(
-        level,
-        plan,
-        [left, right],
-        memory,
-        disparity.pixels_mut(),
-        confidence.pixels_mut(),
-    );
-    Matched {
+    let mut lost = vec![0; if explains { left.width * left.height } else { 0 }];
+    let out = Out {
+        disparity: disparity.pixels_mut(),
+        confidence: confidence.pixels_mut(),
+        lost: &mut lost,
+    };
+    pass::run(level, plan, [left, right], memory, out);
+    let matched = Matched {
         disparity,
         confidence,
-    }
+    };
+    Passed { matched, lost }
 }
 
 #[cfg(test)]

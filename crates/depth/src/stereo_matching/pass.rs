@@ -41,15 +41,27 @@ impl<P: Lane, H: Lane, S: Lane> Default for Scans<P, H, S> {
     }
 }
 
-/// Matches two images of the same size. Fills `disparity`, in steps from the shift with 0 for invalid, and
-/// `confidence`.
+/// The outputs of a pass, or of a row.
+#[derive(Debug)]
+pub(super) struct Out<'a> {
+    /// Disparities in steps from the shift, 0 for invalid.
+    pub(super) disparity: &'a mut [u16],
+    pub(super) confidence: &'a mut [u8],
+    /// The codes of the [reasons](crate::Reason) that depend on the position of a match; empty if they are not needed.
+    pub(super) lost: &'a mut [u8],
+}
+
+/// Matches two images of the same size.
 pub(super) fn run(
     level: Level,
     plan: &Plan,
     images: [&Source<'_>; 2],
     memory: &mut Workspace,
-    disparity: &mut [u16],
-    confidence: &mut [u8],
+    Out {
+        disparity,
+        confidence,
+        lost,
+    }: Out<'_>,
 ) {
     let [left, right] = &mut memory.census;
     rayon::join(
@@ -62,7 +74,11 @@ pub(super) fn run(
         census: [left, right],
         width: images[0].width,
     };
-    let out = (&mut *disparity, &mut *confidence);
+    let out = Out {
+        disparity: &mut *disparity,
+        confidence: &mut *confidence,
+        lost,
+    };
     match (plan.width, plan.candidates) {
         (Width::Narrow, 64) => memory.narrow.run::<64>(view, out),
         (Width::Narrow, _) => memory.narrow.run::<96>(view, out),
@@ -79,7 +95,12 @@ pub(super) fn run(
 }
 
 impl<P: Lane, H: Lane, S: Lane> Scans<P, H, S> {
-    fn run<const D: usize>(&mut self, view: View<'_>, (disparity, confidence): (&mut [u16], &mut [u8])) {
+    fn run<const D: usize>(&mut self, view: View<'_>, out: Out<'_>) {
+        let Out {
+            disparity,
+            confidence,
+            lost,
+        } = out;
         let Self { down, up, halves } = self;
         let width = view.width;
         let (height, length) = (disparity.len() / width, width * D);
@@ -105,6 +126,11 @@ impl<P: Lane, H: Lane, S: Lane> Scans<P, H, S> {
         );
         let (disparity_above, disparity_below) = disparity.split_at_mut(middle * width);
         let (confidence_above, confidence_below) = confidence.split_at_mut(middle * width);
+        let (lost_above, lost_below) = lost.split_at_mut((middle * width).min(lost.len()));
+        let (mut lost_above, mut lost_below) = (
+            lost_above.chunks_exact_mut(width),
+            lost_below.chunks_exact_mut(width),
+        );
         rayon::join(
             || {
                 let rows = below
@@ -112,7 +138,13 @@ impl<P: Lane, H: Lane, S: Lane> Scans<P, H, S> {
                     .zip(disparity_below.chunks_exact_mut(width))
                     .zip(confidence_below.chunks_exact_mut(width));
                 for (y, ((half, disparity), confidence)) in rows.enumerate() {
-                    down.finish_row::<H, D>(view, middle + y, false, half, (disparity, confidence));
+                    let lost = lost_below.next().unwrap_or_default();
+                    let out = Out {
+                        disparity,
+                        confidence,
+                        lost,
+                    };
+                    down.finish_row::<H, D>(view, middle + y, false, half, out);
                 }
             },
             || {
@@ -121,7 +153,13 @@ impl<P: Lane, H: Lane, S: Lane> Scans<P, H, S> {
                     .zip(disparity_above.chunks_exact_mut(width))
                     .zip(confidence_above.chunks_exact_mut(width));
                 for (y, ((half, disparity), confidence)) in rows.enumerate().rev() {
-                    up.finish_row::<H, D>(view, y, true, half, (disparity, confidence));
+                    let lost = lost_above.next_back().unwrap_or_default();
+                    let out = Out {
+                        disparity,
+                        confidence,
+                        lost,
+                    };
+                    up.finish_row::<H, D>(view, y, true, half, out);
                 }
             },
         );

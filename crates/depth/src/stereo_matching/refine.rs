@@ -3,9 +3,11 @@
 use oaktwin_simd::{self as simd, Kernel, Level};
 
 use super::parameters::Interpolation;
+use super::pass::Out;
 use super::plan::Plan;
 use super::rvc4::{LOST, OCCLUDED};
 use super::select::Found;
+use crate::Reason;
 
 /// The value for a pixel without a disparity in the right image.
 pub(super) const NONE: u16 = u16::MAX;
@@ -21,14 +23,12 @@ pub(super) struct Refined {
 
 /// Computes a row's disparities, in steps from the shift with 0 for invalid, and its confidence 255 (s₂ − s₁) / s₂. For
 /// RVC4, the disparities of all winners are kept, with [bits](LOST) that mark the rejected ones.
-pub(super) fn row(
-    level: Level,
-    plan: &Plan,
-    found: &Found,
-    memory: &mut Refined,
-    disparity: &mut [u16],
-    confidence: &mut [u8],
-) {
+pub(super) fn row(level: Level, plan: &Plan, found: &Found, memory: &mut Refined, out: Out<'_>) {
+    let Out {
+        disparity,
+        confidence,
+        lost,
+    } = out;
     let width = disparity.len();
     memory.fractions.resize(width, 0.0);
     let [a, b, c, d, e] = found.around.each_ref().map(Vec::as_slice);
@@ -44,6 +44,9 @@ pub(super) fn row(
             confidence,
         },
     );
+    for (x, code) in lost.iter_mut().enumerate() {
+        *code = reason(plan, found, memory, x).code();
+    }
     if plan.rvc4.is_some() {
         for (x, out) in disparity.iter_mut().enumerate() {
             *out = marked(plan, found, memory, x);
@@ -59,6 +62,24 @@ pub(super) fn row(
         } else {
             0
         };
+    }
+}
+
+/// Returns why a winner does not [hold](holds), or [`Reason::Measured`] if it does.
+fn reason(plan: &Plan, found: &Found, memory: &Refined, x: usize) -> Reason {
+    let own = found
+        .best
+        .get(x)
+        .and_then(|best| plan.disparities.get(usize::from(*best)));
+    let own = own.copied().unwrap_or_default();
+    if usize::from(own) > x {
+        Reason::OutsideOtherView
+    } else if x < plan.invalid_edge {
+        Reason::Border
+    } else if holds(plan, own, x, apart(memory, own, x)) {
+        Reason::Measured
+    } else {
+        Reason::LeftRightCheck
     }
 }
 

@@ -5,6 +5,7 @@ use oaktwin_simd::{self as simd, Kernel, Level};
 use super::census::Census;
 use super::cost::Blocks;
 use super::lanes::Lane;
+use super::pass::Out;
 use super::paths::{FROM_ROW, Penalties, Row, Slots, Sums};
 use super::plan::{self, Plan};
 use super::refine::{self, NONE, Refined};
@@ -92,11 +93,11 @@ impl<P: Lane, S: Lane> Scan<P, S> {
         y: usize,
         is_up: bool,
         half: &[H],
-        (disparity, confidence): (&mut [u16], &mut [u8]),
+        out: Out<'_>,
     ) {
         self.make_costs(view, y, is_up);
         self.follow::<H, D>(view, is_up, Half::Found(half));
-        self.find::<D>(view, disparity, confidence);
+        self.find::<D>(view, out);
     }
 
     fn make_costs(&mut self, view: View<'_>, y: usize, is_up: bool) {
@@ -174,7 +175,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
     }
 
     /// Finds the disparities and the confidence of a row from its sums.
-    fn find<const D: usize>(&mut self, view: View<'_>, disparity: &mut [u16], confidence: &mut [u8]) {
+    fn find<const D: usize>(&mut self, view: View<'_>, out: Out<'_>) {
         let plan = view.plan;
         let sums = &mut self.sums;
         if plan.division > 1 {
@@ -209,14 +210,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
                 }
             });
         }
-        refine::row(
-            view.level,
-            plan,
-            &self.found,
-            &mut self.refined,
-            disparity,
-            confidence,
-        );
+        refine::row(view.level, plan, &self.found, &mut self.refined, out);
     }
 }
 

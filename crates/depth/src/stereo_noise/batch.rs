@@ -14,7 +14,7 @@ impl BatchEngine for StereoNoise {
         random: &Stream,
         out: &mut [f32],
     ) -> Result<(), BatchError> {
-        let finish = |fixed: &[u16], out: &mut [f32]| self.table.look_up(fixed, out);
+        let finish = |fixed: &[u16], _: &[u8], out: &mut [f32]| self.table.look_up(fixed, out);
         Batch::new(depth, shape, frame, first_item)?.sense(
             out,
             |shot, out| Job::new(self, shot, random).image(out, finish),

@@ -66,6 +66,7 @@ use oaktwin_image::{Image, ZDepth};
 use self::sense::Job;
 use crate::disparity::DepthTable;
 use crate::random::Stream;
+use crate::reason::ReasonCodes;
 use crate::{ParameterError, Shot};
 
 /// The engine, with checked parameters.
@@ -104,13 +105,22 @@ impl StereoNoise {
     /// [`Subpixel`], without the [shift](Parameters::disparity_shift_px); 0 where nothing was measured.
     #[must_use]
     pub fn disparity(&self, shot: &Shot<'_>, random: &Stream) -> Image<u16> {
-        self.image(shot, random, |fixed, out| out.copy_from_slice(fixed))
+        self.image(shot, random, |fixed, _, out| out.copy_from_slice(fixed))
     }
 
     /// Measures a shot without filters: metres, whole millimetres, 0 where nothing was measured.
     #[must_use]
     pub fn sense(&self, shot: &Shot<'_>, random: &Stream) -> ZDepth {
-        ZDepth(self.image(shot, random, |fixed, out| self.table.look_up(fixed, out)))
+        ZDepth(self.image(shot, random, |fixed, _, out| self.table.look_up(fixed, out)))
+    }
+
+    /// Returns why pixels of [`StereoNoise::disparity`] have no value.
+    pub(crate) fn reasons(&self, shot: &Shot<'_>, random: &Stream) -> ReasonCodes {
+        let depth = shot.depth();
+        let mut codes = Image::filled(depth.width(), depth.height(), 0);
+        let job = Job::new(self, shot, random).with_reasons();
+        job.image(codes.pixels_mut(), |_, reasons, out| out.copy_from_slice(reasons));
+        ReasonCodes(codes)
     }
 
     /// Converts a disparity image to depth, where a unit of [`StereoNoise::disparity`] is `scale` units: metres, whole
@@ -135,7 +145,7 @@ impl StereoNoise {
         &self,
         shot: &Shot<'_>,
         random: &Stream,
-        finish: impl Fn(&[u16], &mut [T]) + Sync,
+        finish: impl Fn(&[u16], &[u8], &mut [T]) + Sync,
     ) -> Image<T> {
         let depth = shot.depth();
         let mut out = Image::filled(depth.width(), depth.height(), T::default());

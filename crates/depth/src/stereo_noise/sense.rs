@@ -14,6 +14,7 @@ use super::texture::{GAIN, Texture};
 use super::window::{WindowSum, field_width};
 use crate::Shot;
 use crate::random::{Plane, Stage, Stream};
+use crate::reason::Reason;
 
 /// The rows that one thread processes. The first one also sums the windows of the rows before it.
 const BAND: usize = 64;
@@ -35,6 +36,8 @@ pub(super) struct Job<'a> {
     picture: Option<ImageView<'a, [u8; 4]>>,
     jitter: Plane,
     dropout: Plane,
+    /// Whether the reasons for invalid pixels are recorded.
+    explains: bool,
     level: Level,
 }
 
@@ -57,6 +60,8 @@ pub(super) struct Scratch {
     dilation: Dilation,
     dilated: Vec<f32>,
     widened: Vec<f32>,
+    /// Why pixels have no value; empty if that is not recorded.
+    reasons: Vec<u8>,
 }
 
 impl<'a> Job<'a> {
@@ -69,7 +74,16 @@ impl<'a> Job<'a> {
             picture: shot.rgb().filter(|_| p.confidence_threshold > 0),
             jitter: random.plane(Stage::Jitter, shot.frame, shot.item),
             dropout: random.plane(Stage::Dropout, shot.frame, shot.item),
+            explains: false,
             level: Level::detect(),
+        }
+    }
+
+    /// Records the reasons for invalid pixels.
+    pub(super) fn with_reasons(self) -> Self {
+        Self {
+            explains: true,
+            ..self
         }
     }
 
@@ -89,7 +103,7 @@ impl<'a> Job<'a> {
     }
 
     /// Computes all rows on all threads; `finish` makes each from its disparities.
-    pub(super) fn image<T: Send>(&self, out: &mut [T], finish: impl Fn(&[u16], &mut [T]) + Sync) {
+    pub(super) fn image<T: Send>(&self, out: &mut [T], finish: impl Fn(&[u16], &[u8], &mut [T]) + Sync) {
         let band = BAND * self.width();
         out.par_chunks_mut(band.max(1)).enumerate().for_each_init(
             Scratch::default,
@@ -105,7 +119,7 @@ impl<'a> Job<'a> {
         s: &mut Scratch,
         first: usize,
         out: &mut [T],
-        finish: impl Fn(&[u16], &mut [T]),
+        finish: impl Fn(&[u16], &[u8], &mut [T]),
     ) {
         if out.is_empty() {
             return;
@@ -115,8 +129,14 @@ impl<'a> Job<'a> {
         let together = (STRIP / s.stride).max(1);
         for (strip, out) in out.chunks_mut(together * width).enumerate() {
             s.strip(self, first + strip * together, out.len() / width);
+            let mut reasons = s.reasons.chunks_exact(s.stride);
             for (fixed, out) in s.fixed.chunks_exact(s.stride).zip(out.chunks_exact_mut(width)) {
-                finish(fixed.get(..width).unwrap_or_default(), out);
+                let reasons = reasons.next().and_then(|row| row.get(..width));
+                finish(
+                    fixed.get(..width).unwrap_or_default(),
+                    reasons.unwrap_or_default(),
+                    out,
+                );
             }
         }
     }
@@ -154,17 +174,24 @@ impl Scratch {
         let (p, scale, stride) = (job.sensor.parameters(), &job.scale, self.stride);
         self.make_room(rows);
         to_disparities(job, first, stride, &mut self.disparities);
+        self.reasons.clear();
+        self.reasons
+            .resize(if job.explains { self.disparities.len() } else { 0 }, 0);
+        self.record(Reason::NoSurface);
         if scale.dilation > 0 {
             self.widen(job, first);
         } else if p.occlusion {
             self.hide(NEARER, scale, job.level);
             self.drop_hidden();
         }
+        self.record(Reason::Occluded);
         if job.picture.is_some() {
             self.drop_plain(job, first);
+            self.record(Reason::NoTexture);
         }
         if scale.dropout > 0 {
             self.drop_at_random(job, first);
+            self.record(Reason::Dropout);
         }
         let last = first + scale.window - 1;
         let entering = counter(last)..counter(last + rows);
@@ -183,6 +210,36 @@ impl Scratch {
             for row in self.fixed.chunks_exact_mut(stride) {
                 row[..scale.invalid_edge.min(stride)].fill(0);
             }
+        }
+        self.record_measured(job);
+    }
+
+    /// Records the reason why pixels have lost their disparity since the last record.
+    fn record(&mut self, reason: Reason) {
+        for (code, d) in self.reasons.iter_mut().zip(&self.disparities) {
+            *code = match (*d > 0.0, *code) {
+                (true, _) => 0,
+                (false, 0) => reason.code(),
+                (false, known) => known,
+            };
+        }
+    }
+
+    /// Records the reasons why disparities were not measured.
+    fn record_measured(&mut self, job: &Job<'_>) {
+        let (scale, stride) = (&job.scale, self.stride);
+        let pixels = self.columns.iter().zip(&self.disparities).zip(&self.fixed);
+        for (place, (code, ((x, d), fixed))) in self.reasons.iter_mut().zip(pixels).enumerate() {
+            let is_beyond = d * scale.image_px > *x && job.sensor.parameters().occlusion;
+            let reason = match *code {
+                _ if *fixed > 0 => Reason::Measured.code(),
+                0 if is_beyond => Reason::OutsideOtherView.code(),
+                0 if place % stride < scale.invalid_edge => Reason::Border.code(),
+                0 if (d + scale.bias - scale.shift) * scale.steps > 1.0 => Reason::TooNear.code(),
+                0 => Reason::TooFar.code(),
+                known => known,
+            };
+            *code = reason;
         }
     }
 
@@ -250,11 +307,24 @@ impl Scratch {
             self.hidden
                 .retain(|&pixel| narrow.get(pixel) == widened.get(pixel));
         }
+        let occluded = self.hidden.len();
         self.widened = std::mem::replace(&mut self.disparities, widened);
         // Objects are as wide in the other direction of matching, where they replace what is beside the shadow.
         if p.occlusion && p.left_right_check {
             let threshold = p.left_right_check_threshold_px as f32 * scale.image_px;
             self.hide(threshold.max(NEARER), scale, job.level);
+        }
+        for (found, pixel) in self.hidden.iter().enumerate() {
+            let is_known = |code: &u8| *code == Reason::Occluded.code();
+            if let Some(code) = self.reasons.get_mut(*pixel).filter(|code| !is_known(code)) {
+                let is_occluded = found < occluded;
+                *code = if is_occluded {
+                    Reason::Occluded
+                } else {
+                    Reason::LeftRightCheck
+                }
+                .code();
+            }
         }
         self.drop_hidden();
     }

@@ -65,6 +65,7 @@ use self::sense::{Constants, Job};
 use self::unwrap::{Unwrapping, range_m, turn_m};
 use crate::filter::DepthConfidence;
 use crate::random::Stream;
+use crate::reason::ReasonCodes;
 use crate::{ParameterError, Shot};
 
 /// The engine, with checked parameters.
@@ -141,6 +142,14 @@ impl TimeOfFlight {
         };
         Job::new(self, shot, random).output(&mut out);
         out
+    }
+
+    /// Returns why pixels of [`TimeOfFlight::sense`] have no value.
+    pub(crate) fn reasons(&self, shot: &Shot<'_>, random: &Stream) -> ReasonCodes {
+        let depth = shot.depth();
+        let mut codes = Image::filled(depth.width(), depth.height(), 0);
+        Job::new(self, shot, random).reasons(codes.pixels_mut());
+        ReasonCodes(codes)
     }
 
     fn constants(&self) -> &Constants {

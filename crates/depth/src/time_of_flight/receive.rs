@@ -3,6 +3,7 @@
 use oaktwin_simd::Kernel;
 
 use super::unwrap::Unwrapping;
+use crate::Reason;
 use crate::random::box_muller;
 use crate::turns::angle_in_turns;
 
@@ -185,6 +186,41 @@ pub(super) struct Limits {
     pub(super) full_well: f32,
     /// Whether distance is converted to depth.
     pub(super) is_depth: bool,
+}
+
+/// What determined the depths of a row.
+pub(super) struct Decoded<'a> {
+    pub(super) threshold_m: f32,
+    pub(super) limits: &'a Limits,
+    pub(super) sampled: &'a Sampled,
+    /// As in [`Decode::inverse`].
+    pub(super) inverse: &'a [f32],
+}
+
+impl Decoded<'_> {
+    /// Returns why a pixel without a depth has none.
+    pub(super) fn reason(&self, x: usize) -> Reason {
+        let at = |row: &[f32]| row.get(x).copied().unwrap_or_default();
+        let [first, second] = self.sampled.fullest.each_ref().map(|row| at(row));
+        let [strong, weak] = self.sampled.amplitudes.each_ref().map(|row| at(row));
+        let has_surface = self.inverse.get(x + 1).is_some_and(|inverse| *inverse > 0.0);
+        if !has_surface {
+            Reason::NoSurface
+        } else if first.max(second) > self.limits.full_well {
+            Reason::Saturated
+        } else if 0.5 * (strong + weak) < self.limits.min_amplitude {
+            Reason::LowAmplitude
+        } else if at(&self.sampled.apart) > self.threshold_m {
+            Reason::WrappedPhase
+        } else if at(&self.sampled.range) > 1.0 && at(&self.sampled.range) * 1000.0 >= 65535.5 {
+            Reason::TooFar
+        } else if at(&self.sampled.range) < 5e-4 {
+            Reason::TooNear
+        } else {
+            // Confidence follows from the amplitude.
+            Reason::LowAmplitude
+        }
+    }
 }
 
 /// Converts distances to whole millimetres.

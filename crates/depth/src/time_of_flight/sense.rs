@@ -7,11 +7,11 @@ use rayon::prelude::*;
 use super::light::{Albedos, CHANNELS, InverseDepth, Lamp, LightRow, Returns};
 use super::multipath::{Add, Multipath, Normals, Surfaces, View};
 use super::optics::Optics;
-use super::receive::{Decode, Limits, Mix, Receiver, Sample, Sampled, Unwrap};
+use super::receive::{Decode, Decoded, Limits, Mix, Receiver, Sample, Sampled, Unwrap};
 use super::{Output, TimeOfFlight};
-use crate::Shot;
 use crate::filter::DepthConfidence;
 use crate::random::{Plane, Stage, Stream};
+use crate::{Reason, Shot};
 
 /// The rows that one thread processes. The first and the last also require the rows beyond.
 const BAND: usize = 48;
@@ -68,6 +68,8 @@ pub(super) struct Row<'a> {
     pub(super) depth: &'a [u16],
     pub(super) amplitude: &'a [u16],
     pub(super) confidence: &'a [u16],
+    /// What determined the depth.
+    decoded: Decoded<'a>,
 }
 
 impl Row<'_> {
@@ -75,6 +77,18 @@ impl Row<'_> {
     pub(super) fn metres(&self, out: &mut [f32]) {
         for (out, &millimetres) in out.iter_mut().zip(self.depth) {
             *out = f32::from(millimetres) / 1000.0;
+        }
+    }
+
+    /// Writes why pixels have no depth.
+    pub(super) fn reasons(&self, out: &mut [u8]) {
+        for (x, (code, depth)) in out.iter_mut().zip(self.depth).enumerate() {
+            let reason = if *depth > 0 {
+                Reason::Measured
+            } else {
+                self.decoded.reason(x)
+            };
+            *code = reason.code();
         }
     }
 }
@@ -145,6 +159,20 @@ impl<'a> Job<'a> {
             });
     }
 
+    /// Computes why pixels have no depth.
+    pub(super) fn reasons(&self, out: &mut [u8]) {
+        let (band, width) = ((BAND * self.width()).max(1), self.width().max(1));
+        out.par_chunks_mut(band)
+            .enumerate()
+            .for_each_init(Scratch::default, |scratch, (index, out)| {
+                let mut rows = out.chunks_exact_mut(width);
+                let count = rows.len();
+                self.rows(scratch, index * BAND, count, |row| {
+                    row.reasons(rows.next().unwrap_or_default());
+                });
+            });
+    }
+
     /// Computes all outputs.
     pub(super) fn output(&self, out: &mut Output) {
         let (band, width) = ((BAND * self.width()).max(1), self.width().max(1));
@@ -190,6 +218,12 @@ impl<'a> Job<'a> {
                     depth: &s.depth,
                     amplitude: &s.amplitude,
                     confidence: &s.confidence,
+                    decoded: Decoded {
+                        threshold_m: self.sensor.unwrapping().threshold_m,
+                        limits: &self.sensor.constants().limits,
+                        sampled: &s.sampled,
+                        inverse: &s.inverse[slot(y - 2)],
+                    },
                 });
             }
         }

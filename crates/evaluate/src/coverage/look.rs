@@ -43,7 +43,7 @@ pub(super) fn look(renderer: &Renderer, candidate: &Candidate<'_>, points: &[Sur
         .collect();
     let mut occluders = BTreeMap::new();
     for ((outcome, _), line) in assessed.iter().zip(&lines) {
-        if let (Outcome::OCCLUDED, Some(hit)) = (*outcome, line.as_ref().and_then(|line| line.obstacle)) {
+        if let (Outcome::HIDDEN, Some(hit)) = (*outcome, line.as_ref().and_then(|line| line.obstacle)) {
             *occluders.entry(hit.instance).or_default() += 1;
         }
     }
@@ -105,7 +105,7 @@ impl SensorImage {
             return lost(if has_rear && cosine < 0.0 {
                 Outcome::FACES_AWAY
             } else {
-                Outcome::OCCLUDED
+                Outcome::HIDDEN
             });
         }
         let (x, y) = line.pixel;

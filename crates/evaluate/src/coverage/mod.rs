@@ -56,7 +56,7 @@ mod vantage;
 
 pub use error::CoverageError;
 pub use measure::{MAX_CANDIDATES, MAX_SAMPLES, Options, SAMPLES, measure};
-pub use outcome::{Outcome, REASONS, Reason};
+pub use outcome::{Outcome, Reason, reasons};
 pub use picture::picture;
 pub use placement::{Base, Placement, Sweep};
 pub use region::Region;

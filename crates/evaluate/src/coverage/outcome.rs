@@ -1,55 +1,78 @@
 //! The outcome of a candidate at a point of the surface.
 
-/// The code of an outcome: an index into [`REASONS`]. Outcomes are ordered: the higher, the farther a point is from being
-/// measured.
+use std::sync::LazyLock;
+
+/// The code of an outcome in the table of [`reasons`]. Outcomes are ordered: the higher, the farther a point is from being measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Outcome(pub u8);
 
 /// A row of the table of outcomes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reason {
+    /// The code.
+    pub code: u8,
     /// The name in reports.
-    pub name: &'static str,
+    pub name: String,
     /// The explanation.
-    pub doc: &'static str,
+    pub doc: String,
 }
 
-/// The outcomes by code; 0 is a measured point.
-pub const REASONS: &[Reason] = &[
-    Reason {
-        name: "measured",
-        doc: "The sensor measures the point.",
-    },
-    Reason {
-        name: "not_measured",
-        doc: "The sensor sees the point, but its pixel has no value.",
-    },
-    Reason {
-        name: "not_resolved",
-        doc: "The point is visible, but the centre of its pixel shows another surface.",
-    },
-    Reason {
-        name: "occluded",
-        doc: "Another surface hides the point.",
-    },
-    Reason {
-        name: "faces_away",
-        doc: "The surface faces away from the camera, or is seen edge-on.",
-    },
-    Reason {
-        name: "outside_view",
-        doc: "The point is outside the image, behind the camera or outside its clipping range.",
-    },
+/// The outcomes that do not depend on the engine.
+const OWN: [(Outcome, &str, &str); 6] = [
+    (Outcome::MEASURED, "measured", "The sensor measures the point."),
+    (
+        Outcome::NOT_MEASURED,
+        "not_measured",
+        "The sensor sees the point, but its pixel has no value.",
+    ),
+    (
+        Outcome::NOT_RESOLVED,
+        "not_resolved",
+        "The point is visible, but the centre of its pixel shows another surface.",
+    ),
+    (
+        Outcome::HIDDEN,
+        "hidden",
+        "Another surface hides the point from the camera.",
+    ),
+    (
+        Outcome::FACES_AWAY,
+        "faces_away",
+        "The surface faces away from the camera, or is seen edge-on.",
+    ),
+    (
+        Outcome::OUTSIDE_VIEW,
+        "outside_view",
+        "The point is outside the image, behind the camera or outside its clipping range.",
+    ),
 ];
+
+static REASONS: LazyLock<Vec<Reason>> = LazyLock::new(|| {
+    let own = OWN.map(|(Outcome(code), name, doc)| Reason {
+        code,
+        name: name.to_owned(),
+        doc: doc.to_owned(),
+    });
+    let mut reasons = own.to_vec();
+    reasons.sort_by_key(|reason| reason.code);
+    reasons
+});
+
+/// Returns the outcomes in the order of their codes; the first is that of a measured point.
+#[must_use]
+pub fn reasons() -> &'static [Reason] {
+    &REASONS
+}
 
 impl Outcome {
     /// The sensor measures the point.
     pub const MEASURED: Self = Self(0);
-    pub(super) const NOT_MEASURED: Self = Self(1);
-    pub(super) const NOT_RESOLVED: Self = Self(2);
-    pub(super) const OCCLUDED: Self = Self(3);
-    pub(super) const FACES_AWAY: Self = Self(4);
-    pub(super) const OUTSIDE_VIEW: Self = Self(5);
+    /// The code of a pixel without a value for which the engine has no reason.
+    pub(super) const NOT_MEASURED: Self = Self(127);
+    pub(super) const NOT_RESOLVED: Self = Self(128);
+    pub(super) const HIDDEN: Self = Self(129);
+    pub(super) const FACES_AWAY: Self = Self(130);
+    pub(super) const OUTSIDE_VIEW: Self = Self(131);
 
     /// Whether the point is visible, measured or not.
     #[must_use]
@@ -57,9 +80,10 @@ impl Outcome {
         self <= Self::NOT_RESOLVED
     }
 
-    /// The row of the table.
+    /// The name in reports.
     #[must_use]
-    pub fn reason(self) -> &'static Reason {
-        &REASONS[usize::from(self.0).min(REASONS.len() - 1)]
+    pub fn name(self) -> &'static str {
+        let found = REASONS.binary_search_by_key(&self.0, |reason| reason.code);
+        found.map_or("not_measured", |index| &REASONS[index].name)
     }
 }

@@ -11,7 +11,7 @@ use oaktwin_render::Hit;
 
 use super::look::look;
 use super::vantage::vantage;
-use super::{Candidate, CoverageError, Outcome, REASONS, Region, Samples, Shares, SurfacePoint};
+use super::{Candidate, CoverageError, Outcome, Region, Samples, Shares, SurfacePoint, reasons};
 
 /// The height of a panel and the width of that from outside, px.
 const HEIGHT: u32 = 560;
@@ -26,15 +26,15 @@ const TEXT: u32 = 13;
 /// The colour where there is no surface.
 const BACKGROUND: [u8; 3] = [40, 40, 44];
 
-/// The colours of outcomes by code, sRGB: Okabe and Ito's, which colour-blind people can tell apart.
-const COLORS: [[u8; 3]; 6] = [
-    [0, 158, 115],
-    [213, 94, 0],
-    [240, 228, 66],
-    [0, 114, 178],
-    [120, 120, 125],
-    [204, 121, 167],
-];
+/// The colours of outcomes, sRGB: Okabe and Ito's, which colour-blind people can tell apart.
+const MEASURED: [u8; 3] = [0, 158, 115];
+const NOT_RESOLVED: [u8; 3] = [240, 228, 66];
+const HIDDEN: [u8; 3] = [0, 114, 178];
+const FACES_AWAY: [u8; 3] = [120, 120, 125];
+const OUTSIDE_VIEW: [u8; 3] = [204, 121, 167];
+
+/// The colours of the engine's reasons, the most frequent first; the last one is that of all others.
+const NOT_MEASURED: [[u8; 3]; 4] = [[213, 94, 0], [230, 159, 0], [86, 180, 233], [150, 75, 50]];
 
 /// Draws the region of the renderer's scene from the candidate and from outside, with the outcome of the candidate at each pixel, and a
 /// legend with the shares.
@@ -67,17 +67,18 @@ pub fn picture(
         ("From the camera", own),
         ("The region, with the camera's field of view", outside),
     ];
+    let palette = Palette::new(shares);
     let titled: Vec<(&str, Image<[u8; 3]>)> = panels
         .into_iter()
         .map(|(title, view)| {
-            let mut panel = painted(renderer, region, &members, candidate, &view);
+            let mut panel = painted(renderer, region, &members, candidate, &view, &palette);
             if view == outside {
                 draw_frustum(&mut panel, &view, candidate);
             }
             (title, panel)
         })
         .collect();
-    let legend = legend(shares);
+    let legend = legend(shares, &palette);
     Ok(sheet(&heading(candidate, shares), &titled, &legend))
 }
 
@@ -88,6 +89,7 @@ fn painted(
     members: &[usize],
     candidate: &Candidate<'_>,
     view: &View,
+    palette: &Palette,
 ) -> Image<[u8; 3]> {
     let seen = renderer.visibility(view, Backend::Auto);
     let options = AnnotateOptions::default();
@@ -123,7 +125,9 @@ fn painted(
     for (place, outcome) in places.into_iter().zip(outcomes) {
         // Twice the grey of the surroundings.
         let light = 0.35 + 0.65 * f32::from(pixels[place][0]) / 127.0;
-        pixels[place] = color(outcome).map(|channel| byte(f32::from(channel) * light));
+        pixels[place] = palette
+            .color(outcome)
+            .map(|channel| byte(f32::from(channel) * light));
     }
     image
 }
@@ -215,20 +219,58 @@ fn heading(candidate: &Candidate<'_>, shares: &Shares) -> String {
 }
 
 /// The names and colours of the outcomes that occur.
-fn legend(shares: &Shares) -> Vec<(String, [u8; 3])> {
+fn legend(shares: &Shares, palette: &Palette) -> Vec<(String, [u8; 3])> {
     let share = |name: &str| match name {
         "measured" => shares.measured,
         name => shares.lost.get(name).copied().unwrap_or(0.0),
     };
-    let outcomes = (0..).zip(REASONS).map(|(code, reason)| {
-        let percent = 100.0 * share(reason.name);
-        let name = reason.name.replace('_', " ");
-        (percent, (format!("{name} {percent:.1} %"), color(Outcome(code))))
-    });
-    outcomes
-        .filter(|(percent, _)| *percent > 0.0)
-        .map(|(_, entry)| entry)
+    let occurring = reasons().iter().filter(|reason| share(&reason.name) > 0.0);
+    occurring
+        .map(|reason| {
+            let percent = 100.0 * share(&reason.name);
+            let name = reason.name.replace('_', " ");
+            (
+                format!("{name} {percent:.1} %"),
+                palette.color(Outcome(reason.code)),
+            )
+        })
         .collect()
+}
+
+/// The colours of outcomes.
+struct Palette {
+    /// The names of the engine's reasons, the most frequent first.
+    engine: Vec<&'static str>,
+}
+
+impl Palette {
+    fn new(shares: &Shares) -> Self {
+        let names = shares.losses().into_iter().map(|(name, _)| name);
+        Self {
+            engine: names.filter(|name| is_of_engine(name)).collect(),
+        }
+    }
+
+    fn color(&self, outcome: Outcome) -> [u8; 3] {
+        match outcome {
+            Outcome::MEASURED => MEASURED,
+            Outcome::NOT_RESOLVED => NOT_RESOLVED,
+            Outcome::HIDDEN => HIDDEN,
+            Outcome::FACES_AWAY => FACES_AWAY,
+            Outcome::OUTSIDE_VIEW => OUTSIDE_VIEW,
+            other => {
+                let place = self.engine.iter().position(|name| *name == other.name());
+                NOT_MEASURED[place.unwrap_or(NOT_MEASURED.len()).min(NOT_MEASURED.len() - 1)]
+            }
+        }
+    }
+}
+
+/// Whether a reason is one of pixels without a value.
+fn is_of_engine(name: &str) -> bool {
+    let codes = Outcome::MEASURED.0 + 1..Outcome::NOT_RESOLVED.0;
+    let mut reasons = reasons().iter().filter(|reason| codes.contains(&reason.code));
+    reasons.any(|reason| reason.name == name)
 }
 
 /// Arranges the panels in a row, with the heading above and the legend below.
@@ -263,10 +305,6 @@ fn sheet(heading: &str, panels: &[(&str, Image<[u8; 3]>)], legend: &[(String, [u
         left += wide + 3 * GAP;
     }
     sheet
-}
-
-fn color(outcome: Outcome) -> [u8; 3] {
-    COLORS[usize::from(outcome.0) % COLORS.len()]
 }
 
 /// A pixel's luma, scaled.

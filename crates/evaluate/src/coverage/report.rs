@@ -87,7 +87,7 @@ pub struct Shares {
     pub median_absolute_error_mm: Option<f64>,
     /// The 95th percentile of the absolute errors.
     pub p95_absolute_error_mm: Option<f64>,
-    /// The shares that are not measured, by the name of the [reason](super::Reason); those above 0.
+    /// The shares that are not measured, by the name of the [reason](super::reasons); those above 0.
     pub lost: BTreeMap<&'static str, f64>,
 }
 
@@ -141,7 +141,7 @@ impl Shares {
             if *outcome == Outcome::MEASURED {
                 measured += 1;
             } else {
-                *lost.entry(outcome.reason().name).or_default() += 1;
+                *lost.entry(outcome.name()).or_default() += 1;
             }
         }
         let errors_mm: Vec<f64> = errors_m

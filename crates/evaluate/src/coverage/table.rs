@@ -1,6 +1,6 @@
 //! The results as a table.
 
-use super::{CandidateCoverage, Coverage, REASONS};
+use super::{CandidateCoverage, Coverage, reasons};
 
 const COLUMNS: [&str; 17] = [
     "rank",
@@ -23,10 +23,16 @@ const COLUMNS: [&str; 17] = [
 ];
 
 impl Coverage {
-    /// Returns the candidates as a table in CSV, best first, with a column for the share that is lost for each reason.
+    /// Returns the candidates as a table in CSV, best first, with a column for the share that is lost for each
+    /// reason that occurs.
     #[must_use]
     pub fn to_csv(&self) -> String {
-        let reasons: Vec<&str> = REASONS[1..].iter().map(|reason| reason.name).collect();
+        let occurs = |name: &&str| {
+            let mut candidates = self.candidates.iter();
+            candidates.any(|candidate| candidate.shares.lost.contains_key(name))
+        };
+        let reasons = reasons().iter().map(|reason| reason.name.as_str());
+        let reasons: Vec<&str> = reasons.filter(occurs).collect();
         let mut table = csv::Writer::from_writer(Vec::new());
         // Writing to memory does not fail.
         let _ = table.write_record(COLUMNS.iter().chain(&reasons));

@@ -9,6 +9,7 @@
 //! of one size from a camera that does not move. Only the RMS in pixels is specific to stereo.
 
 mod autocovariance;
+mod errors;
 mod plane;
 mod quality;
 mod region;
@@ -16,6 +17,7 @@ mod statistics;
 mod vendor;
 
 pub use autocovariance::Autocovariance;
+pub use errors::{Errors, Histogram};
 pub use plane::Plane;
 pub use quality::{Optics, Quality, quality};
 pub use region::Region;

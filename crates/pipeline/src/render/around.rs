@@ -1,55 +1,34 @@
 //! A default view of a scene without cameras.
 
 use oaktwin_camera::math::DVec3;
-use oaktwin_scene::Scene;
+use oaktwin_scene::{Bounds, Scene};
 
-/// The numbers `EYE TARGET` of a view of the whole scene, from above a corner of its bounding box.
-pub(super) fn look_at(scene: &Scene) -> String {
-    let Some((low, high)) = bounds(scene) else {
-        return "0 0 0 1 0 0".to_owned();
-    };
-    let (centre, half) = ((low + high) / 2.0, (high - low) / 2.0);
+/// Returns the points `EYE` and `TARGET` of a view of the whole scene, from above a corner of its bounding box, in metres.
+/// `None` for a scene without triangles.
+#[must_use]
+pub fn overview(scene: &Scene) -> Option<[DVec3; 2]> {
+    let bounds = scene.bounds()?;
     let up = scene.up.direction();
     let across = (DVec3::ONE - up) * DVec3::new(1.0, -1.0, 1.0);
-    let reach = half.length().max(0.1);
-    let eye = centre + (across + up * 0.7).normalize() * (reach * 2.0);
-    [eye, centre]
+    let eye = bounds.center() + (across + up * 0.7).normalize() * (reach(bounds) * 2.0);
+    Some([eye, bounds.center()])
+}
+
+fn reach(bounds: Bounds) -> f64 {
+    (bounds.size() / 2.0).length().max(0.1)
+}
+
+/// Returns the numbers of [`overview`] as text.
+pub(super) fn look_at(scene: &Scene) -> String {
+    let (Some(points), Some(bounds)) = (overview(scene), scene.bounds()) else {
+        return "0 0 0 1 0 0".to_owned();
+    };
+    points
         .iter()
         .flat_map(DVec3::to_array)
-        .map(|x| brief(x, reach))
+        .map(|x| brief(x, reach(bounds)))
         .collect::<Vec<_>>()
         .join(" ")
-}
-
-/// The bounding box of all instances in metres; `None` for an empty scene.
-fn bounds(scene: &Scene) -> Option<(DVec3, DVec3)> {
-    let boxes: Vec<Option<(DVec3, DVec3)>> = scene
-        .meshes
-        .iter()
-        .map(|mesh| {
-            let points = mesh.positions.iter().map(|p| DVec3::from(p.map(f64::from)));
-            points.fold(None, |known, point| grow(known, point, point))
-        })
-        .collect();
-    scene.instances.iter().fold(None, |known, instance| {
-        let Some(Some((low, high))) = boxes.get(instance.mesh as usize) else {
-            return known;
-        };
-        (0..8u8).fold(known, |known, corner| {
-            let pick = |bit: u8, low: f64, high: f64| if corner >> bit & 1 == 0 { low } else { high };
-            let corner = DVec3::new(
-                pick(0, low.x, high.x),
-                pick(1, low.y, high.y),
-                pick(2, low.z, high.z),
-            );
-            let point = instance.world_from_mesh.transform_point3(corner);
-            grow(known, point, point)
-        })
-    })
-}
-
-fn grow(known: Option<(DVec3, DVec3)>, low: DVec3, high: DVec3) -> Option<(DVec3, DVec3)> {
-    Some(known.map_or((low, high), |(l, h)| (l.min(low), h.max(high))))
 }
 
 /// Rounds to two or three digits of the scene's size.

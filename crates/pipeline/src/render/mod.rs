@@ -52,12 +52,13 @@ pub mod trajectory;
 
 pub use crate::limits::{MAX_PIXELS, SizeError, annotation_bytes, check_size, frame_bytes, record_bytes};
 pub use annotators::{DEFAULT_ANNOTATORS, UnknownAnnotator, annotator};
+pub use around::overview;
 pub use camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
 pub use depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators, sense_frame};
 pub use frames::{FrameOptions, FramesError, Outputs, Written, write_frames};
 pub use names::folder_names;
 pub use oak::{OakOptions, check_lens, oak_cameras};
-pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Renderer, View};
+pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Ray, Renderer, View};
 pub use pair::put_pair;
 pub use pose::{PoseError, look_at, pose};
 pub use recorder::{FrameRecorder, record_annotators};

@@ -2,7 +2,7 @@
 
 use oaktwin_camera::{Camera, UsdOptics};
 use oaktwin_dataset::{CameraParams, View};
-use oaktwin_depth::{Capture, Input, OutputCamera, ParameterError, Sensor};
+use oaktwin_depth::{Capture, Input, OutputCamera, ParameterError, ReasonCodes, Sensor};
 use oaktwin_image::annotation::{Annotator, Frame};
 use oaktwin_image::{Image, ImageView};
 
@@ -48,6 +48,9 @@ pub(crate) fn frame(
     let moved_colors = capture.take::<Image<[u8; 4]>>(COLOR);
     let depth_sensor_imager = capture.take(Annotator::DepthSensorImager);
     let depth_sensor_output_visualization = capture.take(Annotator::DepthSensorOutputVisualization);
+    let depth_sensor_reason = capture
+        .take::<ReasonCodes>(Annotator::DepthSensorReason)
+        .map(Into::into);
     let points = wants(POSITION)
         .then(|| moved_points.unwrap_or_else(|| points(&sensor.output_camera(camera), &capture.distance.0)));
     let colors = match sensor.engine().outputs().contains(&COLOR) {
@@ -65,6 +68,7 @@ pub(crate) fn frame(
         depth_sensor_point_cloud_position: points,
         depth_sensor_imager,
         depth_sensor_output_visualization,
+        depth_sensor_reason,
         depth_sensor_distance: wants(Annotator::DepthSensorDistance).then_some(capture.distance),
         ..Frame::default()
     }

@@ -32,8 +32,9 @@ class Coverage:
 
     report: all results, as printed by `oaktwin coverage --json`; names contain the units.
     points: the outcomes at each point, if requested, else None. A dictionary: "position" and "normal", (P, 3) float64 in the
-        world, metres; "instance", (P,) uint32, an index into "prim_paths"; "outcome", (C, P) uint8 by candidate, an index into
-        "reasons", where 0 is measured; "error_m", (C, P) float32, measured minus true z in metres, NaN where nothing is measured.
+        world, metres; "instance", (P,) uint32, an index into "prim_paths"; "outcome", (C, P) uint8 by candidate, codes whose
+        names are in "reasons", where 0 is measured; "error_m", (C, P) float32, measured minus true z in metres, NaN where nothing
+        is measured.
     """
 
     def __init__(self, report: dict[str, Any], points: dict[str, Any] | None = None) -> None:

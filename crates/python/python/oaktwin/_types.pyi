@@ -25,6 +25,7 @@ _Annotator = Literal[
     "depth_sensor_point_cloud_color",
     "depth_sensor_imager",
     "depth_sensor_output_visualization",
+    "depth_sensor_reason",
 ]
 _Backend = Literal["auto", "raster", "ray"]
 _Engine = Literal["stereo-noise", "stereo-matching", "time-of-flight", "single-view"]

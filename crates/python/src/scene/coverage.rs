@@ -5,8 +5,8 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use oaktwin::camera::ImageSize;
 use oaktwin::camera::math::DVec3;
 use oaktwin::coverage::{
-    Base, CoverageError, Options, Outcome, PointOutcomes, REASONS, Region, Rig, RigOptions, Samples, Sweep,
-    candidates, measure,
+    Base, CoverageError, Options, Outcome, PointOutcomes, Region, Rig, RigOptions, Samples, Sweep,
+    candidates, measure, reasons,
 };
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render::frame_bytes;
@@ -177,7 +177,10 @@ fn arrays<'py>(py: Python<'py>, scene: &scene::Scene, kept: &PointOutcomes) -> P
     all.set_item("outcome", PyArray1::from_iter(py, outcomes).reshape(shape)?)?;
     let errors = kept.errors_m.iter().flatten().copied();
     all.set_item("error_m", PyArray1::from_iter(py, errors).reshape(shape)?)?;
-    let reasons: Vec<&str> = REASONS.iter().map(|reason| reason.name).collect();
-    all.set_item("reasons", reasons)?;
+    let names = PyDict::new(py);
+    for reason in reasons() {
+        names.set_item(reason.code, &reason.name)?;
+    }
+    all.set_item("reasons", names)?;
     Ok(all)
 }

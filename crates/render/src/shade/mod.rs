@@ -28,7 +28,8 @@ use glam::Vec3;
 use oaktwin_camera::math::DVec3;
 use oaktwin_diagnostic::Finding;
 use oaktwin_image::Image;
-use oaktwin_scene::Scene;
+use oaktwin_image::srgb::srgb_from_linear;
+use oaktwin_scene::{Mesh, Scene};
 use oaktwin_simd::{Level, run_lanes_at};
 use rayon::prelude::*;
 
@@ -68,6 +69,25 @@ impl ShaderAssets {
             textures: Arc::new(Textures::new(scene)),
             pattern: Arc::new(Pattern::new()),
         }
+    }
+
+    /// Returns the mean sRGB colour of each triangle of a mesh, without light.
+    pub(crate) fn flat_colors(&self, scene: &Scene, mesh: &Mesh) -> Vec<[u8; 3]> {
+        let spans = mesh.materials.iter().filter_map(|span| span.material);
+        let used = spans.filter_map(|material| scene.materials.get(material as usize));
+        for texture in used.filter_map(|material| material.base_color_texture) {
+            // What cannot be decoded is grey; rendering reports it.
+            let _ = self.textures.get(scene, texture.texture);
+        }
+        let paints = paints(scene, &self.textures);
+        let color = |triangle: u32| {
+            let material = mesh
+                .material(triangle)
+                .and_then(|index| paints.get(index as usize));
+            let linear = material.unwrap_or(&Paint::BARE).flat(mesh, triangle as usize);
+            linear.to_array().map(srgb_from_linear)
+        };
+        (0..).take(mesh.triangles.len()).map(color).collect()
     }
 }
 

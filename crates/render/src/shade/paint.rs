@@ -2,7 +2,7 @@
 
 use glam::{DVec2, Vec2, Vec3};
 use oaktwin_camera::math::DVec3;
-use oaktwin_scene::{Material, Scene, TextureUse};
+use oaktwin_scene::{Material, Mesh, Scene, TextureUse};
 
 use super::pyramid::{Pyramid, Wraps};
 use super::textures::Textures;
@@ -73,6 +73,29 @@ impl<'a> Paint<'a> {
         }
     }
 
+    /// Returns the mean linear colour of a triangle: that of its whole texture, or that of its corners.
+    pub(super) fn flat(&self, mesh: &Mesh, triangle: usize) -> Vec3 {
+        let factor = self.base_color.unwrap_or(Vec3::ONE);
+        if let Some((used, pyramid)) = self.texture {
+            return self.mean_of(&used, pyramid);
+        }
+        let vertices = mesh.triangles.get(triangle).copied();
+        let colors = vertices.and_then(|vertices| mesh.colors.as_ref()?.corners(triangle, vertices));
+        match colors.filter(|_| !self.is_texture_missing) {
+            Some(corners) => factor * corners.map(sane).into_iter().sum::<Vec3>() / 3.0,
+            None => self
+                .base_color
+                .filter(|_| !self.is_texture_missing)
+                .unwrap_or(factor * GREY),
+        }
+    }
+
+    fn mean_of(&self, used: &TextureUse, pyramid: &Pyramid) -> Vec3 {
+        let factor = self.base_color.unwrap_or(Vec3::ONE);
+        let (scale, bias) = (Vec3::from(used.scale), Vec3::from(used.bias));
+        sane(((Vec3::from(pyramid.mean()) * scale + bias) * factor).to_array())
+    }
+
     fn fill(&self, surface: &Surface<'_>, triangle: u32) -> Fill<'a> {
         let mesh = surface.mesh;
         let triangle = triangle as usize;
@@ -97,9 +120,7 @@ impl<'a> Paint<'a> {
                     bias,
                     factor,
                 }),
-                None => Fill::Plain(sane(
-                    ((Vec3::from(pyramid.mean()) * scale + bias) * factor).to_array(),
-                )),
+                None => Fill::Plain(self.mean_of(&used, pyramid)),
             };
         }
         if self.is_texture_missing {

@@ -5,6 +5,7 @@ const ALL: Wanted = Wanted {
     colors: true,
     imager: true,
     view: true,
+    reasons: true,
 };
 
 struct Inputs {

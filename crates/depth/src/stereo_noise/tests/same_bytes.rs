@@ -37,7 +37,7 @@ fn all_instruction_sets_give_the_same_bytes() {
             for level in Level::available() {
                 let mut out = vec![0; depth.pixels().len()];
                 let job = Job::new(&sensor, &shot, &random()).at(level);
-                job.rows(&mut Scratch::default(), 0, &mut out, |fixed, out| {
+                job.rows(&mut Scratch::default(), 0, &mut out, |fixed, _, out| {
                     out.copy_from_slice(fixed);
                 });
                 assert!(out == expected.pixels(), "{level:?}");

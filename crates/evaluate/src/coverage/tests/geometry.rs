@@ -51,11 +51,11 @@ fn a_box_hides_half_of_a_plate() {
         );
     let found = ahead(stage, &objects(&["/World/Plate"]), &[]);
     // The front edge of the box hides the line of sight to the middle of the plate.
-    assert_share(found.shares.lost["occluded"], 0.5);
+    assert_share(found.shares.lost["hidden"], 0.5);
     assert_share(found.shares.seen, 0.5);
     assert_eq!(found.occluders.len(), 1);
     assert_eq!(found.occluders[0].path, "/World/Box");
-    assert_eq!(found.occluders[0].share, found.shares.lost["occluded"]);
+    assert_eq!(found.occluders[0].share, found.shares.lost["hidden"]);
     // Beside the edge the other camera sees the box.
     assert!(found.shares.measured < found.shares.seen);
     assert!(found.shares.measured > 0.3);
@@ -195,7 +195,7 @@ fn the_pixels_of_a_sphere_that_miss_it_do_not_resolve_it() {
             reason = "inside the image"
         )]
         let is_missed = depth.0.get(pixel.x as u32, pixel.y as u32).unwrap().is_infinite();
-        assert_eq!(outcome.reason().name == "not_resolved", is_missed, "{point:?}");
+        assert_eq!(outcome.name() == "not_resolved", is_missed, "{point:?}");
         missed += u32::from(is_missed);
     }
     assert!(missed > 50);

@@ -21,7 +21,7 @@ fn count(image: &Image<[u8; 3]>, color: [f64; 3]) -> usize {
 }
 
 const MEASURED: [f64; 3] = [0.0, 158.0, 115.0];
-const OCCLUDED: [f64; 3] = [0.0, 114.0, 178.0];
+const HIDDEN: [f64; 3] = [0.0, 114.0, 178.0];
 
 #[test]
 fn the_region_is_painted_with_the_outcomes() {
@@ -50,11 +50,11 @@ fn the_region_is_painted_with_the_outcomes() {
     .unwrap();
     let shares = &found.candidates[0].shares;
     let image = picture(&renderer, &region, &candidate, shares).unwrap();
-    let (measured, occluded) = (count(&image, MEASURED), count(&image, OCCLUDED));
+    let (measured, hidden) = (count(&image, MEASURED), count(&image, HIDDEN));
     assert!(measured > 20_000, "{measured}");
     // The camera does not see the hidden stripe; the view from outside does.
-    assert!(occluded > 500, "{occluded}");
-    assert!(measured + occluded < image.pixels().len() / 2);
+    assert!(hidden > 500, "{hidden}");
+    assert!(measured + hidden < image.pixels().len() / 2);
     assert_eq!(image, picture(&renderer, &region, &candidate, shares).unwrap());
     assert!(picture(&renderer, &objects(&["/None"]), &candidate, shares).is_err());
 }

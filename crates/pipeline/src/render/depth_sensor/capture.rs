@@ -74,6 +74,7 @@ pub fn sense_frame(
             frame.depth_sensor_point_cloud_color = seen.depth_sensor_point_cloud_color;
             frame.depth_sensor_imager = seen.depth_sensor_imager;
             frame.depth_sensor_output_visualization = seen.depth_sensor_output_visualization;
+            frame.depth_sensor_reason = seen.depth_sensor_reason;
         }
     }
     let is_missing = |annotator: &Annotator| {

@@ -66,6 +66,7 @@ impl Request {
             colors: self.out.colors.is_some(),
             imager: self.out.imager.is_some(),
             view: self.out.view.is_some(),
+            reasons: false,
         };
         let output = sensor.sense(&shot, &Stream::new(self.seed, &self.camera), wanted);
         files::write(&self.out.distance, &output.distance.0)?;

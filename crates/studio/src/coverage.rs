@@ -1,0 +1,111 @@
+//! Which share of a surface OAKs measure.
+
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+
+use oaktwin::camera::math::DVec3;
+use oaktwin::coverage::{self, Candidate, CoverageError, Options, Region, Rig, RigOptions};
+use oaktwin::scene::Bounds;
+use serde::{Deserialize, Serialize};
+
+use crate::protocol::{Failure, OakState};
+use crate::studio::Studio;
+
+/// The maximum number of OAKs and poses of a request.
+const MAX_STATES: usize = 1000;
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct CoverageRequest {
+    scene: String,
+    states: Vec<OakState>,
+    region: RegionRequest,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged)]
+enum RegionRequest {
+    Box { minimum: [f64; 3], maximum: [f64; 3] },
+    Object { object: String },
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct CoverageAnswer {
+    poses: Vec<PoseCoverage>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+struct PoseCoverage {
+    seen: f64,
+    measured: f64,
+    median_absolute_error_m: Option<f64>,
+    lost: BTreeMap<&'static str, f64>,
+}
+
+impl RegionRequest {
+    fn region(&self) -> Region {
+        match self {
+            Self::Object { object } => Region {
+                objects: vec![object.clone()],
+                within: None,
+            },
+            Self::Box { minimum, maximum } => Region {
+                objects: Vec::new(),
+                within: Some(Bounds {
+                    min: DVec3::from(*minimum),
+                    max: DVec3::from(*maximum),
+                }),
+            },
+        }
+    }
+}
+
+/// Measures the coverage of the region by each state.
+pub(crate) fn coverage(studio: &Studio, request: &CoverageRequest) -> Result<CoverageAnswer, Failure> {
+    if request.states.len() > MAX_STATES {
+        let error = format!(
+            "{} poses are too many; choose at most {MAX_STATES}",
+            request.states.len()
+        );
+        return Err(Failure::of("states", &error));
+    }
+    let failed = |error: CoverageError| Failure::of("region", &error);
+    let scene = studio.scenes.get(&request.scene)?;
+    let rigs = request.states.iter().map(|state| {
+        let twin = state.twin(studio)?;
+        let options = RigOptions {
+            sensor: Some(state.sensor_kind().to_owned()),
+            engine: state.options()?,
+            size: None,
+            pair: state.pair_options(None)?,
+        };
+        let (rig, _) = Rig::new(&twin, &options).map_err(|error| Failure::of("engine", &error))?;
+        Ok((rig, state.pose.transform()?))
+    });
+    let rigs = rigs.collect::<Result<Vec<_>, Failure>>()?;
+    let candidates: Vec<Candidate<'_>> = rigs
+        .iter()
+        .zip(1..)
+        .map(|((rig, pose), number)| Candidate::new(rig, number.to_string(), *pose))
+        .collect();
+    let watch = |_| match studio.is_stopped() {
+        true => ControlFlow::Break(()),
+        false => ControlFlow::Continue(()),
+    };
+    let region = request.region.region();
+    let found = coverage::measure(&scene.renderer, &region, &candidates, &Options::default(), &watch)
+        .map_err(failed)?;
+    let poses = found.candidates.into_iter().map(|candidate| {
+        let shares = candidate.shares;
+        PoseCoverage {
+            seen: shares.seen,
+            measured: shares.measured,
+            median_absolute_error_m: shares.median_absolute_error_mm.map(|error| error * 1e-3),
+            lost: shares.lost,
+        }
+    });
+    Ok(CoverageAnswer {
+        poses: poses.collect(),
+    })
+}

@@ -1,0 +1,170 @@
+//! What can be taken away: assets, images, numbers, and the commands that reproduce them.
+
+use oaktwin::image::{Image, millimetres, npy, png};
+use oaktwin::usd::asset::{AssetOptions, Format, asset};
+
+use crate::frame::statistics;
+use crate::protocol::{Export, ExportRequest, Failure, FrameRequest, ImageName};
+use crate::reasons;
+use crate::snippet;
+use crate::station::{Measurement, Station};
+use crate::studio::Studio;
+
+/// The whole image.
+const ALL: [f64; 4] = [0.0, 0.0, 1.0, 1.0];
+
+/// A file with its name.
+pub(crate) type File = (String, Vec<u8>);
+
+/// Makes the file of a request.
+pub(crate) fn export(studio: &Studio, request: &ExportRequest) -> Result<File, Failure> {
+    let format = request.format.as_deref();
+    match request.what {
+        Export::Asset => usd(studio, request, format.unwrap_or("usd")),
+        Export::Image => image(studio, request, format.unwrap_or("png")),
+        Export::Statistics => numbers(studio, request, format.unwrap_or("json")),
+        Export::Parameters => Ok((
+            "parameters.toml".to_owned(),
+            snippet::toml(&request.state)?.into_bytes(),
+        )),
+        Export::Command => Ok((
+            "render.sh".to_owned(),
+            snippet::command(studio, request)?.into_bytes(),
+        )),
+        Export::Python => Ok((
+            "render.py".to_owned(),
+            snippet::python(studio, request)?.into_bytes(),
+        )),
+    }
+}
+
+fn usd(studio: &Studio, request: &ExportRequest, format: &str) -> Result<File, Failure> {
+    let format = match format {
+        "usd" => Format::Usd,
+        "usda" => Format::Usda,
+        "usdz" => Format::Usdz,
+        _ => return Err(unknown(format, "usd, usda or usdz")),
+    };
+    let twin = request.state.twin(studio)?;
+    let options = AssetOptions {
+        lens: request.state.lens()?,
+        extended_disparity: request.state.extended_disparity,
+        ..AssetOptions::default()
+    };
+    let failed = |error: oaktwin::usd::asset::AssetError| Failure::from(error.to_string());
+    let asset = asset(&twin, &options).map_err(failed)?;
+    Ok((asset.file_name(format), asset.bytes(format).map_err(failed)?))
+}
+
+/// Measures the requested state anew.
+fn measured(
+    studio: &Studio,
+    request: &ExportRequest,
+    images: Vec<ImageName>,
+) -> Result<Measurement, Failure> {
+    let request = FrameRequest {
+        id: 0,
+        oak: String::new(),
+        scene: request.scene.clone(),
+        state: request.state.clone(),
+        size: request.size,
+        images,
+        region: ALL,
+    };
+    Station::default().measure(studio, &request).cloned()
+}
+
+fn image(studio: &Studio, request: &ExportRequest, format: &str) -> Result<File, Failure> {
+    let name = request
+        .image
+        .ok_or_else(|| Failure::of("image", "is missing; name an image"))?;
+    let seen = measured(studio, request, vec![name])?;
+    let missing = || Failure::of("image", "this engine has no such image; choose another");
+    let bytes = match name {
+        ImageName::Color => pixels_file(seen.frame.rgb.as_ref().ok_or_else(missing)?, format)?,
+        ImageName::Depth => {
+            let depth = seen.frame.distance_to_image_plane.as_ref();
+            depth_file(&depth.ok_or_else(missing)?.0, format)?
+        }
+        ImageName::Reference => depth_file(&seen.reference.as_ref().ok_or_else(missing)?.0, format)?,
+        ImageName::Sensor => depth_file(&seen.capture.distance.0, format)?,
+        ImageName::Confidence => bytes_file(seen.confidence().ok_or_else(missing)?, format)?,
+        ImageName::Left => bytes_file(
+            &seen.pair.as_ref().ok_or_else(missing)?.rectified_left.to_eight(),
+            format,
+        )?,
+        ImageName::Right => bytes_file(
+            &seen.pair.as_ref().ok_or_else(missing)?.rectified_right.to_eight(),
+            format,
+        )?,
+        ImageName::Reason => bytes_file(reasons::codes(&seen).ok_or_else(missing)?, format)?,
+    };
+    let stem = serde_json::to_value(name).ok();
+    let stem = stem.as_ref().and_then(|name| name.as_str()).unwrap_or("image");
+    Ok((format!("{stem}.{format}"), bytes))
+}
+
+fn depth_file(metres: &Image<f32>, format: &str) -> Result<Vec<u8>, Failure> {
+    match format {
+        "npy" => array(metres, &[], metres.pixels()),
+        "png" => encoded(png::encode(&millimetres::from_metres(metres))),
+        _ => Err(unknown(format, "npy or png")),
+    }
+}
+
+fn bytes_file(image: &Image<u8>, format: &str) -> Result<Vec<u8>, Failure> {
+    match format {
+        "npy" => array(image, &[], image.pixels()),
+        "png" => encoded(png::encode(image)),
+        _ => Err(unknown(format, "npy or png")),
+    }
+}
+
+fn pixels_file(image: &Image<[u8; 4]>, format: &str) -> Result<Vec<u8>, Failure> {
+    match format {
+        "npy" => array(image, &[4], image.pixels().as_flattened()),
+        "png" => encoded(png::encode(image)),
+        _ => Err(unknown(format, "npy or png")),
+    }
+}
+
+fn array<P, T: npy::Element>(image: &Image<P>, more: &[usize], values: &[T]) -> Result<Vec<u8>, Failure> {
+    let shape = [&[image.height() as usize, image.width() as usize], more].concat();
+    encoded(npy::encode(&shape, values))
+}
+
+fn encoded(bytes: Result<Vec<u8>, oaktwin::image::CodecError>) -> Result<Vec<u8>, Failure> {
+    bytes.map_err(|error| Failure::from(error.to_string()))
+}
+
+fn numbers(studio: &Studio, request: &ExportRequest, format: &str) -> Result<File, Failure> {
+    let seen = measured(studio, request, Vec::new())?;
+    let statistics = statistics(&seen, ALL);
+    let json = serde_json::to_value(&statistics).map_err(|error| Failure::from(error.to_string()))?;
+    let text = match format {
+        "json" => format!("{json:#}\n"),
+        "csv" => {
+            let fields = json.as_object().into_iter().flatten();
+            let numbers = fields.filter(|(_, value)| value.is_number() || value.is_null());
+            let (names, values): (Vec<&str>, Vec<String>) = numbers
+                .map(|(name, value)| {
+                    (
+                        name.as_str(),
+                        if value.is_null() {
+                            String::new()
+                        } else {
+                            value.to_string()
+                        },
+                    )
+                })
+                .unzip();
+            format!("{}\n{}\n", names.join(","), values.join(","))
+        }
+        _ => return Err(unknown(format, "json or csv")),
+    };
+    Ok((format!("statistics.{format}"), text.into_bytes()))
+}
+
+fn unknown(format: &str, formats: &str) -> Failure {
+    Failure::of("format", &format!("unknown format '{format}'; choose {formats}"))
+}

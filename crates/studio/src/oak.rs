@@ -1,0 +1,194 @@
+//! From the state of an OAK on the page to the types of the library.
+
+use oaktwin::camera::{ImageSize, RigidTransform};
+use oaktwin::catalog::{LensChoice, Twin};
+use oaktwin::depth::parameters::choose;
+use oaktwin::diagnostic::Finding;
+use oaktwin::pair::{PairCameras, PairOptions};
+use oaktwin::render::{
+    self, DepthSensorOptions, OakOptions, PlacedCamera, check_size, depth_sensors, oak_cameras, put_pair,
+};
+use oaktwin::sensor::{EngineInput, EngineKind, Sensor, SensorOptions};
+
+use crate::protocol::{Failure, OakState, Pose};
+use crate::studio::Studio;
+
+/// An OAK in a scene, ready to be rendered.
+#[derive(Debug)]
+pub(crate) struct Oak {
+    pub(crate) twin: Twin,
+    pub(crate) camera: PlacedCamera,
+    pub(crate) sensor: Sensor,
+    /// The stereo pair, if the device has one.
+    pub(crate) pair: Option<PairCameras>,
+    pub(crate) findings: Vec<Finding>,
+}
+
+/// Returns the pose of a transform.
+pub(crate) fn pose_of(world_from_body: &RigidTransform) -> Pose {
+    Pose {
+        position: world_from_body.translation.to_array(),
+        quaternion: world_from_body.quaternion().to_array(),
+    }
+}
+
+impl Pose {
+    /// Returns the transform from the body to the world.
+    pub(crate) fn transform(&self) -> Result<RigidTransform, Failure> {
+        let [x, y, z] = self.position;
+        let [qx, qy, qz, qw] = self.quaternion;
+        render::pose([x, y, z, qx, qy, qz, qw]).map_err(|error| Failure::of("pose", &error))
+    }
+}
+
+impl OakState {
+    /// Returns the twin: nominal, or of a dropped calibration.
+    pub(crate) fn twin(&self, studio: &Studio) -> Result<Twin, Failure> {
+        let device = (studio.catalog.device(&self.model)).map_err(|error| Failure::of("model", &error))?;
+        let Some(id) = &self.calibration else {
+            return Ok(studio.catalog.nominal(device));
+        };
+        studio.calibrations.twin(&studio.catalog, device, id)
+    }
+
+    pub(crate) fn lens(&self) -> Result<LensChoice, Failure> {
+        choose("lens", &self.lens).map_err(|error| Failure::of("lens", &error))
+    }
+
+    pub(crate) fn engine(&self) -> Result<&'static EngineKind, Failure> {
+        EngineKind::parse(&self.engine).map_err(|error| Failure::of("engine", &error))
+    }
+
+    /// Returns the options of the sensor.
+    pub(crate) fn options(&self) -> Result<SensorOptions, Failure> {
+        let parameters = self.parameters.iter();
+        Ok(SensorOptions {
+            engine: Some(self.engine()?),
+            preset: self.preset.clone(),
+            filters: self.filters.clone().unwrap_or_default(),
+            parameters: parameters
+                .map(|(name, value)| (name.clone(), value.clone()))
+                .collect(),
+            extended_disparity: self.extended_disparity,
+            seed: self.seed,
+            device_seed: self.device_seed,
+            ..SensorOptions::default()
+        })
+    }
+
+    /// Returns the kind of the depth sensor: `stereo` or `tof`.
+    pub(crate) fn sensor_kind(&self) -> &str {
+        self.sensor.strip_prefix("depth_").unwrap_or(&self.sensor)
+    }
+
+    /// Returns the options of the stereo pair.
+    pub(crate) fn pair_options(&self, size: Option<ImageSize>) -> Result<PairOptions, Failure> {
+        let bias_px = self.options()?.calibration_error_px();
+        Ok(PairOptions {
+            projector: self.projector,
+            ambient: self.ambient,
+            lens: self.lens()?,
+            size,
+            bias_px: bias_px.map_err(|error| Failure::of(&error.name, &error))?,
+            seed: self.seed,
+            ..PairOptions::default()
+        })
+    }
+}
+
+/// Returns the size of images, if one is chosen.
+pub(crate) fn image_size(size: Option<[u32; 2]>) -> Result<Option<ImageSize>, Failure> {
+    let Some([width, height]) = size else {
+        return Ok(None);
+    };
+    let size = ImageSize::new(width, height);
+    check_size(size).map_err(|error| Failure::of("size", &error))?;
+    Ok(Some(size))
+}
+
+impl Oak {
+    /// Places an OAK and creates its sensor. The stereo pair is created if `needs_pair`, or if the engine matches images.
+    pub(crate) fn new(
+        studio: &Studio,
+        state: &OakState,
+        size: Option<ImageSize>,
+        needs_pair: bool,
+    ) -> Result<Self, Failure> {
+        let twin = state.twin(studio)?;
+        let lens = state.lens()?;
+        render::check_lens(&twin, lens).map_err(|error| Failure::of("lens", &error))?;
+        let names = [state.sensor.clone()];
+        let options = OakOptions {
+            cameras: &names,
+            lens,
+            size,
+        };
+        let placed = oak_cameras(&twin, &state.pose.transform()?, &options);
+        let (mut cameras, mut findings) = placed.map_err(|error| Failure::of("sensor", &error))?;
+        let is_matching = state.engine()?.input == EngineInput::Pair;
+        let pair = match is_matching || needs_pair {
+            // Only a matcher reports the depth of the rectified camera.
+            true => {
+                let mut unused = Vec::new();
+                let moved = if is_matching { &mut cameras } else { &mut unused };
+                match put_pair(&twin, moved, &state.pair_options(size)?) {
+                    Ok((pair, more)) => {
+                        findings.extend(more);
+                        Some(pair)
+                    }
+                    Err(error) if is_matching => return Err(Failure::of("engine", &error)),
+                    Err(_) => None,
+                }
+            }
+            false => None,
+        };
+        let sensor_options = state.options()?;
+        let made = depth_sensors(
+            &cameras,
+            &DepthSensorOptions {
+                twin: Some(&twin),
+                sensor: &sensor_options,
+            },
+        );
+        let (sensors, more) = made.map_err(|error| Failure::of(&error.error.name, &error.error))?;
+        findings.extend(more);
+        let both = cameras.into_iter().zip(sensors);
+        let Some((camera, sensor)) = both
+            .into_iter()
+            .find_map(|(camera, sensor)| Some((camera, sensor?)))
+        else {
+            let error = format!(
+                "{} has no depth sensor '{}'; choose another model",
+                state.model, state.sensor
+            );
+            return Err(Failure::of("sensor", &error));
+        };
+        Ok(Self {
+            twin,
+            camera,
+            sensor,
+            pair,
+            findings,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use oaktwin::camera::math::{DMat3, DVec3};
+
+    #[test]
+    fn poses_round_trip() {
+        let turned = DMat3::from_rotation_z(0.7) * DMat3::from_rotation_y(-0.2);
+        let transform = RigidTransform::new(turned, DVec3::new(1.0, -2.0, 3.0));
+        let again = pose_of(&transform).transform().unwrap();
+        assert!(
+            (again.rotation - transform.rotation)
+                .to_cols_array()
+                .iter()
+                .all(|x| x.abs() < 1e-12)
+        );
+        assert_eq!(again.translation, transform.translation);
+    }
+}

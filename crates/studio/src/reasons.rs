@@ -1,0 +1,48 @@
+//! Why pixels have no value.
+
+use oaktwin::depth::{ReasonCodes, reason};
+use oaktwin::image::Image;
+use oaktwin::image::annotation::{Annotator, ReasonLabel};
+use oaktwin::measure::Region;
+use serde::Serialize;
+
+use crate::station::Measurement;
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Reason {
+    code: u8,
+    name: String,
+    documentation: String,
+}
+
+/// Returns all reasons, sorted by their codes.
+pub(crate) fn all() -> Vec<Reason> {
+    let legend = reason::legend().into_iter();
+    let reason = |(code, label): (u8, ReasonLabel)| Reason {
+        code,
+        name: label.name,
+        documentation: label.documentation,
+    };
+    legend.map(reason).collect()
+}
+
+/// Returns the codes of a measured image, which every engine provides.
+pub(crate) fn codes(measurement: &Measurement) -> Option<&Image<u8>> {
+    let codes: &ReasonCodes = measurement.capture.extra(Annotator::DepthSensorReason)?;
+    Some(&codes.0)
+}
+
+/// Counts the pixels of each reason in a region, by code.
+pub(crate) fn count(codes: &Image<u8>, region: &Region) -> Vec<u64> {
+    let last = reason::legend().into_keys().last().unwrap_or_default();
+    let mut counts = vec![0; usize::from(last) + 1];
+    let columns = region.columns.start as usize..region.columns.end as usize;
+    let rows = codes.rows().skip(region.rows.start as usize);
+    let rows = rows.take(region.rows.len());
+    for code in rows.filter_map(|row| row.get(columns.clone())).flatten() {
+        if let Some(count) = counts.get_mut(usize::from(*code)) {
+            *count += 1;
+        }
+    }
+    counts
+}

@@ -1,0 +1,172 @@
+//! The scenes that the page can show.
+
+use std::collections::{BTreeMap, VecDeque};
+use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use oaktwin::camera::RigidTransform;
+use oaktwin::render::{OpenOptions, Renderer, SceneFile, look_at, overview};
+use oaktwin::scene::{Bounds, Scene, Up};
+
+use crate::mesh;
+use crate::oak::pose_of;
+use crate::protocol::{Failure, Pose, SceneInfo, SceneObject};
+
+/// The number of dropped scenes that are kept, beside that of the command line.
+const KEPT: usize = 3;
+/// The number of objects that the page can name; others are part of the scene only.
+const MAX_OBJECTS: usize = 20_000;
+
+/// A scene that was read.
+#[derive(Debug)]
+pub(crate) struct LoadedScene {
+    pub(crate) info: SceneInfo,
+    pub(crate) renderer: Renderer,
+    /// What the command line calls it.
+    pub(crate) argument: String,
+    meshes: Mutex<BTreeMap<usize, Arc<Vec<u8>>>>,
+}
+
+impl LoadedScene {
+    /// Reads a file. `name` is what the page calls it, and `argument` what a command line does.
+    pub(crate) fn open(
+        path: &Path,
+        options: &OpenOptions,
+        (id, name, argument): (&str, &str, &str),
+    ) -> Result<Self, Failure> {
+        let file = SceneFile::open(path, options).map_err(|error| {
+            // The page knows the file by the name that it was dropped with.
+            Failure::from(error.to_string().replace(&path.display().to_string(), name))
+        })?;
+        let scene = file.scene;
+        let Some(bounds) = scene.bounds() else {
+            return Err(Failure {
+                error: format!("{name}: has no triangles; give a scene with meshes"),
+                findings: file.findings,
+                ..Failure::default()
+            });
+        };
+        let info = SceneInfo {
+            id: id.to_owned(),
+            name: name.to_owned(),
+            up: match scene.up {
+                Up::Y => "y",
+                Up::Z => "z",
+            },
+            triangles: mesh::triangles(&scene),
+            bounds: corners(bounds),
+            objects: objects(&scene),
+            findings: file.findings,
+            pose: initial_pose(&scene),
+        };
+        Ok(Self {
+            info,
+            renderer: Renderer::new(scene),
+            argument: argument.to_owned(),
+            meshes: Mutex::default(),
+        })
+    }
+
+    /// Sets the pose from which the page first shows the scene.
+    pub(crate) fn shown_from(mut self, pose: Pose) -> Self {
+        self.info.pose = pose;
+        self
+    }
+
+    /// Returns the binary mesh with about this many triangles, which is made once.
+    pub(crate) fn mesh(&self, triangles: usize) -> Arc<Vec<u8>> {
+        let mut meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
+        if meshes.len() > 1 {
+            // A page asks for one size, and for the full detail.
+            meshes.retain(|size, _| *size == triangles);
+        }
+        let made = meshes
+            .entry(triangles)
+            .or_insert_with(|| Arc::new(mesh::of_scene(&self.renderer, &self.info.objects, triangles)));
+        Arc::clone(made)
+    }
+}
+
+/// An overview of the whole scene, or the origin.
+fn initial_pose(scene: &Scene) -> Pose {
+    let seen = overview(scene).and_then(|[eye, target]| look_at(eye, target, scene.up.direction()).ok());
+    pose_of(&seen.unwrap_or(RigidTransform::IDENTITY))
+}
+
+fn corners(bounds: Bounds) -> [[f64; 3]; 2] {
+    [bounds.min.to_array(), bounds.max.to_array()]
+}
+
+/// The prims with triangles by path. Instances of one path are one object.
+fn objects(scene: &Scene) -> Vec<SceneObject> {
+    let meshes: Vec<Option<Bounds>> = scene.meshes.iter().map(oaktwin::scene::Mesh::bounds).collect();
+    let mut found: BTreeMap<&str, Bounds> = BTreeMap::new();
+    for instance in &scene.instances {
+        let Some(bounds) = meshes.get(instance.mesh as usize).copied().flatten() else {
+            continue;
+        };
+        let bounds = bounds.transformed(instance.world_from_mesh);
+        found
+            .entry(&instance.path)
+            .and_modify(|known| *known = known.union(bounds))
+            .or_insert(bounds);
+    }
+    let object = |(path, bounds): (&str, Bounds)| SceneObject {
+        path: path.to_owned(),
+        bounds: corners(bounds),
+    };
+    found.into_iter().take(MAX_OBJECTS).map(object).collect()
+}
+
+/// The scenes by id.
+#[derive(Debug)]
+pub(crate) struct Scenes {
+    first: Arc<LoadedScene>,
+    dropped: Mutex<(u64, VecDeque<Arc<LoadedScene>>)>,
+}
+
+impl Scenes {
+    pub(crate) fn new(first: LoadedScene) -> Self {
+        Self {
+            first: Arc::new(first),
+            dropped: Mutex::default(),
+        }
+    }
+
+    /// The scene that is shown first.
+    pub(crate) fn first(&self) -> &LoadedScene {
+        &self.first
+    }
+
+    pub(crate) fn get(&self, id: &str) -> Result<Arc<LoadedScene>, Failure> {
+        if self.first.info.id == id {
+            return Ok(Arc::clone(&self.first));
+        }
+        let dropped = self.dropped.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = dropped.1.iter().find(|scene| scene.info.id == id).cloned();
+        found.ok_or_else(|| {
+            Failure::of(
+                "scene",
+                &format!("no scene '{id}'; drop the file onto the page again"),
+            )
+        })
+    }
+
+    /// Returns the id of the next scene.
+    pub(crate) fn next_id(&self) -> String {
+        let mut dropped = self.dropped.lock().unwrap_or_else(PoisonError::into_inner);
+        dropped.0 += 1;
+        format!("dropped-{}", dropped.0)
+    }
+
+    /// Keeps a dropped scene and forgets the oldest ones.
+    pub(crate) fn add(&self, scene: LoadedScene) -> Arc<LoadedScene> {
+        let scene = Arc::new(scene);
+        let mut dropped = self.dropped.lock().unwrap_or_else(PoisonError::into_inner);
+        dropped.1.push_back(Arc::clone(&scene));
+        while dropped.1.len() > KEPT {
+            dropped.1.pop_front();
+        }
+        scene
+    }
+}

@@ -1,0 +1,262 @@
+//! One OAK of a page: what was rendered and measured for it, so that a change repeats no more than it must.
+
+use std::sync::Arc;
+
+use oaktwin::camera::ImageSize;
+use oaktwin::depth::stereo_matching;
+use oaktwin::depth::{Capture, Engine, Input, Shot};
+use oaktwin::diagnostic::Finding;
+use oaktwin::image::annotation::{Annotator, Frame};
+use oaktwin::image::{Image, ImageView, ZDepth};
+use oaktwin::pair::Pair;
+use oaktwin::render::{AnnotateOptions, Backend, Renderer, View};
+use oaktwin::sensor::EngineInput;
+
+use crate::oak::{Oak, image_size};
+use crate::protocol::{Failure, FrameRequest, ImageName, OakState};
+use crate::scene::LoadedScene;
+use crate::studio::Studio;
+
+/// The number of sizes that are kept: the coarse one of movements, and that at rest.
+const KEPT: usize = 2;
+const TRUTH: [Annotator; 2] = [Annotator::Rgb, Annotator::DistanceToImagePlane];
+
+/// An OAK of a page.
+#[derive(Debug, Default)]
+pub(crate) struct Station {
+    /// The newest last.
+    views: Vec<Seen>,
+    measurement: Option<Measurement>,
+}
+
+/// What determines the rendered images.
+#[derive(Clone, Debug, PartialEq)]
+struct Key {
+    scene: String,
+    view: View,
+}
+
+/// The rendered images of a view.
+#[derive(Debug)]
+struct Seen {
+    key: Key,
+    frame: Arc<Frame>,
+    /// The findings of the renderer.
+    findings: Vec<Finding>,
+    /// What the pair was rendered for, and the pair.
+    pair: Option<(PairKey, Arc<Pair>)>,
+    /// Ground truth of the sensor's output camera, where it differs.
+    reference: Option<(View, Arc<ZDepth>)>,
+}
+
+/// What determines the images of the pair, beside the scene.
+#[derive(Clone, Debug, PartialEq)]
+struct PairKey(OakState, Option<[u32; 2]>);
+
+/// A measurement with everything that explains it.
+#[derive(Clone, Debug)]
+pub(crate) struct Measurement {
+    pub(crate) scene: Arc<LoadedScene>,
+    pub(crate) engine: Arc<dyn Engine>,
+    pub(crate) view: View,
+    /// The camera that the measured image is of.
+    pub(crate) output: View,
+    /// The colour image and ground truth of the sensor's input.
+    pub(crate) frame: Arc<Frame>,
+    /// Ground truth of the output camera, if that differs from the input's.
+    pub(crate) reference: Option<Arc<ZDepth>>,
+    pub(crate) capture: Arc<Capture>,
+    pub(crate) pair: Option<Arc<Pair>>,
+    pub(crate) filters: Vec<String>,
+    pub(crate) findings: Vec<Finding>,
+    /// The transform from the other camera of the pair to the world, if there is one.
+    pub(crate) other: Option<oaktwin::camera::RigidTransform>,
+}
+
+impl Measurement {
+    /// The ground truth that errors refer to.
+    pub(crate) fn truth(&self) -> Option<ImageView<'_, f32>> {
+        let own = self.frame.distance_to_image_plane.as_ref();
+        let truth = self.reference.as_deref().or(own)?;
+        Some((&truth.0).into())
+    }
+
+    /// The confidence, if the engine has one.
+    pub(crate) fn confidence(&self) -> Option<&Image<u8>> {
+        self.capture.extra(Annotator::Confidence)
+    }
+}
+
+impl Station {
+    /// Renders and measures what a request asks for.
+    pub(crate) fn measure(
+        &mut self,
+        studio: &Studio,
+        request: &FrameRequest,
+    ) -> Result<&Measurement, Failure> {
+        let scene = studio.scenes.get(&request.scene)?;
+        let size = image_size(request.size)?;
+        let wants_pair = |name: &ImageName| matches!(name, ImageName::Left | ImageName::Right);
+        let needs_pair = request.images.iter().any(wants_pair);
+        let mut oak = Oak::new(studio, &request.state, size, needs_pair)?;
+        let world_from_body = request.state.pose.transform()?;
+        let view = oak.camera.view(&world_from_body);
+        check_memory(view.camera.intrinsics.size)?;
+        let is_matching = oak.sensor.engine().kind().input == EngineInput::Pair;
+        let seen = self.see(&scene, view);
+        if let Some(cameras) = &oak.pair {
+            let key = PairKey(light_of(&request.state), request.size);
+            if seen.pair.as_ref().is_none_or(|(known, _)| *known != key) {
+                let pair = cameras.look(&scene.renderer, &world_from_body, 0);
+                seen.pair = Some((key, Arc::new(pair)));
+            }
+        }
+        let pair = seen
+            .pair
+            .as_ref()
+            .filter(|_| oak.pair.is_some())
+            .map(|(_, pair)| Arc::clone(pair));
+        let input = input(is_matching, &seen.frame, pair.as_deref()).ok_or_else(|| {
+            Failure::of(
+                "engine",
+                "the images of the pair do not fit each other; choose another engine",
+            )
+        })?;
+        let offered = oak.sensor.engine().outputs();
+        let extras: Vec<Annotator> = [Annotator::Confidence, Annotator::DepthSensorReason]
+            .into_iter()
+            .filter(|one| offered.contains(one))
+            .collect();
+        let mut findings = oak.sensor.engine().inspect(&input);
+        let captured = oak.sensor.capture(input, &extras);
+        let capture = captured.map_err(|error| Failure::of(&error.name, &error))?;
+        let output = oak.sensor.output_camera(&view.camera);
+        let output_view = View {
+            camera: output.camera,
+            world_from_camera: view.world_from_camera * output.input_from_output(),
+            ..view
+        };
+        let reference = (output_view != view).then(|| seen.reference(&scene.renderer, output_view));
+        findings.append(&mut oak.findings);
+        findings.extend(seen.findings.iter().cloned());
+        findings.extend(pair.iter().flat_map(|pair| pair.findings.clone()));
+        let mut unique: Vec<Finding> = Vec::new();
+        for finding in findings {
+            if !unique.contains(&finding) {
+                unique.push(finding);
+            }
+        }
+        let filters = oak.sensor.filters().filters().iter();
+        let measurement = Measurement {
+            engine: Arc::clone(oak.sensor.engine()),
+            view,
+            output: output_view,
+            frame: Arc::clone(&seen.frame),
+            reference,
+            capture: Arc::new(capture),
+            pair,
+            filters: filters.map(ToString::to_string).collect(),
+            findings: unique,
+            other: other_camera(&oak, &world_from_body),
+            scene,
+        };
+        Ok(self.measurement.insert(measurement))
+    }
+
+    /// The last measurement.
+    pub(crate) fn last(&self) -> Option<&Measurement> {
+        self.measurement.as_ref()
+    }
+
+    /// Returns what a view sees, rendered once.
+    fn see(&mut self, scene: &LoadedScene, view: View) -> &mut Seen {
+        let key = Key {
+            scene: scene.info.id.clone(),
+            view,
+        };
+        let known = self.views.iter().position(|seen| seen.key == key);
+        let seen = match known {
+            Some(index) => self.views.remove(index),
+            None => {
+                let options = AnnotateOptions::default();
+                let (frame, findings) = scene.renderer.annotate(&view, &TRUTH, Backend::Auto, &options);
+                Seen {
+                    key,
+                    frame: Arc::new(frame),
+                    findings,
+                    pair: None,
+                    reference: None,
+                }
+            }
+        };
+        if self.views.len() >= KEPT {
+            self.views.remove(0);
+        }
+        self.views.push(seen);
+        let last = self.views.len() - 1;
+        &mut self.views[last]
+    }
+}
+
+impl Seen {
+    fn reference(&mut self, renderer: &Renderer, view: View) -> Arc<ZDepth> {
+        match &self.reference {
+            Some((known, depth)) if *known == view => Arc::clone(depth),
+            _ => {
+                let depth = Arc::new(renderer.depth(&view, Backend::Auto));
+                self.reference = Some((view, Arc::clone(&depth)));
+                depth
+            }
+        }
+    }
+}
+
+fn input<'a>(is_matching: bool, frame: &'a Frame, pair: Option<&'a Pair>) -> Option<Input<'a>> {
+    if is_matching {
+        let pair = pair?;
+        let pair = stereo_matching::Pair::new(&pair.rectified_left, &pair.rectified_right);
+        return pair.ok().map(Input::Pair);
+    }
+    let depth = frame.distance_to_image_plane.as_ref()?;
+    let shot = Shot::new((&depth.0).into());
+    let rgb = frame.rgb.as_ref()?;
+    shot.with_rgb(rgb.into()).ok().map(Input::Depth)
+}
+
+/// The part of a state that determines the images of the pair.
+fn light_of(state: &OakState) -> OakState {
+    let bias = state.parameters.get_key_value("bias");
+    OakState {
+        engine: String::new(),
+        preset: None,
+        filters: None,
+        parameters: bias
+            .map(|(name, value)| (name.clone(), value.clone()))
+            .into_iter()
+            .collect(),
+        extended_disparity: false,
+        ..state.clone()
+    }
+}
+
+/// The pose of the right camera, from which the left one's view may be occluded.
+fn other_camera(
+    oak: &Oak,
+    world_from_body: &oaktwin::camera::RigidTransform,
+) -> Option<oaktwin::camera::RigidTransform> {
+    use oaktwin::catalog::Role;
+    let is_stereo = oak.sensor.engine().baseline_m().is_some() || oak.pair.is_some();
+    let right = oak.twin.camera(Role::Right).filter(|_| is_stereo)?;
+    Some(*world_from_body * right.body_from_camera)
+}
+
+/// Rejects images that need more memory than is available.
+fn check_memory(size: ImageSize) -> Result<(), Failure> {
+    let needed = oaktwin::render::frame_bytes(size, &TRUTH) * 3;
+    oaktwin::memory::check(needed).map_err(|shortage| {
+        Failure::of(
+            "size",
+            &format!("images of {size}: {}; choose a smaller size", shortage.what()),
+        )
+    })
+}

@@ -1,0 +1,66 @@
+//! The state that all pages share.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use oaktwin::catalog::Catalog;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, TryAcquireError, watch};
+
+use crate::calibration::Calibrations;
+use crate::guard::Guard;
+use crate::scene::Scenes;
+
+/// The number of frames that are computed at the same time, each of which uses all cores.
+const COMPUTING: usize = 2;
+/// The number of pages that can be open.
+const MAX_PAGES: usize = 32;
+
+/// The state of the server.
+#[derive(Debug)]
+pub(crate) struct Studio {
+    pub(crate) catalog: Cow<'static, Catalog>,
+    /// The model that is shown first.
+    pub(crate) model: String,
+    pub(crate) scenes: Scenes,
+    pub(crate) calibrations: Calibrations,
+    pub(crate) guard: Guard,
+    pub(crate) computing: Semaphore,
+    pages: Arc<Semaphore>,
+    stop: watch::Sender<bool>,
+}
+
+impl Studio {
+    pub(crate) fn new(catalog: Cow<'static, Catalog>, model: String, scenes: Scenes, guard: Guard) -> Self {
+        Self {
+            catalog,
+            model,
+            scenes,
+            calibrations: Calibrations::default(),
+            guard,
+            computing: Semaphore::new(COMPUTING),
+            pages: Arc::new(Semaphore::new(MAX_PAGES)),
+            stop: watch::Sender::new(false),
+        }
+    }
+
+    /// Admits a page for as long as the permit lives, unless too many are open.
+    pub(crate) fn page(&self) -> Result<OwnedSemaphorePermit, TryAcquireError> {
+        Arc::clone(&self.pages).try_acquire_owned()
+    }
+
+    /// Asks everything that waits for [`Studio::stopped`] to end.
+    pub(crate) fn stop(&self) {
+        self.stop.send_replace(true);
+    }
+
+    pub(crate) fn is_stopped(&self) -> bool {
+        *self.stop.borrow()
+    }
+
+    /// Completes when the server stops.
+    pub(crate) async fn stopped(&self) {
+        let mut stop = self.stop.subscribe();
+        // The sender lives as long as `self`.
+        let _ = stop.wait_for(|stop| *stop).await;
+    }
+}

@@ -1,0 +1,74 @@
+//! Files that are dropped onto the page. They are read and not kept on the disk.
+
+use std::path::Path;
+
+use axum::body::Body;
+use futures_util::StreamExt;
+use tokio::io::AsyncWriteExt;
+
+use crate::protocol::Failure;
+
+/// The maximum size of a dropped file, bytes.
+pub(crate) const MAX_BYTES: u64 = 1 << 30;
+
+/// Returns the name of a dropped file without folders: it is shown, and its extension says what the file is.
+pub(crate) fn file_name(name: &str) -> Result<String, Failure> {
+    let name = name.rsplit(['/', '\\']).next().unwrap_or_default();
+    let is_valid = !name.is_empty()
+        && name.len() <= 255
+        && !name.chars().any(char::is_control)
+        && !name.starts_with('.');
+    match is_valid {
+        true => Ok(name.to_owned()),
+        false => Err(Failure::of(
+            "name",
+            "a dropped file requires a name with an extension; rename it",
+        )),
+    }
+}
+
+/// Writes the body of a request to a file that is not longer than `limit`.
+pub(crate) async fn receive(body: Body, path: &Path, limit: u64) -> Result<(), Failure> {
+    let failed = |error: &dyn std::fmt::Display| {
+        Failure::from(format!(
+            "the dropped file cannot be received: {error}; drop it again"
+        ))
+    };
+    let mut file = tokio::fs::File::create_new(path)
+        .await
+        .map_err(|error| failed(&error))?;
+    let mut stream = body.into_data_stream();
+    let mut received = 0u64;
+    while let Some(part) = stream.next().await {
+        let part = part.map_err(|error| failed(&error))?;
+        received += part.len() as u64;
+        if received > limit {
+            return Err(too_large(limit));
+        }
+        file.write_all(&part).await.map_err(|error| failed(&error))?;
+    }
+    file.flush().await.map_err(|error| failed(&error))
+}
+
+/// The error about a file that is too large.
+pub(crate) fn too_large(limit: u64) -> Failure {
+    let limit = oaktwin::memory::size(limit);
+    Failure::from(format!(
+        "the dropped file is larger than {limit}; name it on the command line: oaktwin studio FILE"
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_have_no_folders() {
+        assert_eq!(file_name("room.glb").unwrap(), "room.glb");
+        assert_eq!(file_name("../../etc/room.glb").unwrap(), "room.glb");
+        assert_eq!(file_name("C:\\rooms\\room.glb").unwrap(), "room.glb");
+        for wrong in ["", "/", "..", ".hidden", "a\nb.glb", &"x".repeat(300)] {
+            assert!(file_name(wrong).is_err(), "{wrong:?}");
+        }
+    }
+}

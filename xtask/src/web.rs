@@ -1,0 +1,147 @@
+//! The page of `oaktwin studio`: `cargo xtask web` bundles it, and the tests compare the bundle and open it in a browser.
+
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+
+use crate::counts;
+use crate::report::Report;
+use crate::workspace::{self, output};
+
+/// The files of the bundle.
+const BUNDLE: [&str; 3] = ["index.html", "studio.css", "studio.js"];
+
+/// The browsers that the page is tested in, and a variable that names another one.
+const BROWSERS: [&str; 3] = [
+    "/usr/bin/chromium",
+    "/usr/bin/chromium-browser",
+    "/usr/bin/google-chrome",
+];
+const BROWSER: &str = "OAKTWIN_BROWSER";
+
+/// Installs what the page is built with, checks its types, and bundles it.
+pub(crate) fn run() -> Result<(), String> {
+    let dist = folder().join("dist");
+    bundle(&dist)?;
+    for name in BUNDLE {
+        let path = dist.join(name);
+        let bytes = std::fs::metadata(&path)
+            .map_err(|error| format!("{}: {error}", path.display()))?
+            .len();
+        println!("{}: {bytes} bytes", path.display());
+    }
+    Ok(())
+}
+
+/// Checks that the committed bundle is what the sources build, and tests the page in a browser.
+pub(crate) fn steps(report: &mut Report) {
+    if Command::new("npm").arg("--version").output().is_err() {
+        return report.skip("page", "npm is not installed");
+    }
+    if report.step("bundle of the page", is_committed).is_none() {
+        report.count_failure();
+        return;
+    }
+    let Some(browser) = browser() else {
+        let reason = format!("no Chromium is installed; {BROWSER} can name one");
+        return report.skip("page in a browser", reason);
+    };
+    let Some(server) = report.step("server of the page", Server::start) else {
+        return report.count_failure();
+    };
+    let mut tests = npm(&["test"]);
+    tests
+        .env("OAKTWIN_STUDIO_URL", &server.link)
+        .env(BROWSER, browser);
+    report.command("page in a browser", &mut tests, counts::of_node_test);
+}
+
+fn folder() -> PathBuf {
+    workspace::root().join("web")
+}
+
+fn npm(arguments: &[&str]) -> Command {
+    let mut command = Command::new("npm");
+    command.args(arguments).current_dir(folder());
+    command
+}
+
+fn bundle(dist: &Path) -> Result<(), String> {
+    output(&mut npm(&["ci", "--ignore-scripts", "--no-audit", "--no-fund"]))?;
+    output(&mut npm(&["run", "check"]))?;
+    let mut build = npm(&["run", "build", "--"]);
+    output(build.arg(dist))?;
+    Ok(())
+}
+
+/// Returns an error if the committed bundle is not what the sources build.
+fn is_committed() -> Result<(), String> {
+    let built = workspace::target().join("web");
+    bundle(&built)?;
+    for name in BUNDLE {
+        let read = |folder: &Path| {
+            let path = folder.join(name);
+            std::fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))
+        };
+        if read(&built)? != read(&folder().join("dist"))? {
+            return Err(format!(
+                "web/dist/{name} is not what the sources build; run cargo xtask web and commit it"
+            ));
+        }
+    }
+    Ok(())
+}
+
+fn browser() -> Option<PathBuf> {
+    let named = std::env::var_os(BROWSER).map(PathBuf::from);
+    let known = BROWSERS.iter().map(PathBuf::from).find(|path| path.exists());
+    named.or(known)
+}
+
+/// A running server, which stops when it is dropped.
+pub(crate) struct Server {
+    child: Child,
+    pub(crate) link: String,
+}
+
+impl Server {
+    fn start() -> Result<Self, String> {
+        let mut programs = workspace::build(&["--workspace", "--bin", "oaktwin"])?;
+        let program = programs
+            .remove("oaktwin")
+            .ok_or("cargo built no program named oaktwin")?;
+        Self::of(&program)
+    }
+
+    /// Starts a program's server and waits for its link.
+    pub(crate) fn of(program: &Path) -> Result<Self, String> {
+        let mut command = Command::new(program);
+        command
+            .args(["studio", "--no-open"])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null());
+        let mut child = command
+            .spawn()
+            .map_err(|error| format!("{}: {error}", program.display()))?;
+        let mut link = String::new();
+        let read = child
+            .stdout
+            .take()
+            .map(|out| BufReader::new(out).read_line(&mut link));
+        let server = Self {
+            child,
+            link: link.trim().to_owned(),
+        };
+        match read {
+            Some(Ok(length)) if length > 0 => Ok(server),
+            _ => Err(format!("{}: printed no link", program.display())),
+        }
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
