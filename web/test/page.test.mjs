@@ -244,12 +244,12 @@ test("OAKs can be added, compared and removed", { skip }, async () => {
 
 test("the address restores the state", { skip }, async () => {
   const { page, context } = await open(browser);
+  const before = new URL(page.url()).hash;
   await after(page, () => page.locator('[data-parameter="bias"] input[type="text"]').fill("0.5"));
   const changed = await pixels(page, "sensor");
-  await page.waitForFunction(() => location.hash.length > 10);
-  await page.waitForTimeout(500);
+  await page.waitForFunction((before) => location.hash !== before, before);
   const { hash } = new URL(page.url());
-  const other = await open(browser, { path: hash.startsWith("#") ? hash : "" });
+  const other = await open(browser, { path: hash });
   assert.equal(await pixels(other.page, "sensor"), changed);
   await other.context.close();
   await context.close();

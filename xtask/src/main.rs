@@ -51,7 +51,7 @@ enum Task {
     /// Regenerate the licences that the Python wheel contains.
     Licenses,
     /// Bundle the page of `oaktwin studio` into web/dist; requires npm.
-    Web,
+    Web(web::Args),
 }
 
 fn main() -> ExitCode {
@@ -64,7 +64,7 @@ fn main() -> ExitCode {
         Task::Fuzz(args) => fuzz::run(&args),
         Task::Schema => schema::run(),
         Task::Licenses => licenses::run(),
-        Task::Web => web::run(),
+        Task::Web(args) => web::run(&args),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

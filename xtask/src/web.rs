@@ -19,8 +19,15 @@ const BROWSERS: [&str; 3] = [
 ];
 const BROWSER: &str = "OAKTWIN_BROWSER";
 
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// Also take the manual's picture of the page, in a browser
+    #[arg(long)]
+    pictures: bool,
+}
+
 /// Installs what the page is built with, checks its types, and bundles it.
-pub(crate) fn run() -> Result<(), String> {
+pub(crate) fn run(args: &Args) -> Result<(), String> {
     let dist = folder().join("dist");
     bundle(&dist)?;
     for name in BUNDLE {
@@ -29,6 +36,12 @@ pub(crate) fn run() -> Result<(), String> {
             .map_err(|error| format!("{}: {error}", path.display()))?
             .len();
         println!("{}: {bytes} bytes", path.display());
+    }
+    if args.pictures {
+        let server = Server::start()?;
+        let mut pictures = npm(&["run", "pictures", "--"]);
+        pictures.arg(workspace::root().join("docs/images"));
+        output(pictures.env("OAKTWIN_STUDIO_URL", &server.link))?;
     }
     Ok(())
 }
@@ -60,14 +73,20 @@ fn folder() -> PathBuf {
     workspace::root().join("web")
 }
 
-fn npm(arguments: &[&str]) -> Command {
+pub(crate) fn npm(arguments: &[&str]) -> Command {
     let mut command = Command::new("npm");
     command.args(arguments).current_dir(folder());
     command
 }
 
-fn bundle(dist: &Path) -> Result<(), String> {
+/// Installs what the page is built and tested with.
+pub(crate) fn install() -> Result<(), String> {
     output(&mut npm(&["ci", "--ignore-scripts", "--no-audit", "--no-fund"]))?;
+    Ok(())
+}
+
+fn bundle(dist: &Path) -> Result<(), String> {
+    install()?;
     output(&mut npm(&["run", "check"]))?;
     let mut build = npm(&["run", "build", "--"]);
     output(build.arg(dist))?;

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use oaktwin::camera::ImageSize;
+use oaktwin::camera::{ImageSize, RigidTransform};
+use oaktwin::catalog::Role;
 use oaktwin::depth::stereo_matching;
 use oaktwin::depth::{Capture, Engine, Input, Shot};
 use oaktwin::diagnostic::Finding;
@@ -10,7 +11,7 @@ use oaktwin::image::annotation::{Annotator, Frame};
 use oaktwin::image::{Image, ImageView, ZDepth};
 use oaktwin::pair::Pair;
 use oaktwin::render::{AnnotateOptions, Backend, Renderer, View};
-use oaktwin::sensor::EngineInput;
+use oaktwin::sensor::{EngineInput, Technology};
 
 use crate::oak::{Oak, image_size};
 use crate::protocol::{Failure, FrameRequest, ImageName, OakState};
@@ -70,7 +71,7 @@ pub(crate) struct Measurement {
     pub(crate) filters: Vec<String>,
     pub(crate) findings: Vec<Finding>,
     /// The transform from the other camera of the pair to the world, if there is one.
-    pub(crate) other: Option<oaktwin::camera::RigidTransform>,
+    pub(crate) other: Option<RigidTransform>,
 }
 
 impl Measurement {
@@ -240,12 +241,8 @@ fn light_of(state: &OakState) -> OakState {
 }
 
 /// The pose of the right camera, from which the left one's view may be occluded.
-fn other_camera(
-    oak: &Oak,
-    world_from_body: &oaktwin::camera::RigidTransform,
-) -> Option<oaktwin::camera::RigidTransform> {
-    use oaktwin::catalog::Role;
-    let is_stereo = oak.sensor.engine().baseline_m().is_some() || oak.pair.is_some();
+fn other_camera(oak: &Oak, world_from_body: &RigidTransform) -> Option<RigidTransform> {
+    let is_stereo = oak.sensor.engine().kind().models == Some(Technology::Stereo);
     let right = oak.twin.camera(Role::Right).filter(|_| is_stereo)?;
     Some(*world_from_body * right.body_from_camera)
 }

@@ -6,6 +6,7 @@ mod load;
 mod python;
 mod render;
 mod stereo;
+mod studio;
 mod turns;
 
 #[derive(clap::Subcommand)]
@@ -23,6 +24,8 @@ pub(crate) enum Bench {
     Load(load::Args),
     /// Calls of the Python package, compared with noise written in NumPy
     Python(python::Args),
+    /// The page of `oaktwin studio` in a headless browser; requires npm and Chromium
+    Studio(studio::Args),
 }
 
 pub(crate) fn run(bench: &Bench) -> Result<(), String> {
@@ -33,6 +36,7 @@ pub(crate) fn run(bench: &Bench) -> Result<(), String> {
         Bench::Stereo(args) => stereo::run(args),
         Bench::Load(args) => load::run(args),
         Bench::Python(args) => python::run(args),
+        Bench::Studio(args) => studio::run(args),
     }
 }
 

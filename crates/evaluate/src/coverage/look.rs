@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use oaktwin_camera::{PixelPoint, Usd};
 use oaktwin_diagnostic::Finding;
 use oaktwin_image::ZDepth;
-use oaktwin_image::annotation::Annotator;
+use oaktwin_image::annotation::{Annotator, Reasons};
 use oaktwin_pipeline::render::{AnnotateOptions, Backend, Renderer, View, scene_annotators, sense_frame};
 use rayon::prelude::*;
 
@@ -13,7 +13,7 @@ use super::sight::{Line, Sight};
 use super::{Candidate, Outcome, SurfacePoint};
 
 /// The outputs of the depth sensor that are requested.
-const ASKED: [Annotator; 1] = [Annotator::DepthSensorDistance];
+const ASKED: [Annotator; 2] = [Annotator::DepthSensorDistance, Annotator::DepthSensorReason];
 
 /// The cosine of the angle of incidence below which a face is seen edge-on.
 const EDGE_ON: f64 = 1e-6;
@@ -62,6 +62,8 @@ struct SensorImage {
     /// The ground truth of the view.
     truth: ZDepth,
     measured: Option<ZDepth>,
+    /// Why pixels have no value.
+    reasons: Option<Reasons>,
 }
 
 impl SensorImage {
@@ -85,6 +87,7 @@ impl SensorImage {
             sight: Sight::new(view),
             truth,
             measured: frame.depth_sensor_distance,
+            reasons: frame.depth_sensor_reason,
         };
         (image, findings)
     }
@@ -116,7 +119,11 @@ impl SensorImage {
         let measured = self.measured.as_ref().and_then(|image| image.0.get(x, y));
         match measured {
             Some(&z) if z > 0.0 && z.is_finite() => (Outcome::MEASURED, z - truth),
-            _ => lost(Outcome::NOT_MEASURED),
+            _ => {
+                let codes = self.reasons.as_ref().map(|reasons| &reasons.codes);
+                let code = codes.and_then(|codes| codes.get(x, y)).copied();
+                lost(Outcome::of_pixel(code.unwrap_or_default()))
+            }
         }
     }
 

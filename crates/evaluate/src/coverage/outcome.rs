@@ -2,6 +2,8 @@
 
 use std::sync::LazyLock;
 
+use oaktwin_depth::reason;
+
 /// The code of an outcome in the table of [`reasons`]. Outcomes are ordered: the higher, the farther a point is from being measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Outcome(pub u8);
@@ -17,13 +19,13 @@ pub struct Reason {
     pub doc: String,
 }
 
-/// The outcomes that do not depend on the engine.
+/// The outcomes that are not reasons of the sensor's pixels.
 const OWN: [(Outcome, &str, &str); 6] = [
     (Outcome::MEASURED, "measured", "The sensor measures the point."),
     (
         Outcome::NOT_MEASURED,
         "not_measured",
-        "The sensor sees the point, but its pixel has no value.",
+        "The sensor sees the point, but its pixel has no value for no known reason.",
     ),
     (
         Outcome::NOT_RESOLVED,
@@ -53,7 +55,14 @@ static REASONS: LazyLock<Vec<Reason>> = LazyLock::new(|| {
         name: name.to_owned(),
         doc: doc.to_owned(),
     });
-    let mut reasons = own.to_vec();
+    // Those of the sensor's pixels have their own codes.
+    let of_pixels = reason::legend().into_iter().map(|(code, label)| Reason {
+        code,
+        name: label.name,
+        doc: label.documentation,
+    });
+    let is_lost = |reason: &Reason| reason.code != Outcome::MEASURED.0;
+    let mut reasons: Vec<Reason> = own.into_iter().chain(of_pixels.filter(is_lost)).collect();
     reasons.sort_by_key(|reason| reason.code);
     reasons
 });
@@ -67,12 +76,21 @@ pub fn reasons() -> &'static [Reason] {
 impl Outcome {
     /// The sensor measures the point.
     pub const MEASURED: Self = Self(0);
-    /// The code of a pixel without a value for which the engine has no reason.
+    /// The pixel has no value, and the engine no reason for it.
     pub(super) const NOT_MEASURED: Self = Self(127);
     pub(super) const NOT_RESOLVED: Self = Self(128);
     pub(super) const HIDDEN: Self = Self(129);
     pub(super) const FACES_AWAY: Self = Self(130);
     pub(super) const OUTSIDE_VIEW: Self = Self(131);
+
+    /// The outcome at a pixel without a value for which the sensor has this code.
+    pub(super) fn of_pixel(code: u8) -> Self {
+        if (Self::MEASURED.0 + 1..Self::NOT_MEASURED.0).contains(&code) {
+            Self(code)
+        } else {
+            Self::NOT_MEASURED
+        }
+    }
 
     /// Whether the point is visible, measured or not.
     #[must_use]

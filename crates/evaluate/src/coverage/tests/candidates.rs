@@ -151,6 +151,20 @@ fn every_engine_measures() {
 }
 
 #[test]
+fn every_outcome_has_a_name_of_its_own() {
+    let mut names: Vec<&str> = reasons().iter().map(|reason| reason.name.as_str()).collect();
+    assert_eq!(names[0], "measured");
+    assert!(reasons().is_sorted_by(|a, b| a.code < b.code));
+    for reason in reasons() {
+        assert_eq!(Outcome(reason.code).name(), reason.name);
+    }
+    let count = names.len();
+    names.sort_unstable();
+    names.dedup();
+    assert_eq!(names.len(), count);
+}
+
+#[test]
 fn numbers_out_of_range_are_rejected() {
     let (renderer, rig, [front, _]) = sandwich();
     let error = |count: usize, options: Options| {
