@@ -13,7 +13,7 @@ use crate::studio::Studio;
 const UNITS: u32 = 25;
 const CAPTURES: u32 = 2;
 /// The same for an engine that matches images.
-const MATCHED_UNITS: u32 = 3;
+const MATCHED_UNITS: u32 = 1;
 
 /// Measures the accuracy at about twenty distances.
 pub(crate) fn curve(studio: &Studio, state: &OakState) -> Result<AccuracyCurve, Failure> {

@@ -33,6 +33,7 @@ struct Model {
     generation: String,
     body: Body,
     cameras: Vec<Camera>,
+    has_projector: bool,
     depth_sensors: Vec<DepthSensor>,
 }
 
@@ -136,6 +137,7 @@ impl Model {
                 centre: [x - depth / 2.0, y, z],
             },
             cameras: twin.cameras.iter().map(Camera::new).collect(),
+            has_projector: device.projector.is_some(),
             depth_sensors: (twin.depth_sensors.iter())
                 .filter_map(|sensor| DepthSensor::new(twin, sensor))
                 .collect(),
@@ -240,7 +242,9 @@ impl Engine {
 impl FilterInfo {
     fn new(name: &'static str) -> Self {
         let all = listings("filters");
-        let own = all.iter().filter(|row| row.table == name);
+        let own = all
+            .iter()
+            .filter(|row| row.table.strip_suffix(" filter") == Some(name));
         Self {
             name,
             parameters: own.map(Parameter::new).collect(),

@@ -1,5 +1,6 @@
 //! Frames for the page: the images of a measurement, compressed, and their statistics.
 
+use std::borrow::Cow;
 use std::time::Instant;
 
 use lz4_flex::block;
@@ -19,14 +20,19 @@ pub(crate) fn frame(
     request: &FrameRequest,
 ) -> Result<Vec<u8>, Failure> {
     let start = Instant::now();
-    let measurement = station.measure(studio, request)?;
+    let measurement = &station.measure(studio, request)?.clone();
     let mut images = Vec::new();
     let mut data = Vec::new();
     for name in &request.images {
         let Some(pixels) = pixels(measurement, *name) else {
             continue;
         };
-        let compressed = block::compress(&pixels.bytes);
+        let unchanged = station.send(*name);
+        let compressed = if unchanged {
+            Vec::new()
+        } else {
+            block::compress(&pixels.bytes())
+        };
         images.push(ImageHeader {
             name: *name,
             width: pixels.width,
@@ -34,6 +40,7 @@ pub(crate) fn frame(
             format: pixels.format,
             offset: data.len(),
             length: compressed.len(),
+            unchanged,
         });
         data.extend(compressed);
     }
@@ -55,55 +62,75 @@ pub(crate) fn frame(
     Ok(message)
 }
 
-/// An image as bytes.
-struct Pixels {
+/// An image to be encoded.
+struct Pixels<'a> {
     width: u32,
     height: u32,
     format: &'static str,
-    bytes: Vec<u8>,
+    data: Data<'a>,
 }
 
-impl Pixels {
-    fn new<T>(image: &Image<T>, format: &'static str, bytes: Vec<u8>) -> Self {
+enum Data<'a> {
+    Color(&'a Image<[u8; 4]>),
+    Metres(&'a Image<f32>),
+    Bytes(Cow<'a, Image<u8>>),
+}
+
+impl<'a> Pixels<'a> {
+    fn new<T>(image: &Image<T>, format: &'static str, data: Data<'a>) -> Self {
         Self {
             width: image.width(),
             height: image.height(),
             format,
-            bytes,
+            data,
         }
     }
 
-    fn bytes(image: &Image<u8>) -> Self {
-        Self::new(image, "u8", image.pixels().to_vec())
+    fn depth(metres: &'a Image<f32>) -> Self {
+        Self::new(metres, "u16mm", Data::Metres(metres))
     }
 
-    fn depth(metres: &Image<f32>) -> Self {
-        let millimetres = millimetres::from_metres(metres);
-        let bytes = millimetres.pixels().iter().flat_map(|value| value.to_le_bytes());
-        Self::new(metres, "u16mm", bytes.collect())
+    fn of_bytes(image: Cow<'a, Image<u8>>) -> Self {
+        let (width, height) = (image.width(), image.height());
+        Self {
+            width,
+            height,
+            format: "u8",
+            data: Data::Bytes(image),
+        }
+    }
+
+    /// Returns the pixels in little endian, row by row.
+    fn bytes(&self) -> Vec<u8> {
+        match &self.data {
+            Data::Color(image) => image.pixels().as_flattened().to_vec(),
+            Data::Bytes(image) => image.pixels().to_vec(),
+            Data::Metres(metres) => {
+                let millimetres = millimetres::from_metres(metres);
+                let values = millimetres.pixels().iter();
+                values.flat_map(|value| value.to_le_bytes()).collect()
+            }
+        }
     }
 }
 
 /// Returns an image, if the measurement has it.
-fn pixels(measurement: &Measurement, name: ImageName) -> Option<Pixels> {
+fn pixels(measurement: &Measurement, name: ImageName) -> Option<Pixels<'_>> {
     let frame = &measurement.frame;
-    match name {
+    let pair = measurement.pair.as_ref();
+    Some(match name {
         ImageName::Color => {
             let rgb = frame.rgb.as_ref()?;
-            Some(Pixels::new(rgb, "rgba8", rgb.pixels().as_flattened().to_vec()))
+            Pixels::new(rgb, "rgba8", Data::Color(rgb))
         }
-        ImageName::Depth => Some(Pixels::depth(&frame.distance_to_image_plane.as_ref()?.0)),
-        ImageName::Reference => Some(Pixels::depth(&measurement.reference.as_ref()?.0)),
-        ImageName::Sensor => Some(Pixels::depth(&measurement.capture.distance.0)),
-        ImageName::Confidence => measurement.confidence().map(Pixels::bytes),
-        ImageName::Left => Some(Pixels::bytes(
-            &measurement.pair.as_ref()?.rectified_left.to_eight(),
-        )),
-        ImageName::Right => Some(Pixels::bytes(
-            &measurement.pair.as_ref()?.rectified_right.to_eight(),
-        )),
-        ImageName::Reason => reasons::codes(measurement).map(Pixels::bytes),
-    }
+        ImageName::Depth => Pixels::depth(&frame.distance_to_image_plane.as_ref()?.0),
+        ImageName::Reference => Pixels::depth(&measurement.reference.as_ref()?.0),
+        ImageName::Sensor => Pixels::depth(&measurement.capture.distance.0),
+        ImageName::Confidence => Pixels::of_bytes(Cow::Borrowed(measurement.confidence()?)),
+        ImageName::Left => Pixels::of_bytes(Cow::Owned(pair?.rectified_left.to_eight())),
+        ImageName::Right => Pixels::of_bytes(Cow::Owned(pair?.rectified_right.to_eight())),
+        ImageName::Reason => Pixels::of_bytes(Cow::Borrowed(reasons::codes(measurement)?)),
+    })
 }
 
 /// Computes the statistics of a rectangle, given as fractions of the image.

@@ -100,6 +100,7 @@ pub(crate) struct ImageHeader {
     pub(crate) format: &'static str,
     pub(crate) offset: usize,
     pub(crate) length: usize,
+    pub(crate) unchanged: bool,
 }
 
 #[derive(Clone, Debug, Default, Serialize)]

@@ -28,6 +28,15 @@ pub(crate) struct Station {
     /// The newest last.
     views: Vec<Seen>,
     measurement: Option<Measurement>,
+    sent: Sent,
+}
+
+/// The rendered images that the page has.
+#[derive(Debug, Default)]
+struct Sent {
+    frame: Option<Arc<Frame>>,
+    pair: Option<Arc<Pair>>,
+    names: Vec<ImageName>,
 }
 
 /// What determines the rendered images.
@@ -164,6 +173,29 @@ impl Station {
         Ok(self.measurement.insert(measurement))
     }
 
+    /// Records that an image of the last measurement is sent, and returns whether the page has it already.
+    pub(crate) fn send(&mut self, name: ImageName) -> bool {
+        let Some(measurement) = &self.measurement else {
+            return false;
+        };
+        let is_same = match name {
+            ImageName::Color | ImageName::Depth => keep(&mut self.sent.frame, Some(&measurement.frame)),
+            ImageName::Left | ImageName::Right => keep(&mut self.sent.pair, measurement.pair.as_ref()),
+            ImageName::Reference | ImageName::Sensor | ImageName::Confidence | ImageName::Reason => {
+                return false;
+            }
+        };
+        if !is_same {
+            let of_pair = |name: &ImageName| matches!(name, ImageName::Left | ImageName::Right);
+            self.sent.names.retain(|known| of_pair(known) != of_pair(&name));
+        }
+        let is_known = self.sent.names.contains(&name);
+        if !is_known {
+            self.sent.names.push(name);
+        }
+        is_known
+    }
+
     /// The last measurement.
     pub(crate) fn last(&self) -> Option<&Measurement> {
         self.measurement.as_ref()
@@ -210,6 +242,16 @@ impl Seen {
             }
         }
     }
+}
+
+/// Replaces a shared image, and returns whether it was the same.
+fn keep<T>(known: &mut Option<Arc<T>>, new: Option<&Arc<T>>) -> bool {
+    let is_same = match (known.as_ref(), new) {
+        (Some(known), Some(new)) => Arc::ptr_eq(known, new),
+        _ => false,
+    };
+    *known = new.cloned();
+    is_same
 }
 
 fn input<'a>(is_matching: bool, frame: &'a Frame, pair: Option<&'a Pair>) -> Option<Input<'a>> {
