@@ -1,5 +1,5 @@
 // Bundles the page into `dist/`, which is committed: the same sources and lock file give the same bytes.
-import { copyFile, mkdir } from "node:fs/promises";
+import { copyFile, mkdir, readFile, writeFile } from "node:fs/promises";
 import { build } from "esbuild";
 
 const [, , folder = new URL("dist/", import.meta.url).pathname] = process.argv;
@@ -20,3 +20,12 @@ await build({
   logLevel: "warning",
 });
 await copyFile(new URL("src/index.html", import.meta.url), `${dist}index.html`);
+
+// What the licences of the bundled packages require to be passed on.
+const here = (path) => new URL(path, import.meta.url);
+const { dependencies } = JSON.parse(await readFile(here("package.json"), "utf8"));
+const licenses = Object.entries(dependencies).map(async ([name, version]) => {
+  const text = await readFile(here(`node_modules/${name}/LICENSE`), "utf8");
+  return `${name} ${version}\n\n${text.trim()}\n`;
+});
+await writeFile(`${dist}licenses.txt`, (await Promise.all(licenses)).join("\n----\n\n"));

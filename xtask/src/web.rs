@@ -9,7 +9,7 @@ use crate::report::Report;
 use crate::workspace::{self, output};
 
 /// The files of the bundle.
-const BUNDLE: [&str; 3] = ["index.html", "studio.css", "studio.js"];
+const BUNDLE: [&str; 4] = ["index.html", "licenses.txt", "studio.css", "studio.js"];
 
 /// The browsers that the page is tested in, and a variable that names another one.
 const BROWSERS: [&str; 3] = [

@@ -19,6 +19,7 @@ NOT_RUN = {
     "cargo xtask ": "it runs this test",
     "pip install ": "the package and its peers are installed",
     "./python.sh ": "it needs Isaac Sim",
+    "oaktwin studio": "it serves a page until it is stopped, and has tests of its own",
     "rerun ": "it opens a window",
     "ros2 ": "it needs ROS 2",
     "python examples/python/": "the program has a test of its own",
@@ -26,7 +27,8 @@ NOT_RUN = {
 # Commands that end with 1 where they report findings, as they may about these inputs.
 REPORTS_FINDINGS = {"accuracy", "check", "fit", "stereo"}
 # Pages whose snippets are excerpts of an example's program, which has a test of its own: only their syntax is checked.
-EXCERPTS = {"docs/python/record_wall.md", 
+EXCERPTS = {
+    "docs/python/record_wall.md",
     "docs/python/isaac_lab_batch.md",
     "docs/python/isaac_sim.md",
     "docs/python/mujoco_table.md",

@@ -5,6 +5,7 @@ use axum::response::{IntoResponse, Response};
 
 const HTML: &[u8] = include_bytes!("../../../web/dist/index.html");
 const SCRIPT: &[u8] = include_bytes!("../../../web/dist/studio.js");
+const LICENSES: &[u8] = include_bytes!("../../../web/dist/licenses.txt");
 const STYLE: &[u8] = include_bytes!("../../../web/dist/studio.css");
 
 pub(crate) async fn html() -> Response {
@@ -17,6 +18,11 @@ pub(crate) async fn script() -> Response {
 
 pub(crate) async fn style() -> Response {
     asset("text/css; charset=utf-8", STYLE)
+}
+
+/// The licences of the packages in the bundle.
+pub(crate) async fn licenses() -> Response {
+    asset("text/plain; charset=utf-8", LICENSES)
 }
 
 fn asset(content_type: &'static str, bytes: &'static [u8]) -> Response {

@@ -36,6 +36,7 @@ pub(crate) fn router(studio: &Arc<Studio>) -> Router {
         .route("/", get(page::html))
         .route("/studio.js", get(page::script))
         .route("/studio.css", get(page::style))
+        .route("/licenses.txt", get(page::licenses))
         .route("/api/catalog", get(catalog))
         .route("/api/scenes", post(drop_scene))
         .route("/api/scenes/{id}", get(scene))
