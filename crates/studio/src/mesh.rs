@@ -237,7 +237,8 @@ mod tests {
                     / 2.0
             })
             .sum();
-        assert!((area - 2500.0).abs() < 1.0, "{area}");
+        // Collapses in a plane may leave slivers on top of each other.
+        assert!((area - 2500.0).abs() < 50.0, "{area}");
         assert!(welded.vertices.len() <= 3 * triangles);
     }
 
