@@ -53,9 +53,9 @@ pub struct FirstScene {
     pub path: PathBuf,
     /// The options of reading it.
     pub options: OpenOptions,
-    /// What the page calls it.
+    /// The name on the page.
     pub name: String,
-    /// What a command line calls it.
+    /// The name on a command line.
     pub argument: String,
     /// The pose of the body from which it is shown; by default an overview.
     pub world_from_body: Option<RigidTransform>,
@@ -84,7 +84,7 @@ pub enum StudioError {
     Address {
         /// The address.
         address: SocketAddr,
-        /// What the system reports.
+        /// The system's error.
         error: std::io::Error,
     },
     /// The scene cannot be read.

@@ -104,7 +104,7 @@ pub(crate) async fn serve(mut socket: WebSocket, studio: Arc<Studio>) {
     }
 }
 
-/// Waits for the running request; forever if there is none.
+/// Waits for the running request, or forever without one.
 async fn completed(running: &mut Option<JoinHandle<Message>>) -> Message {
     let Some(task) = running.as_mut() else {
         return std::future::pending().await;

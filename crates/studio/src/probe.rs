@@ -2,9 +2,8 @@
 
 use oaktwin::camera::math::DVec3;
 use oaktwin::camera::{PixelPoint, Usd};
-use oaktwin::render::{Ray, Renderer};
-
 use oaktwin::depth::stereo_noise::Subpixel;
+use oaktwin::render::{Ray, Renderer};
 
 use crate::protocol::{Failure, ProbeAnswer, ProbeRequest};
 use crate::reasons;

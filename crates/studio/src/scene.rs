@@ -22,13 +22,13 @@ const MAX_OBJECTS: usize = 20_000;
 pub(crate) struct LoadedScene {
     pub(crate) info: SceneInfo,
     pub(crate) renderer: Renderer,
-    /// What the command line calls it.
+    /// The name on a command line.
     pub(crate) argument: String,
     meshes: Mutex<BTreeMap<usize, Arc<Vec<u8>>>>,
 }
 
 impl LoadedScene {
-    /// Reads a file. `name` is what the page calls it, and `argument` what a command line does.
+    /// Reads a file, with its id, its name on the page and its name on a command line.
     pub(crate) fn open(
         path: &Path,
         options: &OpenOptions,

@@ -39,7 +39,7 @@ struct Sent {
     names: Vec<ImageName>,
 }
 
-/// What determines the rendered images.
+/// The scene and the view of rendered images.
 #[derive(Clone, Debug, PartialEq)]
 struct Key {
     scene: String,
@@ -53,13 +53,13 @@ struct Seen {
     frame: Arc<Frame>,
     /// The findings of the renderer.
     findings: Vec<Finding>,
-    /// What the pair was rendered for, and the pair.
+    /// The pair, with the state that it was rendered for.
     pair: Option<(PairKey, Arc<Pair>)>,
     /// Ground truth of the sensor's output camera, where it differs.
     reference: Option<(View, Arc<ZDepth>)>,
 }
 
-/// What determines the images of the pair, beside the scene.
+/// The state and the size of the images of a pair.
 #[derive(Clone, Debug, PartialEq)]
 struct PairKey(OakState, Option<[u32; 2]>);
 
