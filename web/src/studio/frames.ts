@@ -1,7 +1,7 @@
 import { Live } from "../net/live";
 import { FrameScheduler, type Wanted } from "../net/scheduler";
 import type { Frame } from "../net/wire";
-import type { ImageName, Rejection, ServerMessage } from "../protocol";
+import type { ImageName, OakState, Rejection, ServerMessage } from "../protocol";
 import { type Display, FULL_SIZES, PANELS } from "../state/display";
 import { findSensor, type Oak } from "../state/document";
 import type { Defaults } from "./defaults";
@@ -11,12 +11,12 @@ import type { Studio } from "./studio";
 /** How long nothing must have changed before images of full size are requested, ms. */
 const REST = 150;
 
-/** The limits of images while something moves; smaller ones are used while the server takes long. */
-const COARSE: [number, number][] = [[640, 400], [480, 300], [320, 200]];
+/** The limits of images while something moves. The smaller ones are used while an OAK moves and the server takes long to render anew. */
+const COARSE: [number, number][] = [[640, 400], [480, 300], [320, 200], [240, 150]];
 
 /** A frame that takes longer than the first number makes the next one coarser, one below the second finer, ms. */
-const SLOW = 120;
-const FAST = 40;
+const SLOW = 50;
+const FAST = 20;
 
 /** Fits a sensor's resolution into a limit, with its aspect ratio. Null: the sensor's own. */
 export function fit([width, height]: [number, number], limit: [number, number] | null): [number, number] | null {
@@ -43,7 +43,7 @@ export class FrameLoop {
   private readonly scheduler: FrameScheduler;
   /** What was last requested of each OAK, to find changes. */
   private readonly requested = new Map<string, readonly unknown[]>();
-  /** The requests that were made while something moved. */
+  /** The requests that were made because an OAK moved. */
   private readonly moving = new WeakSet<Wanted>();
   /** The place in {@link COARSE} of the next such request. */
   private coarseness = 0;
@@ -102,7 +102,10 @@ export class FrameLoop {
       const before = this.requested.get(oak.key);
       if (before && before.length === key.length && before.every((part, i) => part === key[i])) continue;
       this.requested.set(oak.key, key);
-      this.moving.add(this.request(oak, COARSE[this.coarseness] ?? null, images));
+      // A new parameter needs no new rendering, unless the size changes.
+      const isMoved = (before?.[1] as OakState | undefined)?.pose !== oak.state.pose;
+      const wanted = this.request(oak, COARSE[isMoved ? this.coarseness : 0] ?? null, images);
+      if (isMoved) this.moving.add(wanted);
       this.rest();
     }
   }
