@@ -350,7 +350,7 @@ export interface AccuracyCurve {
 }
 
 export interface ExportRequest {
-  what: "asset" | "image" | "statistics" | "parameters" | "command" | "python" | "mesh";
+  what: "asset" | "image" | "statistics" | "parameters" | "command" | "python";
   scene: string;
   state: OakState;
   size: [number, number] | null;

@@ -61,7 +61,7 @@ test("a value out of range marks its field and sends nothing", { skip }, async (
   await context.close();
 });
 
-test("a broken file leaves the scene and says what is wrong", { skip }, async () => {
+test("a broken file is reported, and the previous scene stays", { skip }, async () => {
   const { page, context } = await open(browser);
   const scene = await page.getByTestId("scene").textContent();
   await drop(page, "broken.usda", "#usda 1.0\ndef Mesh {");

@@ -22,7 +22,7 @@ macro_rules! reasons {
 
 reasons! {
     "The pixel has a value." Measured "measured";
-    "There is no surface." NoSurface "no_surface";
+    "The input has no surface in this pixel." NoSurface "no_surface";
     "The surface is nearer than the sensor can measure." TooNear "too_near";
     "The surface is farther than the sensor can measure." TooFar "too_far";
     "The surface is outside the view of the other camera." OutsideOtherView "outside_other_view";
@@ -41,6 +41,9 @@ reasons! {
 impl Reason {
     /// The code of the first of [`filter::NAMES`]; those of other filters follow.
     pub const FILTERS: u8 = 32;
+
+    /// The number of codes, those without a meaning included: one more than the last.
+    pub const CODES: usize = Self::FILTERS as usize + filter::NAMES.len();
 
     /// The code in images.
     #[must_use]
@@ -127,6 +130,10 @@ mod tests {
         names.dedup();
         assert_eq!(names.len(), legend.len());
         assert_eq!(legend[&0].name, "measured");
+        assert_eq!(
+            legend.keys().last().map(|last| usize::from(*last) + 1),
+            Some(Reason::CODES)
+        );
     }
 
     #[test]

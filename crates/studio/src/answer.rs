@@ -1,5 +1,6 @@
 //! Answers over HTTP.
 
+use axum::body::Body;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use serde::Serialize;
@@ -25,8 +26,8 @@ pub(crate) fn json_or_failure(result: Result<impl Serialize, Failure>) -> Respon
 }
 
 /// Answers with bytes.
-pub(crate) fn binary(bytes: Vec<u8>) -> Response {
-    ([(header::CONTENT_TYPE, "application/octet-stream")], bytes).into_response()
+pub(crate) fn binary(bytes: impl Into<Body>) -> Response {
+    ([(header::CONTENT_TYPE, "application/octet-stream")], bytes.into()).into_response()
 }
 
 /// Answers with a file to be saved under a name.

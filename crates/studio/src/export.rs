@@ -4,8 +4,8 @@ use oaktwin::image::{Image, millimetres, npy, png};
 use oaktwin::usd::asset::{AssetOptions, Format, asset};
 
 use crate::frame::statistics;
+use crate::image::{Data, pixels};
 use crate::protocol::{Export, ExportRequest, Failure, FrameRequest, ImageName};
-use crate::reasons;
 use crate::snippet;
 use crate::station::{Measurement, Station};
 use crate::studio::Studio;
@@ -80,52 +80,19 @@ fn image(studio: &Studio, request: &ExportRequest, format: &str) -> Result<File,
         .ok_or_else(|| Failure::of("image", "is missing; name an image"))?;
     let seen = measured(studio, request, vec![name])?;
     let missing = || Failure::of("image", "this engine has no such image; choose another");
-    let bytes = match name {
-        ImageName::Color => pixels_file(seen.frame.rgb.as_ref().ok_or_else(missing)?, format)?,
-        ImageName::Depth => {
-            let depth = seen.frame.distance_to_image_plane.as_ref();
-            depth_file(&depth.ok_or_else(missing)?.0, format)?
-        }
-        ImageName::Reference => depth_file(&seen.reference.as_ref().ok_or_else(missing)?.0, format)?,
-        ImageName::Sensor => depth_file(&seen.capture.distance.0, format)?,
-        ImageName::Confidence => bytes_file(seen.confidence().ok_or_else(missing)?, format)?,
-        ImageName::Left => bytes_file(
-            &seen.pair.as_ref().ok_or_else(missing)?.rectified_left.to_eight(),
-            format,
-        )?,
-        ImageName::Right => bytes_file(
-            &seen.pair.as_ref().ok_or_else(missing)?.rectified_right.to_eight(),
-            format,
-        )?,
-        ImageName::Reason => bytes_file(reasons::codes(&seen).ok_or_else(missing)?, format)?,
+    let pixels = pixels(&seen, name).ok_or_else(missing)?;
+    let bytes = match (&pixels.data, format) {
+        (Data::Color(image), "npy") => array(image, &[4], image.pixels().as_flattened())?,
+        (Data::Color(image), "png") => encoded(png::encode(image))?,
+        (Data::Metres(metres), "npy") => array(metres, &[], metres.pixels())?,
+        (Data::Metres(metres), "png") => encoded(png::encode(&millimetres::from_metres(metres)))?,
+        (Data::Bytes(image), "npy") => array(image, &[], image.pixels())?,
+        (Data::Bytes(image), "png") => encoded(png::encode(&**image))?,
+        _ => return Err(unknown(format, "npy or png")),
     };
     let stem = serde_json::to_value(name).ok();
     let stem = stem.as_ref().and_then(|name| name.as_str()).unwrap_or("image");
     Ok((format!("{stem}.{format}"), bytes))
-}
-
-fn depth_file(metres: &Image<f32>, format: &str) -> Result<Vec<u8>, Failure> {
-    match format {
-        "npy" => array(metres, &[], metres.pixels()),
-        "png" => encoded(png::encode(&millimetres::from_metres(metres))),
-        _ => Err(unknown(format, "npy or png")),
-    }
-}
-
-fn bytes_file(image: &Image<u8>, format: &str) -> Result<Vec<u8>, Failure> {
-    match format {
-        "npy" => array(image, &[], image.pixels()),
-        "png" => encoded(png::encode(image)),
-        _ => Err(unknown(format, "npy or png")),
-    }
-}
-
-fn pixels_file(image: &Image<[u8; 4]>, format: &str) -> Result<Vec<u8>, Failure> {
-    match format {
-        "npy" => array(image, &[4], image.pixels().as_flattened()),
-        "png" => encoded(png::encode(image)),
-        _ => Err(unknown(format, "npy or png")),
-    }
 }
 
 fn array<P, T: npy::Element>(image: &Image<P>, more: &[usize], values: &[T]) -> Result<Vec<u8>, Failure> {

@@ -12,6 +12,7 @@ mod coverage;
 mod export;
 mod frame;
 mod guard;
+mod image;
 mod live;
 mod mesh;
 mod oak;

@@ -35,9 +35,14 @@ pub(crate) fn pose_of(world_from_body: &RigidTransform) -> Pose {
 impl Pose {
     /// Returns the transform from the body to the world.
     pub(crate) fn transform(&self) -> Result<RigidTransform, Failure> {
+        render::pose(self.numbers()).map_err(|error| Failure::of("pose", &error))
+    }
+
+    /// Returns the numbers of `--pose`.
+    pub(crate) fn numbers(&self) -> [f64; 7] {
         let [x, y, z] = self.position;
         let [qx, qy, qz, qw] = self.quaternion;
-        render::pose([x, y, z, qx, qy, qz, qw]).map_err(|error| Failure::of("pose", &error))
+        [x, y, z, qx, qy, qz, qw]
     }
 }
 

@@ -76,6 +76,13 @@ pub(crate) enum ImageName {
     Reason,
 }
 
+impl ImageName {
+    /// Whether it is an image of the stereo pair.
+    pub(crate) fn is_of_pair(self) -> bool {
+        matches!(self, Self::Left | Self::Right)
+    }
+}
+
 #[derive(Clone, Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct FrameHeader {

@@ -34,8 +34,7 @@ pub(crate) fn codes(measurement: &Measurement) -> Option<&Image<u8>> {
 
 /// Counts the pixels of each reason in a region, by code.
 pub(crate) fn count(codes: &Image<u8>, region: &Region) -> Vec<u64> {
-    let last = reason::legend().into_keys().last().unwrap_or_default();
-    let mut counts = vec![0; usize::from(last) + 1];
+    let mut counts = vec![0; oaktwin::depth::Reason::CODES];
     let columns = region.columns.start as usize..region.columns.end as usize;
     let rows = codes.rows().skip(region.rows.start as usize);
     let rows = rows.take(region.rows.len());

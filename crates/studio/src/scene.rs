@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, VecDeque};
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use axum::body::Bytes;
 use oaktwin::camera::RigidTransform;
 use oaktwin::render::{OpenOptions, Renderer, SceneFile, look_at, overview};
 use oaktwin::scene::{Bounds, Scene, Up};
@@ -24,7 +25,7 @@ pub(crate) struct LoadedScene {
     pub(crate) renderer: Renderer,
     /// The name on a command line.
     pub(crate) argument: String,
-    meshes: Mutex<BTreeMap<usize, Arc<Vec<u8>>>>,
+    meshes: Mutex<BTreeMap<usize, Bytes>>,
 }
 
 impl LoadedScene {
@@ -74,7 +75,7 @@ impl LoadedScene {
     }
 
     /// Returns the binary mesh with about this many triangles, which is made once.
-    pub(crate) fn mesh(&self, triangles: usize) -> Arc<Vec<u8>> {
+    pub(crate) fn mesh(&self, triangles: usize) -> Bytes {
         let mut meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
         if meshes.len() > 1 {
             // A page asks for one size, and for the full detail.
@@ -82,8 +83,8 @@ impl LoadedScene {
         }
         let made = meshes
             .entry(triangles)
-            .or_insert_with(|| Arc::new(mesh::of_scene(&self.renderer, &self.info.objects, triangles)));
-        Arc::clone(made)
+            .or_insert_with(|| Bytes::from(mesh::of_scene(&self.renderer, &self.info.objects, triangles)));
+        made.clone()
     }
 }
 

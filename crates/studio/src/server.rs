@@ -90,7 +90,7 @@ async fn scene_mesh(
         .clamp(1, MAX_TRIANGLES);
     match studio.scenes.get(&id) {
         Ok(scene) => match blocking(move || Ok(scene.mesh(triangles))).await {
-            Ok(bytes) => binary(bytes.to_vec()),
+            Ok(bytes) => binary(bytes),
             Err(error) => failure(StatusCode::INTERNAL_SERVER_ERROR, error),
         },
         Err(error) => failure(StatusCode::NOT_FOUND, error),

@@ -65,20 +65,8 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
         words.push("--extended-disparity".to_owned());
     }
     words.push("--pose".to_owned());
-    let Pose7(numbers) = Pose7::of(state);
-    words.extend(numbers.iter().map(|number| format!("{number:?}")));
+    words.extend(state.pose.numbers().map(|number| format!("{number:?}")));
     Ok(words.join(" ") + "\n")
-}
-
-/// The numbers of `--pose`.
-struct Pose7([f64; 7]);
-
-impl Pose7 {
-    fn of(state: &OakState) -> Self {
-        let [x, y, z] = state.pose.position;
-        let [qx, qy, qz, qw] = state.pose.quaternion;
-        Self([x, y, z, qx, qy, qz, qw])
-    }
 }
 
 /// Returns a script that computes the images of the state.

@@ -4,14 +4,13 @@ use std::sync::Arc;
 
 use oaktwin::camera::{ImageSize, RigidTransform};
 use oaktwin::catalog::Role;
-use oaktwin::depth::stereo_matching;
-use oaktwin::depth::{Capture, Engine, Input, Shot};
+use oaktwin::depth::{Capture, Engine};
 use oaktwin::diagnostic::Finding;
 use oaktwin::image::annotation::{Annotator, Frame};
 use oaktwin::image::{Image, ImageView, ZDepth};
 use oaktwin::pair::Pair;
-use oaktwin::render::{AnnotateOptions, Backend, Renderer, View};
-use oaktwin::sensor::{EngineInput, Technology};
+use oaktwin::render::{AnnotateOptions, Backend, Renderer, View, sensor_input};
+use oaktwin::sensor::Technology;
 
 use crate::oak::{Oak, image_size};
 use crate::protocol::{Failure, FrameRequest, ImageName, OakState};
@@ -106,13 +105,11 @@ impl Station {
     ) -> Result<&Measurement, Failure> {
         let scene = studio.scenes.get(&request.scene)?;
         let size = image_size(request.size)?;
-        let wants_pair = |name: &ImageName| matches!(name, ImageName::Left | ImageName::Right);
-        let needs_pair = request.images.iter().any(wants_pair);
+        let needs_pair = request.images.iter().any(|name| name.is_of_pair());
         let mut oak = Oak::new(studio, &request.state, size, needs_pair)?;
         let world_from_body = request.state.pose.transform()?;
         let view = oak.camera.view(&world_from_body);
         check_memory(view.camera.intrinsics.size)?;
-        let is_matching = oak.sensor.engine().kind().input == EngineInput::Pair;
         let seen = self.see(&scene, view);
         if let Some(cameras) = &oak.pair {
             let key = PairKey(light_of(&request.state), request.size);
@@ -126,7 +123,7 @@ impl Station {
             .as_ref()
             .filter(|_| oak.pair.is_some())
             .map(|(_, pair)| Arc::clone(pair));
-        let input = input(is_matching, &seen.frame, pair.as_deref()).ok_or_else(|| {
+        let input = sensor_input(&oak.sensor, &seen.frame, 0, pair.as_deref()).ok_or_else(|| {
             Failure::of(
                 "engine",
                 "the images of the pair do not fit each other; choose another engine",
@@ -186,8 +183,9 @@ impl Station {
             }
         };
         if !is_same {
-            let of_pair = |name: &ImageName| matches!(name, ImageName::Left | ImageName::Right);
-            self.sent.names.retain(|known| of_pair(known) != of_pair(&name));
+            self.sent
+                .names
+                .retain(|known| known.is_of_pair() != name.is_of_pair());
         }
         let is_known = self.sent.names.contains(&name);
         if !is_known {
@@ -252,18 +250,6 @@ fn keep<T>(known: &mut Option<Arc<T>>, new: Option<&Arc<T>>) -> bool {
     };
     *known = new.cloned();
     is_same
-}
-
-fn input<'a>(is_matching: bool, frame: &'a Frame, pair: Option<&'a Pair>) -> Option<Input<'a>> {
-    if is_matching {
-        let pair = pair?;
-        let pair = stereo_matching::Pair::new(&pair.rectified_left, &pair.rectified_right);
-        return pair.ok().map(Input::Pair);
-    }
-    let depth = frame.distance_to_image_plane.as_ref()?;
-    let shot = Shot::new((&depth.0).into());
-    let rgb = frame.rgb.as_ref()?;
-    shot.with_rgb(rgb.into()).ok().map(Input::Depth)
 }
 
 /// The part of a state that determines the images of the pair.

@@ -11,7 +11,7 @@ use crate::protocol::Failure;
 /// The maximum size of a dropped file, bytes.
 pub(crate) const MAX_BYTES: u64 = 1 << 30;
 
-/// Returns the name of a dropped file without folders: it is shown, and its extension says what the file is.
+/// Returns the name of a dropped file without its folders. The extension determines the format.
 pub(crate) fn file_name(name: &str) -> Result<String, Failure> {
     let name = name.rsplit(['/', '\\']).next().unwrap_or_default();
     let is_valid = !name.is_empty()

@@ -34,7 +34,7 @@ pub(crate) struct PlaceArgs {
 }
 
 impl PlaceArgs {
-    /// Whether there is no pose.
+    /// Whether neither `--pose` nor `--look-at` is given.
     pub(crate) fn is_none(&self) -> bool {
         self.pose.is_none() && self.look_at.is_none()
     }

@@ -23,7 +23,7 @@ const VIEW_SAMPLES: u32 = 600;
 /// The height of capitals, px.
 const TEXT: u32 = 13;
 
-/// The colour where there is no surface.
+/// The colour of pixels without a surface.
 const BACKGROUND: [u8; 3] = [40, 40, 44];
 
 /// The colours of outcomes, sRGB: Okabe and Ito's, which colour-blind people can tell apart.

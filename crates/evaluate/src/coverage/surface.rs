@@ -13,7 +13,7 @@ use super::{CoverageError, Region};
 /// The number of triangles that are handled at once.
 const CHUNK: usize = 4096;
 
-/// Points on a surface, each of which stands for the same area.
+/// Points on a surface that represent equal areas.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Samples {
     /// The area of the surface, one side of each face, in m².

@@ -1,5 +1,4 @@
 use oaktwin_image::ImageView;
-use serde::Serialize;
 
 use super::{Region, is_valid};
 
@@ -9,7 +8,7 @@ const BINS: usize = 41;
 const SPREAD: f32 = 2.0;
 
 /// The errors of measured depth in a region, which are measured minus true distances. `None` where nothing was measured.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Errors {
     /// The number of pixels that show a surface.
     pub pixels: u64,
@@ -28,7 +27,7 @@ pub struct Errors {
 }
 
 /// The number of values in bins of equal width. Values beyond the ends are in the outer bins.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Histogram {
     /// The start of the first bin in metres.
     pub from_m: f64,

@@ -54,7 +54,9 @@ pub use crate::limits::{MAX_PIXELS, SizeError, annotation_bytes, check_size, fra
 pub use annotators::{DEFAULT_ANNOTATORS, UnknownAnnotator, annotator};
 pub use around::overview;
 pub use camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
-pub use depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators, sense_frame};
+pub use depth_sensor::{
+    DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators, sense_frame, sensor_input,
+};
 pub use frames::{FrameOptions, FramesError, Outputs, Written, write_frames};
 pub use names::folder_names;
 pub use oak::{OakOptions, check_lens, oak_cameras};

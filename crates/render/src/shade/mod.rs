@@ -76,7 +76,7 @@ impl ShaderAssets {
         let spans = mesh.materials.iter().filter_map(|span| span.material);
         let used = spans.filter_map(|material| scene.materials.get(material as usize));
         for texture in used.filter_map(|material| material.base_color_texture) {
-            // What cannot be decoded is grey; rendering reports it.
+            // A surface whose texture cannot be decoded is grey; rendering reports the texture.
             let _ = self.textures.get(scene, texture.texture);
         }
         let paints = paints(scene, &self.textures);

@@ -24,8 +24,9 @@ pub fn scene_annotators(annotators: &[Annotator], is_sensed: bool) -> Vec<Annota
     needed
 }
 
-/// The input of a sensor in a frame of this number; `None` if the frame lacks it.
-pub(in crate::render) fn input<'a>(
+/// Returns the input of a sensor in a frame of this number; `None` if the frame lacks it.
+#[must_use]
+pub fn sensor_input<'a>(
     sensor: &Sensor,
     frame: &'a Frame,
     number: u64,
@@ -64,7 +65,7 @@ pub fn sense_frame(
     requested: &[Annotator],
     frame: &mut Frame,
 ) -> Vec<Annotator> {
-    if let Some(input) = input(sensor, frame, number, pair) {
+    if let Some(input) = sensor_input(sensor, frame, number, pair) {
         let captured = sensor::capture(sensor, camera, input, requested);
         let rgb = frame.rgb.as_ref().map(ImageView::from);
         if let Ok(capture) = captured {

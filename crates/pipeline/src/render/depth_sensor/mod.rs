@@ -5,8 +5,7 @@ mod stage;
 
 use std::collections::BTreeMap;
 
-pub(super) use capture::input;
-pub use capture::{scene_annotators, sense_frame};
+pub use capture::{scene_annotators, sense_frame, sensor_input};
 
 use super::camera::{DepthSensorSource, PlacedCamera};
 use crate::sensor::{self, ParameterError, SINGLE_VIEW, Sensor, SensorOptions};

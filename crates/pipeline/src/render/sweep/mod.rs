@@ -6,7 +6,7 @@ mod thumbnail;
 use std::collections::BTreeSet;
 
 use super::camera::PlacedCamera;
-use super::depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, input};
+use super::depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, sensor_input};
 use crate::pair::Pair;
 use crate::sensor::{EngineInput, EngineKind, ParameterError, Sensor, SensorOptions};
 use oaktwin_diagnostic::fold_name;
@@ -204,7 +204,9 @@ impl SweptSensors {
         let mut cells = Vec::new();
         for sensors in &mut self.sensors {
             let sensor = sensors.get_mut(camera)?.as_mut()?;
-            let captured = sensor.capture(input(sensor, frame, number, pair)?, &[]).ok()?;
+            let captured = sensor
+                .capture(sensor_input(sensor, frame, number, pair)?, &[])
+                .ok()?;
             cells.push(Thumbnail::new(&captured.distance, factor));
         }
         Some(sheet::sheet(&self.sweep, frame, factor, &cells))
