@@ -21,7 +21,7 @@ pub(crate) struct SourceFile<'a> {
 }
 
 impl Catalog {
-    /// Returns the five models and five sensors of this crate.
+    /// Returns the models and sensors of this crate.
     #[must_use]
     pub fn builtin() -> &'static Self {
         static BUILTIN: LazyLock<Catalog> = LazyLock::new(|| {
@@ -36,11 +36,25 @@ impl Catalog {
                 clippy::expect_used,
                 reason = "the files are part of the program, and a test loads them"
             )]
-            Catalog::empty()
+            let mut catalog = Catalog::empty()
                 .with_files(&files)
-                .expect("the built-in catalog is valid")
+                .expect("the built-in catalog is valid");
+            catalog.group_by_maker();
+            catalog
         });
         &BUILTIN
+    }
+
+    /// Sorts the devices by manufacturer, in the order in which these occur.
+    fn group_by_maker(&mut self) {
+        let mut makers: Vec<String> = Vec::new();
+        for device in &self.devices {
+            if !makers.contains(&device.manufacturer) {
+                makers.push(device.manufacturer.clone());
+            }
+        }
+        let place = |device: &Device| makers.iter().position(|maker| *maker == device.manufacturer);
+        self.devices.sort_by_key(place);
     }
 
     const fn empty() -> Self {
@@ -50,7 +64,7 @@ impl Catalog {
         }
     }
 
-    /// Returns the devices in the order of the sheet, then user-defined ones by file name.
+    /// Returns the devices: those of the sheet in its order, the others by manufacturer, then user-defined ones by file name.
     #[must_use]
     pub fn devices(&self) -> &[Device] {
         &self.devices
@@ -69,32 +83,35 @@ impl Catalog {
         self.sensors.iter().find(|sensor| fold_name(&sensor.id) == id)
     }
 
-    /// Returns the device with a name: its id, name, prim or an alias, ignoring case, spaces, hyphens and underscores.
+    /// Returns the device with a name: its id, name or an alias, otherwise its prim, ignoring case, spaces, hyphens and
+    /// underscores.
     ///
     /// # Errors
     /// Returns an error with the nearest names if no device has this name.
     pub fn device(&self, name: &str) -> Result<&Device, UnknownModel> {
         let wanted = fold_name(name);
-        let found = self
-            .devices
-            .iter()
-            .find(|device| device.names().any(|name| fold_name(name) == wanted));
-        found.ok_or_else(|| {
-            let all = self.devices.iter().flat_map(Device::names);
-            let mut names: Vec<String> = Vec::new();
-            for near in nearest(name, all) {
-                for device in &self.devices {
-                    if device.names().any(|name| name == near) && !names.contains(&device.name) {
-                        names.push(device.name.clone());
+        let named = |device: &&Device| device.names().any(|name| fold_name(name) == wanted);
+        let in_asset = |device: &&Device| fold_name(&device.prim) == wanted;
+        let devices = || self.devices.iter();
+        devices()
+            .find(named)
+            .or_else(|| devices().find(in_asset))
+            .ok_or_else(|| {
+                let all = self.devices.iter().flat_map(Device::names_and_prim);
+                let mut names: Vec<String> = Vec::new();
+                for near in nearest(name, all) {
+                    for device in &self.devices {
+                        if device.names_and_prim().any(|name| name == near) && !names.contains(&device.name) {
+                            names.push(device.name.clone());
+                        }
                     }
                 }
-            }
-            UnknownModel {
-                name: name.to_owned(),
-                nearest: names,
-                known: self.devices.iter().map(|device| device.name.clone()).collect(),
-            }
-        })
+                UnknownModel {
+                    name: name.to_owned(),
+                    nearest: names,
+                    known: self.devices.iter().map(|device| device.name.clone()).collect(),
+                }
+            })
     }
 
     /// Adds files to the catalog. An entry replaces an earlier one with the same id.
@@ -156,7 +173,7 @@ mod tests {
             ]
         );
         let sensors: Vec<&str> = catalog.sensors().iter().map(|s| s.id.as_str()).collect();
-        assert_eq!(sensors, ["IMX378", "IMX586", "OV9282", "OV9782", "33D"]);
+        assert_eq!(sensors, ["33D", "IMX378", "IMX586", "OV9282", "OV9782"]);
     }
 
     #[test]

@@ -34,8 +34,8 @@ pub use catalog::Catalog;
 pub use compare::{Table, compare};
 pub use error::{CatalogError, UnknownModel};
 pub use model::{
-    Accuracy, AccuracyBand, AccuracyHeadline, Body, Camera, DepthKind, DepthSensor, Device, Evidence, Imu,
-    LegacyDistortion, Note, Projector, Role, Sensor,
+    Accuracy, AccuracyBand, AccuracyHeadline, Body, BodyShape, Camera, DepthKind, DepthSensor, Device,
+    Evidence, Imu, LegacyDistortion, Note, Projector, Role, Sensor,
 };
 pub use optics::LensChoice;
 pub use schema::{device_schema, schema_files, sensor_schema};

@@ -112,8 +112,9 @@ mod tests {
         let pro = Catalog::builtin().device("OAK-D Pro PoE").unwrap();
         assert_eq!(pro.body.source_of("mass_g"), Source::VendorPage);
         assert_eq!(device.body.source_of("mass_g"), Source::Estimate);
-        assert_eq!(device.imu.source_of("model"), Source::Document);
-        assert_eq!(device.imu.source_of("rotation"), Source::Estimate);
+        let imu = device.imu.as_ref().unwrap();
+        assert_eq!(imu.source_of("model"), Source::Document);
+        assert_eq!(imu.source_of("rotation"), Source::Estimate);
         assert_eq!(device.cameras[0].source_of("position_mm"), Source::BoardFile);
         assert_eq!(device.cameras[0].source_of("hfov_deg"), Source::Document);
     }
