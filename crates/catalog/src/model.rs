@@ -77,6 +77,9 @@ pub struct Device {
     /// Alternative names, such as the `productName` of calibration files.
     #[serde(default)]
     pub aliases: Vec<String>,
+    /// The board names by which calibrations without a product name identify it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub boards: Vec<String>,
     /// The prim below `/Root` in the asset, such as `oak_d_pro`.
     pub prim: String,
     /// The manufacturer, such as `Luxonis`.
@@ -362,6 +365,9 @@ pub struct Imu {
 pub struct Accuracy {
     /// The depth sensor to which the table applies.
     pub sensor: DepthKind,
+    /// The prim of the depth sensor, if the table does not apply to all of that kind.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub depth_sensor: Option<String>,
     /// The quantity of the percentage, such as `error of the region's median`.
     pub measure: String,
     /// The bands in order of distance.
