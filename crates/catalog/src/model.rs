@@ -195,7 +195,8 @@ pub struct Camera {
     /// A remark that the comparison adds to the sensor's name: `wide optics`, `color`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub remark: Option<String>,
-    /// The socket in `DepthAI` calibration files; 0 is `CAM_A`. Other makers' cameras have none.
+    /// The socket in `DepthAI` calibration files; 0 is `CAM_A`. By default, as for other makers' cameras, see
+    /// [`Camera::socket`].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub socket: Option<i32>,
     /// The horizontal field of view of the ideal pinhole in degrees, which determines fx.
@@ -426,6 +427,19 @@ pub struct Note {
     pub topic: String,
     /// One or two sentences.
     pub text: String,
+}
+
+impl Camera {
+    /// Returns the socket in `DepthAI` calibration files: by default 0 for `rgb`, 1 for `left`, 2 for `right`, 3 for `tof`.
+    #[must_use]
+    pub fn socket(&self) -> i32 {
+        self.socket.unwrap_or(match self.role {
+            Role::Rgb => 0,
+            Role::Left => 1,
+            Role::Right => 2,
+            Role::Tof => 3,
+        })
+    }
 }
 
 impl Sensor {

@@ -77,7 +77,7 @@ pub(crate) enum Command {
     /// Write all assets, a calibrated twin, a room rendered by every model, and comparison tables
     Demo(DemoArgs),
     /// List the models
-    Models(JsonArgs),
+    Models(ModelsArgs),
     /// Print all parameters of a model
     Show(ShowArgs),
     /// List the parameters of an engine, the imager or the filters
@@ -111,7 +111,15 @@ pub(crate) enum Command {
 }
 
 #[derive(Args, Debug)]
-pub(crate) struct JsonArgs {
+pub(crate) struct ModelsArgs {
+    /// List only this maker's models
+    #[arg(long)]
+    pub(crate) maker: Option<String>,
+
+    /// List only models with this kind of depth sensor
+    #[arg(long, value_parser = choice::parser::<DepthFilter>())]
+    pub(crate) depth: Option<DepthFilter>,
+
     /// Print JSON
     #[arg(long)]
     pub(crate) json: bool,
@@ -161,7 +169,7 @@ pub(crate) struct ParamsArgs {
 
 #[derive(Args, Debug)]
 pub(crate) struct CompareArgs {
-    /// Models [default: all]
+    /// Models [default: those of the parameter sheet, and those of --catalog]
     pub(crate) models: Vec<String>,
 
     /// Output format
@@ -198,6 +206,18 @@ pub(crate) struct CompletionsArgs {
 pub(crate) struct ManArgs {
     /// Command [default: the program itself]
     pub(crate) command: Vec<String>,
+}
+
+choice! {
+    /// The depth sensors of models.
+    DepthFilter {
+        /// A stereo pair.
+        Stereo = "stereo",
+        /// Time of flight.
+        Tof = "tof",
+        /// No depth sensor.
+        None = "none",
+    }
 }
 
 choice! {

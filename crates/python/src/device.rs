@@ -151,8 +151,11 @@ impl Device {
         let device = match model {
             Some(model) => models.entry(model)?,
             None => {
-                let product = &calibration.board.product_name;
-                models.get().device(product).map_err(|unknown| {
+                let board = &calibration.board;
+                let device = models
+                    .get()
+                    .device_of_unit(&board.product_name, &board.board_name);
+                device.map_err(|unknown| {
                     let place = format!("{}: productName", path.display());
                     wrong(place, unknown, "pass model=")
                 })?

@@ -211,7 +211,7 @@ impl DepthSensor {
             baseline_m: spec.baseline_mm * 1e-3,
             engines,
             presets,
-            bands: bands(Bands::of(&twin.device, spec.kind).as_ref()),
+            bands: bands(Bands::of(&twin.device, spec).as_ref()),
         })
     }
 }

@@ -1,7 +1,8 @@
-use oaktwin::catalog::{Device, Role, Table};
+use oaktwin::catalog::{DepthKind, Device, Role, Table};
+use oaktwin::diagnostic::{fold_name, suggest};
 use serde::Serialize;
 
-use crate::args::JsonArgs;
+use crate::args::{DepthFilter, ModelsArgs};
 use crate::context::{Context, Exit, Result};
 use crate::output;
 
@@ -9,9 +10,11 @@ use crate::output;
 struct Model<'a> {
     id: &'a str,
     name: &'a str,
+    manufacturer: &'a str,
     generation: &'a str,
     cameras: Vec<ModelCamera<'a>>,
     depth_sensors: Vec<&'a str>,
+    depth_kinds: Vec<DepthKind>,
     stereo_baseline_mm: Option<f64>,
     aliases: &'a [String],
 }
@@ -24,20 +27,55 @@ struct ModelCamera<'a> {
     hfov_deg: f64,
 }
 
-pub(crate) fn run(context: &Context, args: &JsonArgs) -> Result<Exit> {
-    let devices = context.devices(&[])?;
+pub(crate) fn run(context: &Context, args: &ModelsArgs) -> Result<Exit> {
+    let devices = chosen(context, args)?;
     if args.json {
         output::print_json(&devices.iter().map(|device| model(device)).collect::<Vec<_>>())?;
     } else {
-        output::print(&output::text_table(&table(&devices)))?;
+        let tables = devices
+            .chunk_by(|a, b| a.manufacturer == b.manufacturer)
+            .map(table);
+        let tables: Vec<String> = tables.map(|table| output::text_table(&table)).collect();
+        output::print(&tables.join("\n"))?;
     }
     Ok(Exit::Success)
 }
 
+/// Returns the models that the filters select.
+fn chosen<'a>(context: &'a Context, args: &ModelsArgs) -> Result<Vec<&'a Device>> {
+    let devices = context.catalog.devices();
+    let is_of = |device: &Device, maker: &str| fold_name(&device.manufacturer) == fold_name(maker);
+    if let Some(maker) = args.maker.as_deref()
+        && !devices.iter().any(|device| is_of(device, maker))
+    {
+        let mut known: Vec<&str> = devices
+            .iter()
+            .map(|device| device.manufacturer.as_str())
+            .collect();
+        known.dedup();
+        return Err(format!("--maker: unknown maker '{maker}'; {}", suggest(maker, known)).into());
+    }
+    let has = |device: &Device, kind| device.depth_sensors.iter().any(|sensor| sensor.kind == kind);
+    let chosen = devices.iter().filter(|device| {
+        let suits = match args.depth {
+            None => true,
+            Some(DepthFilter::Stereo) => has(device, DepthKind::Stereo),
+            Some(DepthFilter::Tof) => has(device, DepthKind::Tof),
+            Some(DepthFilter::None) => device.depth_sensors.is_empty(),
+        };
+        suits && args.maker.as_deref().is_none_or(|maker| is_of(device, maker))
+    });
+    Ok(chosen.collect())
+}
+
 fn model(device: &Device) -> Model<'_> {
+    let sensors = || device.depth_sensors.iter();
+    let mut depth_kinds: Vec<DepthKind> = sensors().map(|sensor| sensor.kind).collect();
+    depth_kinds.dedup();
     Model {
         id: &device.id,
         name: &device.name,
+        manufacturer: &device.manufacturer,
         generation: &device.generation,
         cameras: device
             .cameras
@@ -49,24 +87,37 @@ fn model(device: &Device) -> Model<'_> {
                 hfov_deg: camera.hfov_deg,
             })
             .collect(),
-        depth_sensors: device
-            .depth_sensors
-            .iter()
-            .map(|sensor| sensor.prim.as_str())
-            .collect(),
+        depth_sensors: sensors().map(|sensor| sensor.prim.as_str()).collect(),
+        depth_kinds,
         stereo_baseline_mm: device.stereo_baseline_mm,
         aliases: &device.aliases,
     }
 }
 
+/// Returns the table of one maker's models.
 fn table(devices: &[&Device]) -> Table {
     let optics = |device: &Device, role| {
         device.camera(role).map_or_else(String::new, |camera| {
             format!("{} {}°", camera.sensor, camera.hfov_deg)
         })
     };
+    // A device may have several stereo pairs.
+    let baseline = |device: &Device| {
+        let stereo = device
+            .depth_sensors
+            .iter()
+            .filter(|sensor| sensor.kind == DepthKind::Stereo);
+        let all: Vec<String> = stereo.map(|sensor| sensor.baseline_mm.to_string()).collect();
+        if all.is_empty() {
+            String::new()
+        } else {
+            format!("{} mm", all.join(", "))
+        }
+    };
     Table {
-        title: String::new(),
+        title: devices
+            .first()
+            .map_or_else(String::new, |device| device.manufacturer.clone()),
         header: ["Model", "Generation", "RGB", "Stereo", "ToF", "Baseline", "Asset"]
             .map(String::from)
             .to_vec(),
@@ -79,9 +130,7 @@ fn table(devices: &[&Device]) -> Table {
                     optics(device, Role::Rgb),
                     optics(device, Role::Left),
                     optics(device, Role::Tof),
-                    device
-                        .stereo_baseline_mm
-                        .map_or_else(String::new, |baseline| format!("{baseline} mm")),
+                    baseline(device),
                     device.id.clone(),
                 ]
             })
