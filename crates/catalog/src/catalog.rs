@@ -5,7 +5,7 @@ use oaktwin_diagnostic::{fold_name, nearest};
 use serde::Serialize;
 
 use crate::document::Document;
-use crate::{CatalogError, Device, Sensor, Source, UnknownModel, builtin, check};
+use crate::{CatalogError, DepthKind, Device, Sensor, Source, UnknownModel, builtin, check};
 
 /// A collection of sensors and devices.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -47,12 +47,7 @@ impl Catalog {
 
     /// Sorts the devices by manufacturer, in the order in which these occur.
     fn group_by_maker(&mut self) {
-        let mut makers: Vec<String> = Vec::new();
-        for device in &self.devices {
-            if !makers.contains(&device.manufacturer) {
-                makers.push(device.manufacturer.clone());
-            }
-        }
+        let makers: Vec<String> = self.makers().into_iter().map(str::to_owned).collect();
         let place = |device: &Device| makers.iter().position(|maker| *maker == device.manufacturer);
         self.devices.sort_by_key(place);
     }
@@ -164,6 +159,30 @@ impl Catalog {
             put(&mut self.devices, device, |device| &device.id);
         }
         Ok(self)
+    }
+}
+
+impl Device {
+    /// Returns the names of the built-in models with a depth sensor, of one kind if it is given, comma-separated: those of the same
+    /// manufacturer if there are any.
+    #[must_use]
+    pub fn models_with_depth(&self, kind: Option<DepthKind>) -> String {
+        let has = |device: &&Device| {
+            let mut kinds = device.depth_sensors.iter().map(|sensor| sensor.kind);
+            kinds.any(|own| kind.is_none_or(|kind| own == kind))
+        };
+        let all: Vec<&Device> = Catalog::builtin().devices.iter().filter(has).collect();
+        let is_sibling = |device: &&&Device| device.manufacturer == self.manufacturer;
+        let siblings: Vec<&str> = all
+            .iter()
+            .filter(is_sibling)
+            .map(|device| device.name.as_str())
+            .collect();
+        if siblings.is_empty() {
+            let all: Vec<&str> = all.iter().map(|device| device.name.as_str()).collect();
+            return all.join(", ");
+        }
+        siblings.join(", ")
     }
 }
 

@@ -23,6 +23,7 @@ mod unit;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueHint};
+use oaktwin::catalog::DepthFilter;
 use oaktwin::depth::parameters::choice;
 use oaktwin::depth::preset::Platform;
 use oaktwin::memory;
@@ -206,18 +207,6 @@ pub(crate) struct CompletionsArgs {
 pub(crate) struct ManArgs {
     /// Command [default: the program itself]
     pub(crate) command: Vec<String>,
-}
-
-choice! {
-    /// The depth sensors of models.
-    DepthFilter {
-        /// A stereo pair.
-        Stereo = "stereo",
-        /// Time of flight.
-        Tof = "tof",
-        /// No depth sensor.
-        None = "none",
-    }
 }
 
 choice! {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use numpy::PyArray2;
 use oaktwin::calibration::{Calibration, Raw, nominal_calibration};
 use oaktwin::camera::RigidTransform;
-use oaktwin::catalog::{self, Catalog, DepthKind, Origin, Role, Twin};
+use oaktwin::catalog::{self, Catalog, DepthFilter, DepthKind, Origin, Role, Twin};
 use oaktwin::diagnostic::{self, suggest};
 use oaktwin::render::{OakOptions, check_lens, oak_cameras};
 use oaktwin::report::DeviceReport;
@@ -27,15 +27,24 @@ use crate::rectification::Rectification;
 
 /// Returns the names of all models for `Device`.
 ///
+/// maker: only this manufacturer's, such as "Luxonis" or "Intel".
+/// depth: only those with this kind of depth sensor: "stereo", "tof" or "none".
 /// catalog: a folder with more models, see `Device`.
 ///
-/// Raises oaktwin.Error for an invalid folder or file.
+/// Raises oaktwin.Error for an unknown maker or kind, and for an invalid folder or file.
 #[pyfunction]
-#[pyo3(signature = (*, catalog = None))]
-pub(crate) fn models(catalog: Option<PathBuf>) -> PyResult<Vec<String>> {
+#[pyo3(signature = (*, maker = None, depth = None, catalog = None))]
+pub(crate) fn models(
+    maker: Option<&str>,
+    depth: Option<&str>,
+    catalog: Option<PathBuf>,
+) -> PyResult<Vec<String>> {
     let catalog = Models::open(catalog)?;
-    let devices = catalog.get().devices().iter();
-    Ok(devices.map(|device| device.name.clone()).collect())
+    let depth = depth
+        .map(|depth| named::<DepthFilter>("depth", depth))
+        .transpose()?;
+    let chosen = catalog.get().chosen(maker, depth).map_err(error)?;
+    Ok(chosen.into_iter().map(|device| device.name.clone()).collect())
 }
 
 /// The built-in catalog, optionally with a user's folder.
@@ -306,7 +315,14 @@ impl Device {
         for sensor in &self.twin.depth_sensors {
             let spec = json::to_python(py, &sensor.spec)?;
             spec.set_item("focal_length_px", sensor.focal_length_px)?;
-            sensors.set_item(sensor.spec.kind.as_str(), spec)?;
+            let kind = sensor.spec.kind.as_str();
+            // A device with several stereo pairs.
+            let key = if sensors.contains(kind)? {
+                &sensor.spec.prim
+            } else {
+                kind
+            };
+            sensors.set_item(key, spec)?;
         }
         Ok(sensors)
     }

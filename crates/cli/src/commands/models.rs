@@ -1,8 +1,7 @@
 use oaktwin::catalog::{DepthKind, Device, Role, Table};
-use oaktwin::diagnostic::{fold_name, suggest};
 use serde::Serialize;
 
-use crate::args::{DepthFilter, ModelsArgs};
+use crate::args::ModelsArgs;
 use crate::context::{Context, Exit, Result};
 use crate::output;
 
@@ -28,7 +27,8 @@ struct ModelCamera<'a> {
 }
 
 pub(crate) fn run(context: &Context, args: &ModelsArgs) -> Result<Exit> {
-    let devices = chosen(context, args)?;
+    let chosen = context.catalog.chosen(args.maker.as_deref(), args.depth);
+    let devices = chosen.map_err(|error| format!("--maker: {error}"))?;
     if args.json {
         output::print_json(&devices.iter().map(|device| model(device)).collect::<Vec<_>>())?;
     } else {
@@ -39,33 +39,6 @@ pub(crate) fn run(context: &Context, args: &ModelsArgs) -> Result<Exit> {
         output::print(&tables.join("\n"))?;
     }
     Ok(Exit::Success)
-}
-
-/// Returns the models that the filters select.
-fn chosen<'a>(context: &'a Context, args: &ModelsArgs) -> Result<Vec<&'a Device>> {
-    let devices = context.catalog.devices();
-    let is_of = |device: &Device, maker: &str| fold_name(&device.manufacturer) == fold_name(maker);
-    if let Some(maker) = args.maker.as_deref()
-        && !devices.iter().any(|device| is_of(device, maker))
-    {
-        let mut known: Vec<&str> = devices
-            .iter()
-            .map(|device| device.manufacturer.as_str())
-            .collect();
-        known.dedup();
-        return Err(format!("--maker: unknown maker '{maker}'; {}", suggest(maker, known)).into());
-    }
-    let has = |device: &Device, kind| device.depth_sensors.iter().any(|sensor| sensor.kind == kind);
-    let chosen = devices.iter().filter(|device| {
-        let suits = match args.depth {
-            None => true,
-            Some(DepthFilter::Stereo) => has(device, DepthKind::Stereo),
-            Some(DepthFilter::Tof) => has(device, DepthKind::Tof),
-            Some(DepthFilter::None) => device.depth_sensors.is_empty(),
-        };
-        suits && args.maker.as_deref().is_none_or(|maker| is_of(device, maker))
-    });
-    Ok(chosen.collect())
 }
 
 fn model(device: &Device) -> Model<'_> {
