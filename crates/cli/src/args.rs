@@ -75,7 +75,7 @@ pub(crate) struct Cli {
 
 #[derive(Subcommand, Debug)]
 pub(crate) enum Command {
-    /// Write all assets, a calibrated twin, a room rendered by every model, and comparison tables
+    /// Write the assets of the parameter sheet, a calibrated twin, a room rendered by them, and comparison tables
     Demo(DemoArgs),
     /// List the models
     Models(ModelsArgs),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use numpy::PyArray2;
 use oaktwin::calibration::{Calibration, Raw, nominal_calibration};
 use oaktwin::camera::RigidTransform;
-use oaktwin::catalog::{self, Catalog, DepthFilter, DepthKind, Origin, Role, Twin};
+use oaktwin::catalog::{self, Catalog, DepthFilter, Origin, Role, Twin};
 use oaktwin::diagnostic::{self, suggest};
 use oaktwin::render::{OakOptions, check_lens, oak_cameras};
 use oaktwin::report::DeviceReport;
@@ -17,7 +17,7 @@ use pyo3::types::PyDict;
 
 use crate::asset::{self, AssetSettings};
 use crate::camera::Camera;
-use crate::choice::{maybe_named, named};
+use crate::choice::named;
 use crate::error::{error, reading, writing, wrong};
 use crate::export::export;
 use crate::finding::{self, Finding};
@@ -78,7 +78,7 @@ impl Models {
     }
 }
 
-/// A digital twin of a Luxonis OAK: the nominal device of a model, or one unit by its calibration.
+/// A digital twin of a depth camera: the nominal device of a model, or one unit by its calibration.
 ///
 /// model: the name, such as "OAK4-D"; case, spaces, hyphens and underscores are ignored. See `models()`.
 /// lens: "pinhole" (default), or "fisheye" for the left and right cameras of the wide models.
@@ -300,15 +300,15 @@ impl Device {
     /// Returns the camera of a depth sensor's images: a pinhole with the depth sensor's clipping range. That of a calibrated
     /// stereo pair is the device's rectified left camera, as `StereoMatcher` has: rotated, and on RVC2 with the right camera's K.
     ///
-    /// sensor: "stereo" or "tof"; by default "tof" if the device has it.
+    /// sensor: "stereo", "tof" or a prim; by default "tof" if the device has it.
     #[pyo3(signature = (sensor = None))]
     fn depth_camera(&self, sensor: Option<&str>) -> PyResult<Camera> {
-        let sensor = maybe_named("sensor", sensor)?.map(DepthKind::as_str);
         let sensor = depth_sensor(&self.twin, sensor).map_err(error)?;
         self.placed(&sensor.spec.prim)
     }
 
-    /// The parameters of the depth sensors by kind ("stereo", "tof"), with the catalog's names, which include units.
+    /// The parameters of the depth sensors by kind ("stereo", "tof"; further stereo pairs by prim), with the catalog's names, which
+    /// include units.
     #[getter]
     fn depth_sensors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let sensors = PyDict::new(py);
