@@ -193,6 +193,11 @@ const INVALID_VALUES: [[&str; 3]; 26] = [
         "not a rotation; give three orthogonal rows of length 1 with determinant +1",
     ],
     [
+        "parts = [\"BNO086\"]",
+        "parts = [\"BNO085\"]",
+        "unknown inertial part \"BNO085\"; did you mean 'BNO086'? A new part needs a file of its own",
+    ],
+    [
         "camera = \"left\"",
         "camera = \"tof\"",
         "the device has no camera with the role 'tof'; name the role of one of its cameras",
@@ -334,7 +339,7 @@ fn sensors_are_checked_too() {
 fn rejects_invalid_folders() {
     assert_eq!(
         error(&[("notes.txt", b"")]),
-        "DIR: the folder contains no TOML file; add sensors and devices to it or to its subfolders 'sensors' and 'devices'"
+        "DIR: the folder contains no TOML file; add sensors and devices to it or to its subfolders 'sensors', 'imus' and 'devices'"
     );
     assert_eq!(
         error(&[("a.toml", b" \n")]),
