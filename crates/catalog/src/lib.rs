@@ -34,8 +34,9 @@ pub use catalog::Catalog;
 pub use compare::{Table, compare};
 pub use error::{CatalogError, UnknownModel};
 pub use model::{
-    Accelerometer, Accuracy, AccuracyBand, AccuracyHeadline, Body, BodyShape, Camera, DepthKind, DepthSensor, Device,
-    Evidence, Gyroscope, Imu, InertialPart, LegacyDistortion, Magnetometer, Note, Projector, Role, Sensor,
+    Accelerometer, Accuracy, AccuracyBand, AccuracyHeadline, Body, BodyShape, Camera, DepthKind, DepthSensor,
+    Device, Evidence, Gyroscope, Imu, InertialPart, LegacyDistortion, Magnetometer, Note, Projector, Role,
+    Sensor,
 };
 pub use optics::LensChoice;
 pub use schema::{device_schema, inertial_part_schema, schema_files, sensor_schema};

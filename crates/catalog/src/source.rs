@@ -5,7 +5,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Accelerometer, Body, Camera, DepthSensor, Device, Gyroscope, Imu, InertialPart, Magnetometer, Projector, Sensor,
+    Accelerometer, Body, Camera, DepthSensor, Device, Gyroscope, Imu, InertialPart, Magnetometer, Projector,
+    Sensor,
 };
 
 /// The source of a value.

@@ -84,9 +84,7 @@ impl Channel {
 
     /// Returns the reported value of the next sample.
     pub fn measure(&mut self, truth: DVec3, draws: Draws) -> DVec3 {
-        let measured = self
-            .noise
-            .reported(truth + self.bias + self.white * draws.white);
+        let measured = self.noise.reported(truth + self.bias + self.white * draws.white);
         self.bias += self.walk * draws.walk;
         measured
     }

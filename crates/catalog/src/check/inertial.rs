@@ -24,7 +24,11 @@ pub(super) fn imu(doc: &Document<'_>, device: &Device, catalog: &Catalog) -> Che
     }
     for (i, id) in imu.parts.iter().enumerate() {
         if catalog.inertial_part(id).is_none() {
-            let known: Vec<&str> = catalog.inertial_parts().iter().map(|part| part.id.as_str()).collect();
+            let known: Vec<&str> = catalog
+                .inertial_parts()
+                .iter()
+                .map(|part| part.id.as_str())
+                .collect();
             let remedy = match nearest(id, known.iter().copied()).first() {
                 Some(near) => format!("did you mean '{near}'? A new part needs a file of its own"),
                 None => format!(
@@ -50,10 +54,7 @@ pub(crate) fn inertial_part(doc: &Document<'_>, part: &InertialPart) -> Checked 
         channel(
             doc,
             "accelerometer",
-            &[
-                ("range_g", Some(spec.range_g)),
-                ("step_ug", Some(spec.step_ug)),
-            ],
+            &[("range_g", Some(spec.range_g)), ("step_ug", Some(spec.step_ug))],
             &spec.rates_hz,
             &[
                 ("noise_density_ug", spec.noise_density_ug),
