@@ -126,7 +126,7 @@ fn wrong_keys_say_the_line_and_the_right_key() {
 }
 
 /// What is replaced in a device file, by what, and the message about it.
-const INVALID_VALUES: [[&str; 3]; 26] = [
+const INVALID_VALUES: [[&str; 3]; 27] = [
     [
         "hfov_deg = 77.0",
         "hfov_deg = \"77\"",
