@@ -37,7 +37,7 @@ pub(crate) fn calibrated<'a>(
 }
 
 pub(crate) fn socket_of(camera: &TwinCamera) -> Option<Socket> {
-    u8::try_from(camera.spec.socket).ok().map(Socket)
+    u8::try_from(camera.spec.socket?).ok().map(Socket)
 }
 
 /// Returns the sockets of a twin's stereo pair.
@@ -65,7 +65,7 @@ fn product(calibration: &Calibration, nominal: &Twin) -> Option<Finding> {
 fn baseline(calibration: &Calibration, nominal: &Twin) -> Option<Finding> {
     let (left, right) = pair_of(nominal)?;
     let found = calibration.baseline(left, right, false).ok()?;
-    let expected = nominal.device.stereo_baseline_mm * 1e-3;
+    let expected = nominal.device.stereo_baseline_mm? * 1e-3;
     // If the design in the file agrees with the model, reading the file has reported the difference.
     if let Ok(spec) = calibration.baseline(left, right, true)
         && calibration.stereo_pair() == Some((left, right))

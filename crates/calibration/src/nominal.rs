@@ -33,9 +33,12 @@ pub fn nominal_calibration(twin: &Twin) -> Raw {
             .into()
         })
         .collect();
-    let imu = root.map_or_else(no_extrinsics, |(socket, camera)| {
-        extrinsics(socket, &(camera.body_from_camera.inverse() * twin.body_from_imu))
-    });
+    let imu = match (root, twin.body_from_imu) {
+        (Some((socket, camera)), Some(body_from_imu)) => {
+            extrinsics(socket, &(camera.body_from_camera.inverse() * body_from_imu))
+        }
+        _ => no_extrinsics(),
+    };
     let text = |text: &str| Node::from(text);
     let root = Node::from([
         ("batchName", text("")),

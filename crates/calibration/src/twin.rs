@@ -44,7 +44,7 @@ pub fn twin(
     }
     if let Some((left, body_from_left)) = body {
         match calibration.camera_from_imu(left, false) {
-            Ok(left_from_imu) => twin.body_from_imu = body_from_left * left_from_imu,
+            Ok(left_from_imu) => twin.body_from_imu = Some(body_from_left * left_from_imu),
             Err(_) => findings.push(Finding::new(
                 "imu-nominal",
                 Level::Note,

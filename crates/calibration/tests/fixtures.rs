@@ -153,7 +153,7 @@ fn twins_have_the_units_optics_at_the_nominal_size() {
     assert_eq!(twin.depth_sensors[0].focal_length_px, 807.0);
     // IMU and RGB, independently: through the root camera.
     let rgb = twin.camera(Role::Rgb).unwrap().body_from_camera;
-    let in_rgb = rgb.inverse() * twin.body_from_imu;
+    let in_rgb = rgb.inverse() * twin.body_from_imu.unwrap();
     let expected = calibration.camera_from_imu(Socket::CAM_A, false).unwrap();
     assert!((in_rgb.translation - expected.translation).length() < 1e-7);
     let left_in_rgb = rgb
@@ -207,7 +207,7 @@ fn nominal_devices_round_trip_through_depthai() {
                 expected.body_from_camera.rotation
             );
         }
-        let error = twin.body_from_imu.inverse() * nominal.body_from_imu;
+        let error = twin.body_from_imu.unwrap().inverse() * nominal.body_from_imu.unwrap();
         assert!(error.translation.length() < 1e-12, "{error:?}");
     }
 }

@@ -1,40 +1,28 @@
-/// The names and texts of the files in `data/`; devices are in the order of the sheet.
-pub(crate) const FILES: [(&str, &str); 10] = [
-    (
-        "data/sensors/imx378.toml",
-        include_str!("../data/sensors/imx378.toml"),
-    ),
-    (
-        "data/sensors/imx586.toml",
-        include_str!("../data/sensors/imx586.toml"),
-    ),
-    (
-        "data/sensors/ov9282.toml",
-        include_str!("../data/sensors/ov9282.toml"),
-    ),
-    (
-        "data/sensors/ov9782.toml",
-        include_str!("../data/sensors/ov9782.toml"),
-    ),
-    ("data/sensors/33d.toml", include_str!("../data/sensors/33d.toml")),
-    (
-        "data/devices/oak_d_pro_poe.toml",
-        include_str!("../data/devices/oak_d_pro_poe.toml"),
-    ),
-    (
-        "data/devices/oak_d_pro_w_poe.toml",
-        include_str!("../data/devices/oak_d_pro_w_poe.toml"),
-    ),
-    (
-        "data/devices/oak4_d.toml",
-        include_str!("../data/devices/oak4_d.toml"),
-    ),
-    (
-        "data/devices/oak4_d_wide.toml",
-        include_str!("../data/devices/oak4_d_wide.toml"),
-    ),
-    (
-        "data/devices/oak_d_tof.toml",
-        include_str!("../data/devices/oak_d_tof.toml"),
-    ),
-];
+//! The files in `data/`, which the build script lists.
+
+include!(concat!(env!("OUT_DIR"), "/builtin.rs"));
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::Path;
+
+    #[test]
+    fn every_file_of_the_folder_is_built_in() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let mut found: Vec<String> = Vec::new();
+        for folder in ["data/sensors", "data/imus", "data/devices"] {
+            for entry in fs::read_dir(root.join(folder)).unwrap() {
+                let name = entry.unwrap().file_name();
+                found.push(format!("{folder}/{}", name.to_str().unwrap()));
+            }
+        }
+        let mut listed: Vec<&str> = super::FILES.iter().map(|(file, _)| *file).collect();
+        listed.sort_unstable();
+        found.sort_unstable();
+        assert_eq!(listed, found);
+        for (file, text) in super::FILES {
+            assert_eq!(*text, fs::read_to_string(root.join(file)).unwrap(), "{file}");
+        }
+    }
+}

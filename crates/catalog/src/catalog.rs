@@ -5,12 +5,13 @@ use oaktwin_diagnostic::{fold_name, nearest};
 use serde::Serialize;
 
 use crate::document::Document;
-use crate::{CatalogError, Device, Sensor, UnknownModel, builtin, check};
+use crate::{CatalogError, Device, InertialPart, Sensor, UnknownModel, builtin, check};
 
-/// A collection of sensors and devices.
+/// A collection of sensors, inertial parts and devices.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Catalog {
     sensors: Vec<Sensor>,
+    inertial_parts: Vec<InertialPart>,
     devices: Vec<Device>,
 }
 
@@ -21,7 +22,7 @@ pub(crate) struct SourceFile<'a> {
 }
 
 impl Catalog {
-    /// Returns the five models and five sensors of this crate.
+    /// Returns the models and sensors of this crate.
     #[must_use]
     pub fn builtin() -> &'static Self {
         static BUILTIN: LazyLock<Catalog> = LazyLock::new(|| {
@@ -36,21 +37,36 @@ impl Catalog {
                 clippy::expect_used,
                 reason = "the files are part of the program, and a test loads them"
             )]
-            Catalog::empty()
+            let mut catalog = Catalog::empty()
                 .with_files(&files)
-                .expect("the built-in catalog is valid")
+                .expect("the built-in catalog is valid");
+            catalog.group_by_maker();
+            catalog
         });
         &BUILTIN
+    }
+
+    /// Sorts the devices by manufacturer, in the order in which these occur.
+    fn group_by_maker(&mut self) {
+        let mut makers: Vec<String> = Vec::new();
+        for device in &self.devices {
+            if !makers.contains(&device.manufacturer) {
+                makers.push(device.manufacturer.clone());
+            }
+        }
+        let place = |device: &Device| makers.iter().position(|maker| *maker == device.manufacturer);
+        self.devices.sort_by_key(place);
     }
 
     const fn empty() -> Self {
         Self {
             sensors: Vec::new(),
+            inertial_parts: Vec::new(),
             devices: Vec::new(),
         }
     }
 
-    /// Returns the devices in the order of the sheet, then user-defined ones by file name.
+    /// Returns the devices: those of the sheet in its order, the others by manufacturer, then user-defined ones by file name.
     #[must_use]
     pub fn devices(&self) -> &[Device] {
         &self.devices
@@ -69,32 +85,55 @@ impl Catalog {
         self.sensors.iter().find(|sensor| fold_name(&sensor.id) == id)
     }
 
-    /// Returns the device with a name: its id, name, prim or an alias, ignoring case, spaces, hyphens and underscores.
+    /// Returns the inertial parts.
+    #[must_use]
+    pub fn inertial_parts(&self) -> &[InertialPart] {
+        &self.inertial_parts
+    }
+
+    /// Returns the inertial part with an id.
+    #[must_use]
+    pub fn inertial_part(&self, id: &str) -> Option<&InertialPart> {
+        let id = fold_name(id);
+        self.inertial_parts.iter().find(|part| fold_name(&part.id) == id)
+    }
+
+    /// Returns the part of a device whose accelerometer and gyroscope are simulated, if a source names it.
+    #[must_use]
+    pub fn inertial_part_of(&self, device: &Device) -> Option<&InertialPart> {
+        let mut parts = device.imu.iter().flat_map(|imu| &imu.parts);
+        parts.find_map(|id| self.inertial_part(id).filter(|part| part.is_inertial()))
+    }
+
+    /// Returns the device with a name: its id, name or an alias, otherwise its prim, ignoring case, spaces, hyphens and
+    /// underscores.
     ///
     /// # Errors
     /// Returns an error with the nearest names if no device has this name.
     pub fn device(&self, name: &str) -> Result<&Device, UnknownModel> {
         let wanted = fold_name(name);
-        let found = self
-            .devices
-            .iter()
-            .find(|device| device.names().any(|name| fold_name(name) == wanted));
-        found.ok_or_else(|| {
-            let all = self.devices.iter().flat_map(Device::names);
-            let mut names: Vec<String> = Vec::new();
-            for near in nearest(name, all) {
-                for device in &self.devices {
-                    if device.names().any(|name| name == near) && !names.contains(&device.name) {
-                        names.push(device.name.clone());
+        let named = |device: &&Device| device.names().any(|name| fold_name(name) == wanted);
+        let in_asset = |device: &&Device| fold_name(&device.prim) == wanted;
+        let devices = || self.devices.iter();
+        devices()
+            .find(named)
+            .or_else(|| devices().find(in_asset))
+            .ok_or_else(|| {
+                let all = self.devices.iter().flat_map(Device::names_and_prim);
+                let mut names: Vec<String> = Vec::new();
+                for near in nearest(name, all) {
+                    for device in &self.devices {
+                        if device.names_and_prim().any(|name| name == near) && !names.contains(&device.name) {
+                            names.push(device.name.clone());
+                        }
                     }
                 }
-            }
-            UnknownModel {
-                name: name.to_owned(),
-                nearest: names,
-                known: self.devices.iter().map(|device| device.name.clone()).collect(),
-            }
-        })
+                UnknownModel {
+                    name: name.to_owned(),
+                    nearest: names,
+                    known: self.devices.iter().map(|device| device.name.clone()).collect(),
+                }
+            })
     }
 
     /// Adds files to the catalog. An entry replaces an earlier one with the same id.
@@ -103,13 +142,21 @@ impl Catalog {
             .iter()
             .map(|source| Document::parse(source.file, source.text))
             .collect::<Result<Vec<_>, _>>()?;
-        let (devices, sensors): (Vec<_>, Vec<_>) = documents.iter().partition(|d| is_device(d));
+        let (devices, parts): (Vec<_>, Vec<_>) = documents.iter().partition(|d| is_device(d));
+        let (parts, sensors): (Vec<_>, Vec<_>) = parts.into_iter().partition(|d| is_inertial_part(d));
         let mut new_ids: Vec<String> = Vec::new();
         for document in sensors {
             let sensor: Sensor = document.deserialize()?;
             check::sensor(document, &sensor)?;
             check::new_id(document, &sensor.id, &mut new_ids)?;
             put(&mut self.sensors, sensor, |sensor| &sensor.id);
+        }
+        new_ids.clear();
+        for document in parts {
+            let part: InertialPart = document.deserialize()?;
+            check::inertial_part(document, &part)?;
+            check::new_id(document, &part.id, &mut new_ids)?;
+            put(&mut self.inertial_parts, part, |part| &part.id);
         }
         new_ids.clear();
         for document in devices {
@@ -125,6 +172,13 @@ impl Catalog {
 /// Whether a file describes a device: these have cameras or a prim, sensors have neither.
 fn is_device(document: &Document<'_>) -> bool {
     ["camera", "prim", "body", "depth_sensor"]
+        .iter()
+        .any(|key| document.has(key))
+}
+
+/// Whether a file that does not describe a device describes an inertial part.
+fn is_inertial_part(document: &Document<'_>) -> bool {
+    ["accelerometer", "gyroscope", "magnetometer"]
         .iter()
         .any(|key| document.has(key))
 }
@@ -156,7 +210,7 @@ mod tests {
             ]
         );
         let sensors: Vec<&str> = catalog.sensors().iter().map(|s| s.id.as_str()).collect();
-        assert_eq!(sensors, ["IMX378", "IMX586", "OV9282", "OV9782", "33D"]);
+        assert_eq!(sensors, ["33D", "IMX378", "IMX586", "OV9282", "OV9782"]);
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! What must hold in a file beyond its form.
 
+mod inertial;
 mod values;
 
-use oaktwin_camera::RigidTransform;
-use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_camera::math::DVec3;
 use oaktwin_diagnostic::{fold_name, nearest};
 use oaktwin_parameter::Table;
 use oaktwin_parameter::nvidia::Attributes;
@@ -11,6 +11,8 @@ use oaktwin_parameter::nvidia::Attributes;
 use crate::document::Document;
 use crate::{Accuracy, Camera, Catalog, CatalogError, DepthSensor, Device, Role, Sensor, Sources};
 use values::{ascending, between, not_negative, one_of, positive, prim_name, text, unique_prim};
+
+pub(crate) use inertial::inertial_part;
 
 type Checked = Result<(), CatalogError>;
 
@@ -67,8 +69,8 @@ pub(crate) fn device(doc: &Document<'_>, device: &Device, catalog: &Catalog) -> 
     prim_name(doc, "id", &device.id)?;
     prim_name(doc, "prim", &device.prim)?;
     names_are_free(doc, device, catalog)?;
-    positive(doc, "stereo_baseline_mm", device.stereo_baseline_mm)?;
-    body_and_imu(doc, device)?;
+    body(doc, device)?;
+    inertial::imu(doc, device, catalog)?;
     projector(doc, device)?;
     if device.cameras.is_empty() {
         return Err(doc.error("camera", "a device without cameras", "add a [[camera]]"));
@@ -89,14 +91,15 @@ pub(crate) fn device(doc: &Document<'_>, device: &Device, catalog: &Catalog) -> 
     baseline(doc, device)?;
     for (i, spec) in device.depth_sensors.iter().enumerate() {
         let at = format!("depth_sensor.{i}");
-        if device.depth_sensors[..i]
-            .iter()
-            .any(|other| other.kind == spec.kind)
-        {
+        let same = |other: &&DepthSensor| (other.kind, other.pair()) == (spec.kind, spec.pair());
+        if let Some(other) = device.depth_sensors[..i].iter().find(same) {
             return Err(doc.error(
                 &format!("{at}.kind"),
-                "a second depth sensor of this kind",
-                "give each its own",
+                format!(
+                    "a second depth sensor of this kind with the cameras of {}",
+                    other.prim
+                ),
+                "remove it, or change its cameras",
             ));
         }
         unique_prim(doc, &format!("{at}.prim"), &spec.prim, &mut prims)?;
@@ -107,7 +110,9 @@ pub(crate) fn device(doc: &Document<'_>, device: &Device, catalog: &Catalog) -> 
     }
     sources(doc, "", &device.sources)?;
     sources(doc, "body.", &device.body.sources)?;
-    sources(doc, "imu.", &device.imu.sources)?;
+    if let Some(imu) = &device.imu {
+        sources(doc, "imu.", &imu.sources)?;
+    }
     evidence(doc, device.evidence.iter().map(|e| e.about.as_str()), |about| {
         indexed(device, about)
     })
@@ -137,35 +142,33 @@ fn names_are_free(doc: &Document<'_>, device: &Device, catalog: &Catalog) -> Che
     };
     for (name, place) in device.named_places() {
         let folded = fold_name(name);
-        if let Some(other) = others().find(|other| other.names().any(|other| fold_name(other) == folded)) {
-            return Err(doc.error(
-                &place,
-                format!("{name:?} already means the {}", other.name),
-                format!(
-                    "choose another, or use the id '{}' to replace that entry",
-                    other.id
-                ),
-            ));
+        let is_taken = |other: &&Device| other.names().any(|other| fold_name(other) == folded);
+        if let Some(other) = others().find(is_taken) {
+            return Err(taken(doc, &place, name, other));
         }
     }
-    Ok(())
+    match others().find(|other| fold_name(&other.prim) == fold_name(&device.prim)) {
+        Some(other) => Err(taken(doc, "prim", &device.prim, other)),
+        None => Ok(()),
+    }
 }
 
-fn body_and_imu(doc: &Document<'_>, device: &Device) -> Checked {
+fn taken(doc: &Document<'_>, place: &str, name: &str, other: &Device) -> CatalogError {
+    doc.error(
+        place,
+        format!("{name:?} already means the {}", other.name),
+        format!(
+            "choose another, or use the id '{}' to replace that entry",
+            other.id
+        ),
+    )
+}
+
+fn body(doc: &Document<'_>, device: &Device) -> Checked {
     for (i, side) in device.body.dimensions_mm.into_iter().enumerate() {
         positive(doc, &format!("body.dimensions_mm.{i}"), side)?;
     }
-    positive(doc, "body.mass_g", device.body.mass_g)?;
-    let rotation = DMat3::from_cols_array_2d(&device.imu.rotation).transpose();
-    let off = RigidTransform::new(rotation, DVec3::ZERO).orthonormality_error();
-    if off > 1e-6 {
-        return Err(doc.error(
-            "imu.rotation",
-            "not a rotation",
-            "give three orthogonal rows of length 1 with determinant +1",
-        ));
-    }
-    Ok(())
+    positive(doc, "body.mass_g", device.body.mass_g)
 }
 
 /// More dots than any projector has.
@@ -241,13 +244,22 @@ fn camera(doc: &Document<'_>, at: &str, spec: &Camera, catalog: &Catalog) -> Che
             "a lens sees less than 360 degrees",
         )?;
     }
-    between(
-        doc,
-        &place("max_fov_deg"),
-        spec.max_fov_deg,
-        360.0,
-        "give the field of view in degrees",
-    )?;
+    if let Some(max_fov_deg) = spec.max_fov_deg {
+        between(
+            doc,
+            &place("max_fov_deg"),
+            max_fov_deg,
+            360.0,
+            "give the field of view in degrees",
+        )?;
+    }
+    if !(-90.0..=90.0).contains(&spec.pitch_deg) {
+        return Err(doc.error(
+            &place("pitch_deg"),
+            format!("a pitch of {} degrees", spec.pitch_deg),
+            "give the angle below the x axis, -90 to 90 degrees",
+        ));
+    }
     positive(doc, &place("focus_distance"), spec.focus_distance)?;
     one_of(
         doc,
@@ -267,21 +279,30 @@ fn camera(doc: &Document<'_>, at: &str, spec: &Camera, catalog: &Catalog) -> Che
 }
 
 fn baseline(doc: &Document<'_>, device: &Device) -> Checked {
-    let (Some(left), Some(right)) = (device.camera(Role::Left), device.camera(Role::Right)) else {
-        return Ok(());
-    };
-    let apart = DVec3::from(left.position_mm).distance(DVec3::from(right.position_mm));
-    if (apart - device.stereo_baseline_mm).abs() > 1e-6 {
-        return Err(doc.error(
-            "stereo_baseline_mm",
-            format!(
-                "{} mm, but the left and right cameras are {apart} mm apart",
-                device.stereo_baseline_mm
-            ),
-            "make the positions and the baseline agree",
-        ));
+    let pair = (device.camera(Role::Left), device.camera(Role::Right));
+    let error = |problem: String, remedy: &str| Err(doc.error("stereo_baseline_mm", problem, remedy));
+    match (pair, device.stereo_baseline_mm) {
+        ((Some(left), Some(right)), Some(baseline_mm)) => {
+            positive(doc, "stereo_baseline_mm", baseline_mm)?;
+            let apart = DVec3::from(left.position_mm).distance(DVec3::from(right.position_mm));
+            if (apart - baseline_mm).abs() <= 1e-6 {
+                return Ok(());
+            }
+            error(
+                format!("{baseline_mm} mm, but the left and right cameras are {apart} mm apart"),
+                "make the positions and the baseline agree",
+            )
+        }
+        ((Some(_), Some(_)), None) => error(
+            "a stereo pair without a baseline".to_owned(),
+            "add 'stereo_baseline_mm = ...'",
+        ),
+        (_, Some(baseline_mm)) => error(
+            format!("a baseline of {baseline_mm} mm without a left and a right camera"),
+            "remove it, or add the cameras",
+        ),
+        (_, None) => Ok(()),
     }
-    Ok(())
 }
 
 fn depth_sensor(doc: &Document<'_>, at: &str, spec: &DepthSensor, device: &Device) -> Checked {
@@ -293,6 +314,7 @@ fn depth_sensor(doc: &Document<'_>, at: &str, spec: &DepthSensor, device: &Devic
             "name the role of one of its cameras",
         ));
     }
+    pair(doc, at, spec, device)?;
     positive(doc, &place("focus_distance"), spec.focus_distance)?;
     for (key, value) in [
         ("extended_max_disparity_px", spec.extended_max_disparity_px),
@@ -319,6 +341,34 @@ fn depth_sensor(doc: &Document<'_>, at: &str, spec: &DepthSensor, device: &Devic
         (spec.min_distance_m, spec.max_distance_m),
     )?;
     sources(doc, &place(""), &spec.sources)
+}
+
+/// A stereo sensor has two cameras side by side.
+fn pair(doc: &Document<'_>, at: &str, spec: &DepthSensor, device: &Device) -> Checked {
+    let Some((left, right)) = spec.pair() else {
+        return match spec.right_camera {
+            Some(role) => Err(doc.error(
+                &format!("{at}.right_camera"),
+                format!("a second camera '{role}' of a time-of-flight sensor"),
+                "remove it",
+            )),
+            None => Ok(()),
+        };
+    };
+    let y = |role| device.camera(role).map(|camera| camera.position_mm[1]);
+    match (y(left), y(right)) {
+        (Some(left_y), Some(right_y)) if left_y > right_y => Ok(()),
+        (_, None) => Err(doc.error(
+            &format!("{at}.right_camera"),
+            format!("the device has no camera with the role '{right}'"),
+            "name the right camera of the pair",
+        )),
+        _ => Err(doc.error(
+            &format!("{at}.camera"),
+            format!("the camera '{left}' is not to the left of '{right}'"),
+            "name the left camera of the pair as 'camera', and the right one as 'right_camera'",
+        )),
+    }
 }
 
 fn accuracy(doc: &Document<'_>, at: &str, table: &Accuracy) -> Checked {
@@ -385,7 +435,7 @@ fn indexed(device: &Device, about: &str) -> String {
         "depth_sensor" => device
             .depth_sensors
             .iter()
-            .position(|sensor| sensor.kind.as_str() == entry),
+            .position(|sensor| sensor.prim == entry || sensor.kind.as_str() == entry),
         _ => None,
     };
     index.map_or_else(|| about.to_owned(), |index| format!("{table}.{index}.{key}"))

@@ -198,12 +198,17 @@ fn features(catalog: &Catalog, devices: &[&Device]) -> Table {
             .camera(role)
             .map_or_else(not_available, |camera| format!("~{}°", camera.hfov_deg))
     };
-    table.row("Platform", devices, |device| device.platform.clone());
+    table.row("Platform", devices, |device| {
+        device.platform.clone().unwrap_or_else(not_available)
+    });
     table.row("RGB Sensor", devices, |device| {
         sensor(device, Role::Rgb, |sensor| {
             let megapixels = sensor.megapixels.map(|megapixels| format!("{megapixels} MP"));
             with_remark(
-                format!("{} {}", sensor.manufacturer, sensor.id),
+                match &sensor.manufacturer {
+                    Some(manufacturer) => format!("{manufacturer} {}", sensor.id),
+                    None => sensor.id.clone(),
+                },
                 megapixels.as_deref(),
             )
         })
@@ -221,10 +226,17 @@ fn features(catalog: &Catalog, devices: &[&Device]) -> Table {
     table.row("Stereo HFOV", devices, |device| hfov(device, Role::Left));
     table.row("ToF HFOV", devices, |device| hfov(device, Role::Tof));
     table.row("Stereo Baseline", devices, |device| {
-        format!("{} mm", device.stereo_baseline_mm)
+        device
+            .stereo_baseline_mm
+            .map_or_else(not_available, |baseline| format!("{baseline} mm"))
     });
     table.row("Close-Range Accuracy", devices, |device| close_range(device));
-    table.row("IMU", devices, |device| device.imu.model.clone());
+    table.row("IMU", devices, |device| {
+        device
+            .imu
+            .as_ref()
+            .map_or_else(not_available, |imu| imu.model.clone())
+    });
     table.row("Data Source", devices, |device| {
         device.data_source.clone().unwrap_or_else(not_available)
     });

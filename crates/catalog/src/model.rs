@@ -1,8 +1,10 @@
 //! The contents of sensor and device files, key by key, with units in the names as in the files.
 
 mod depth_sensor;
+mod inertial;
 
 pub use depth_sensor::{DepthKind, DepthSensor};
+pub use inertial::{Accelerometer, Gyroscope, InertialPart, Magnetometer};
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -20,8 +22,9 @@ use crate::{Source, Sources};
 pub struct Sensor {
     /// The name by which devices refer to it, such as `OV9282`.
     pub id: String,
-    /// The manufacturer, such as `OmniVision`.
-    pub manufacturer: String,
+    /// The manufacturer, such as `OmniVision`; absent if no source names it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub manufacturer: Option<String>,
     /// The type in words, such as `CMOS, global shutter`.
     pub kind: String,
     /// The size of the full pixel array (width, height).
@@ -34,8 +37,9 @@ pub struct Sensor {
     pub native_pixel_size_um: f64,
     /// The pixel pitch of the used mode in µm.
     pub pixel_size_um: f64,
-    /// The optical format, such as `1/4"`.
-    pub optical_format: String,
+    /// The optical format, such as `1/4"`; absent if no source states it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub optical_format: Option<String>,
     /// The marketed resolution in megapixels.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub megapixels: Option<f64>,
@@ -77,12 +81,13 @@ pub struct Device {
     pub aliases: Vec<String>,
     /// The prim below `/Root` in the asset, such as `oak_d_pro`.
     pub prim: String,
-    /// The manufacturer, `Luxonis`.
+    /// The manufacturer, such as `Luxonis`.
     pub manufacturer: String,
-    /// The platform: `RVC2` or `RVC4`.
+    /// The platform of Luxonis' devices, `RVC2` or `RVC4`; otherwise the family, such as `RealSense D400`.
     pub generation: String,
-    /// The processor, such as `Myriad X (Intel VPU)`.
-    pub platform: String,
+    /// The processor, such as `Myriad X (Intel VPU)`; absent if no source names it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub platform: Option<String>,
     /// The kind of processor, such as `VPU`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub processor: Option<String>,
@@ -93,18 +98,20 @@ pub struct Device {
     pub data_source: Option<String>,
     /// The body.
     pub body: Body,
-    /// The inertial unit.
-    pub imu: Imu,
+    /// The inertial unit; absent if the device has none or no source states its pose. A note on the topic `imu` says which.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub imu: Option<Imu>,
     /// The infrared dot projector, if the device has one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub projector: Option<Projector>,
-    /// The distance between the left and the right optical centre in mm.
-    pub stereo_baseline_mm: f64,
+    /// The distance between the left and the right optical centre in mm, if the device has a stereo pair.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stereo_baseline_mm: Option<f64>,
     /// The cameras in the order of the sheet's columns.
     #[serde(rename = "camera")]
     pub cameras: Vec<Camera>,
     /// The depth sensors, each with one template render product.
-    #[serde(rename = "depth_sensor")]
+    #[serde(rename = "depth_sensor", default)]
     pub depth_sensors: Vec<DepthSensor>,
     /// The published accuracy; several tables if sources disagree. The comparison prints the first.
     #[serde(default)]
@@ -129,7 +136,7 @@ pub struct Device {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Role {
-    /// The colour camera between the stereo pair.
+    /// The colour camera, which may be part of a second stereo pair.
     Rgb,
     /// The left camera of the stereo pair, as seen from behind the device.
     Left,
@@ -187,36 +194,68 @@ pub struct Camera {
     /// A remark that the comparison adds to the sensor's name: `wide optics`, `color`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub remark: Option<String>,
-    /// The socket in calibration files; 0 is `CAM_A`.
-    pub socket: i32,
+    /// The socket in `DepthAI` calibration files; 0 is `CAM_A`. Other makers' cameras have none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub socket: Option<i32>,
     /// The horizontal field of view of the ideal pinhole in degrees, which determines fx.
     pub hfov_deg: f64,
     /// The horizontal field of view of the real, distorted lens in degrees: the span of the equidistant fisheye.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fisheye_hfov_deg: Option<f64>,
-    /// The optical centre in the body frame (x forward, y left, z up; origin midway between left and right), mm.
+    /// The optical centre in the body frame (x forward, y left, z up), mm. The origin is midway between left and right; without
+    /// a stereo pair, it is the optical centre of the time-of-flight camera, or of the only camera.
     pub position_mm: [f64; 3],
+    /// The angle by which the camera looks down from the x axis of the body in degrees; 0 by default.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub pitch_deg: f64,
     /// `focusDistance` as in the sheet.
     pub focus_distance: f64,
     /// `fStop`; 0 disables depth of field.
     pub f_stop: f64,
-    /// `projection`.
+    /// `projection`; `perspective` by default.
+    #[serde(default = "perspective")]
     pub projection: String,
-    /// `stereoRole`.
+    /// `stereoRole`; `mono` by default.
+    #[serde(default = "mono")]
     pub stereo_role: String,
-    /// `clippingRange`, m.
+    /// `clippingRange`, m; 0.01 to 100 by default.
+    #[serde(default = "clipping_range")]
     pub clipping_range_m: (f64, f64),
-    /// `cameraProjectionType` of the older distortion attributes.
+    /// `cameraProjectionType` of the older distortion attributes; `pinhole` by default.
+    #[serde(default = "pinhole")]
     pub projection_type: String,
     /// `maxFOV` in degrees, as in the sheet.
-    pub max_fov_deg: f64,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_fov_deg: Option<f64>,
     /// The sheet's column of distortion values, which have no effect on a pinhole.
-    pub legacy_distortion: LegacyDistortion,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub legacy_distortion: Option<LegacyDistortion>,
     /// The source of the values above.
     pub source: Source,
     /// The sources of keys that differ from `source`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub sources: Sources,
+}
+
+fn perspective() -> String {
+    "perspective".to_owned()
+}
+
+fn mono() -> String {
+    "mono".to_owned()
+}
+
+fn pinhole() -> String {
+    "pinhole".to_owned()
+}
+
+const fn clipping_range() -> (f64, f64) {
+    (0.01, 100.0)
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes a reference")]
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
 }
 
 /// The distortion rows of the sheet's camera tables.
@@ -235,10 +274,28 @@ pub struct LegacyDistortion {
     pub physical_coefficients: String,
 }
 
+/// The basic shape of a body.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum BodyShape {
+    /// A plain box: no source describes more than the outer dimensions.
+    #[default]
+    Plain,
+    /// A long bar with fins between the connectors, as of the `OAK-D Pro PoE`.
+    Bar,
+    /// A bar in front of a comb of fins, as of the `OAK4-D`.
+    Comb,
+    /// A short box with fins, as of the `OAK-D ToF`.
+    Compact,
+}
+
 /// The body of a device.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Body {
+    /// The basic shape; a plain box by default.
+    #[serde(default)]
+    pub shape: BodyShape,
     /// The width (along y), height (along z) and depth (along x) in mm.
     pub dimensions_mm: [f64; 3],
     /// The centre of the front face in the body frame (x forward, y left, z up) in mm.
@@ -290,6 +347,10 @@ pub struct Imu {
     /// The longer text of the sheet's device table, if it differs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub detail: Option<String>,
+    /// The ids of its parts, such as `BNO086`, of which the first with an accelerometer and a gyroscope is simulated; empty if
+    /// no source names them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub parts: Vec<String>,
     /// The position in the body frame in mm.
     pub position_mm: [f64; 3],
     /// The axes in the body frame: the rows of `body_from_imu`'s rotation.
@@ -382,14 +443,18 @@ impl Device {
         self.cameras.iter().find(|camera| camera.role == role)
     }
 
-    /// Returns all names of the device: id, name, prim, aliases.
+    /// Returns all names of the device: id, name, aliases.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.named_places().map(|(name, _)| name)
     }
 
+    pub(crate) fn names_and_prim(&self) -> impl Iterator<Item = &str> {
+        self.names().chain([self.prim.as_str()])
+    }
+
     /// Returns all names with the keys that define them.
     pub(crate) fn named_places(&self) -> impl Iterator<Item = (&str, String)> {
-        let own = [("id", &self.id), ("name", &self.name), ("prim", &self.prim)];
+        let own = [("id", &self.id), ("name", &self.name)];
         let own = own.into_iter().map(|(key, name)| (name.as_str(), key.to_owned()));
         let aliases = self.aliases.iter().enumerate();
         own.chain(aliases.map(|(i, name)| (name.as_str(), format!("aliases.{i}"))))

@@ -33,7 +33,7 @@ impl Catalog {
                     intrinsics: Intrinsics::from_hfov(sensor.used_size(), spec.hfov_deg.to_radians()),
                     lens: LensModel::Pinhole,
                     body_from_camera: RigidTransform::new(
-                        Axes::Ros.rotation_from(Axes::OpenCv),
+                        forward(spec.pitch_deg),
                         DVec3::from(spec.position_mm) * M_PER_MM,
                     ),
                 }
@@ -49,14 +49,25 @@ impl Catalog {
                     spec: spec.clone(),
                 })
                 .collect(),
-            body_from_imu: RigidTransform::new(
-                DMat3::from_cols_array_2d(&device.imu.rotation).transpose(),
-                DVec3::from(device.imu.position_mm) * M_PER_MM,
-            ),
+            body_from_imu: device.imu.as_ref().map(|imu| {
+                RigidTransform::new(
+                    DMat3::from_cols_array_2d(&imu.rotation).transpose(),
+                    DVec3::from(imu.position_mm) * M_PER_MM,
+                )
+            }),
             origin: Origin::Nominal,
             device: device.clone(),
         }
     }
+}
+
+/// Returns the rotation from the optical frame of a camera that looks forward, and down by an angle, to the body frame.
+fn forward(pitch_deg: f64) -> DMat3 {
+    let forward = Axes::Ros.rotation_from(Axes::OpenCv);
+    if pitch_deg == 0.0 {
+        return forward;
+    }
+    DMat3::from_rotation_y(pitch_deg.to_radians()) * forward
 }
 
 #[cfg(test)]
@@ -82,12 +93,16 @@ mod tests {
         for device in catalog.devices() {
             let twin = catalog.nominal(device);
             let at = |role| twin.camera(role).map(|c| c.body_from_camera.translation);
-            let (left, right) = (at(Role::Left).unwrap(), at(Role::Right).unwrap());
-            assert!(
-                ((left - right) - DVec3::new(0.0, device.stereo_baseline_mm * 1e-3, 0.0)).length() < 1e-12
-            );
-            assert_eq!(left + right, DVec3::ZERO, "the origin is midway");
-            for camera in &twin.cameras {
+            if let (Some(left), Some(right)) = (at(Role::Left), at(Role::Right)) {
+                let baseline_m = device.stereo_baseline_mm.unwrap() * 1e-3;
+                assert!(((left - right) - DVec3::new(0.0, baseline_m, 0.0)).length() < 1e-12);
+                assert!((left + right).length() < 1e-15, "the origin is midway");
+            } else {
+                assert_eq!(device.stereo_baseline_mm, None);
+                let origin = at(Role::Tof).or_else(|| at(Role::Rgb));
+                assert_eq!(origin, Some(DVec3::ZERO), "{}", device.id);
+            }
+            for camera in twin.cameras.iter().filter(|camera| camera.spec.pitch_deg == 0.0) {
                 let body_from_camera = camera.body_from_camera.rotation;
                 assert_eq!(body_from_camera * DVec3::Z, DVec3::X, "forward");
                 assert_eq!(body_from_camera * DVec3::NEG_Y, DVec3::Z, "up");
@@ -111,18 +126,19 @@ mod tests {
         ] {
             let catalog = Catalog::builtin();
             let twin = catalog.nominal(catalog.device(model).unwrap());
-            let cam_a = twin.cameras.iter().find(|c| c.spec.socket == 0).unwrap();
+            let cam_a = twin.cameras.iter().find(|c| c.spec.socket == Some(0)).unwrap();
             let camera_from_imu = RigidTransform::new(
                 DMat3::from_cols_array_2d(&rotation).transpose(),
                 DVec3::from(cm) * 1e-2,
             );
             let expected = cam_a.body_from_camera * camera_from_imu;
-            assert!(twin.body_from_imu.orthonormality_error() < 1e-15);
+            let body_from_imu = twin.body_from_imu.unwrap();
+            assert!(body_from_imu.orthonormality_error() < 1e-15);
             assert!(
-                (twin.body_from_imu.translation - expected.translation).length() < 1e-9,
+                (body_from_imu.translation - expected.translation).length() < 1e-9,
                 "{model}"
             );
-            assert_eq!(twin.body_from_imu.rotation, expected.rotation, "{model}");
+            assert_eq!(body_from_imu.rotation, expected.rotation, "{model}");
         }
     }
 

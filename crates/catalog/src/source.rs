@@ -4,7 +4,10 @@ use std::fmt;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{Body, Camera, DepthSensor, Device, Imu, Projector, Sensor};
+use crate::{
+    Accelerometer, Body, Camera, DepthSensor, Device, Gyroscope, Imu, InertialPart, Magnetometer, Projector,
+    Sensor,
+};
 
 /// The source of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -73,7 +76,19 @@ macro_rules! sourced {
     )*};
 }
 
-sourced!(Sensor, Device, Body, Imu, Projector, Camera, DepthSensor);
+sourced!(
+    Sensor,
+    Device,
+    Body,
+    Imu,
+    InertialPart,
+    Accelerometer,
+    Gyroscope,
+    Magnetometer,
+    Projector,
+    Camera,
+    DepthSensor
+);
 
 #[cfg(test)]
 mod tests {
@@ -112,8 +127,9 @@ mod tests {
         let pro = Catalog::builtin().device("OAK-D Pro PoE").unwrap();
         assert_eq!(pro.body.source_of("mass_g"), Source::VendorPage);
         assert_eq!(device.body.source_of("mass_g"), Source::Estimate);
-        assert_eq!(device.imu.source_of("model"), Source::Document);
-        assert_eq!(device.imu.source_of("rotation"), Source::Estimate);
+        let imu = device.imu.as_ref().unwrap();
+        assert_eq!(imu.source_of("model"), Source::Document);
+        assert_eq!(imu.source_of("rotation"), Source::Estimate);
         assert_eq!(device.cameras[0].source_of("position_mm"), Source::BoardFile);
         assert_eq!(device.cameras[0].source_of("hfov_deg"), Source::Document);
     }

@@ -7,7 +7,7 @@ use oaktwin_diagnostic::fold_name;
 use oaktwin_parameter::Platform;
 use oaktwin_parameter::nvidia::Attributes;
 
-use crate::{Camera, DepthKind, DepthSensor, Device, Role};
+use crate::{Camera, DepthSensor, Device, Role};
 
 /// A device with the intrinsics, lens and pose of each camera: nominal values of the catalog, or those of one unit's
 /// calibration.
@@ -19,8 +19,8 @@ pub struct Twin {
     pub cameras: Vec<TwinCamera>,
     /// The depth sensors in the catalog's order.
     pub depth_sensors: Vec<TwinDepthSensor>,
-    /// The pose of the inertial unit in the body frame, m.
-    pub body_from_imu: RigidTransform,
+    /// The pose of the inertial unit in the body frame in m, if it is known.
+    pub body_from_imu: Option<RigidTransform>,
     /// The origin of the numbers.
     pub origin: Origin,
 }
@@ -98,20 +98,20 @@ impl Twin {
     #[must_use]
     pub fn depth_camera(&self, sensor: &TwinDepthSensor) -> Option<TwinCamera> {
         let mut camera = self.camera(sensor.spec.camera)?.clone();
-        if sensor.spec.kind == DepthKind::Stereo && camera.spec.role == Role::Left {
-            camera = self.rectified_left()?;
+        if let Some(pair) = sensor.spec.pair() {
+            camera = self.rectified_left(pair)?;
         }
         camera.lens = LensModel::Pinhole;
         Some(camera)
     }
 
-    /// Returns the rectified left camera, or `None` if the device has no left camera. Without a right camera, or extrinsics
-    /// that can be rectified, it is the left camera without its lens.
+    /// Returns the rectified left camera of a pair, or `None` if the device has no such camera. Without a right camera, or
+    /// extrinsics that can be rectified, it is the left camera without its lens.
     #[must_use]
-    pub fn rectified_left(&self) -> Option<TwinCamera> {
-        let mut left = self.camera(Role::Left)?.clone();
+    pub fn rectified_left(&self, (left, right): (Role, Role)) -> Option<TwinCamera> {
+        let mut left = self.camera(left)?.clone();
         let optics = |camera: &TwinCamera| Optics::new(camera.intrinsics, camera.lens);
-        if let (Origin::Calibration { .. }, Some(right)) = (&self.origin, self.camera(Role::Right)) {
+        if let (Origin::Calibration { .. }, Some(right)) = (&self.origin, self.camera(right)) {
             let right_from_left = right.body_from_camera.inverse() * left.body_from_camera;
             let target = RectifiedIntrinsics::of(self.platform().unwrap_or(Platform::Rvc4));
             if let Ok(pair) = stereo_rectify_to(&optics(&left), &optics(right), &right_from_left, target) {

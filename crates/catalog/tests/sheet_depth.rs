@@ -45,7 +45,7 @@ fn depth_sensors() {
             &what("sensorSizePixel"),
         );
         if kind == DepthKind::Stereo {
-            assert_eq!(sensor.spec.baseline_mm, twin.device.stereo_baseline_mm);
+            assert_eq!(sensor.spec.baseline_mm, twin.device.stereo_baseline_mm.unwrap());
         }
     }
 }
@@ -117,7 +117,7 @@ fn max_fov_rows() {
     ] {
         let twin = catalog.nominal(catalog.device(model).unwrap());
         let camera = twin.camera(role).unwrap();
-        assert_printed(camera.spec.max_fov_deg, max_fov, model);
+        assert_printed(camera.spec.max_fov_deg.unwrap(), max_fov, model);
         assert_printed(camera.intrinsics.dfov().to_degrees(), diagonal, model);
         if max_fov != diagonal {
             let role = serde_json::to_value(if role == Role::Right { Role::Left } else { role }).unwrap();

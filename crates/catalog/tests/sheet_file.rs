@@ -124,7 +124,7 @@ fn sensor_row(sensor: &Sensor, key: &str, cell: &str) {
         "Effective Pixel Size (12MP)" => {
             assert_printed(sensor.pixel_size_um, cell.trim_end_matches(" µm"), &sensor.id);
         }
-        "Optical Format" => assert_eq!(cell, sensor.optical_format),
+        "Optical Format" => assert_eq!(cell, sensor.optical_format.as_deref().unwrap()),
         "Stereo Baseline" => starts("75 mm".to_owned()),
         "Notes" => assert!(!sensor.notes.is_empty()),
         "VCSEL Wavelength" => assert_eq!(cell, format!("{} nm", sensor.wavelength_nm.unwrap())),
@@ -172,9 +172,11 @@ fn device_row(device: &Device, key: &str, cell: &str) {
         }
         "IMU" => device
             .imu
+            .as_ref()
+            .unwrap()
             .detail
             .clone()
-            .unwrap_or_else(|| device.imu.model.clone()),
+            .unwrap_or_else(|| device.imu.as_ref().unwrap().model.clone()),
         "Ideal Range" | "Ideal Range (stereo)" => range(DepthKind::Stereo),
         "Ideal Range (ToF)" => range(DepthKind::Tof),
         "Depth Accuracy" | "Depth Accuracy (ToF)" => {
@@ -186,13 +188,17 @@ fn device_row(device: &Device, key: &str, cell: &str) {
             sensor(Role::Rgb).id,
             sensor(Role::Rgb).megapixels.unwrap()
         ),
-        "Stereo Sensor" => format!("{} {}", sensor(Role::Left).manufacturer, sensor(Role::Left).id),
+        "Stereo Sensor" => format!(
+            "{} {}",
+            sensor(Role::Left).manufacturer.as_deref().unwrap(),
+            sensor(Role::Left).id
+        ),
         "ToF Sensor" => format!("{} (640x480, ToF)", sensor(Role::Tof).id),
         "RGB Camera" => {
             assert!(device.camera(Role::Rgb).is_none());
             "None".to_owned()
         }
-        "Stereo Baseline" => format!("{} mm", device.stereo_baseline_mm),
+        "Stereo Baseline" => format!("{} mm", device.stereo_baseline_mm.unwrap()),
         "ToF Baseline (sim)" => format!("{} mm", device.depth_sensors[1].baseline_mm),
         _ => panic!("{}: unknown row {key}", device.name),
     };
@@ -240,7 +246,7 @@ fn camera_row(camera: &TwinCamera, key: &str, cell: &str) {
     let spec: &Camera = &camera.spec;
     let (optics, size) = (optics(camera), camera.intrinsics.size);
     let centre = camera.intrinsics.principal_point::<Usd>();
-    let legacy = &spec.legacy_distortion;
+    let legacy = spec.legacy_distortion.as_ref().unwrap();
     let what = format!("{}: {key}", spec.prim);
     let number = |value: f64| assert_printed(value, cell, &what);
     let text = |value: &str| assert_eq!(cell, value, "{what}");
@@ -262,7 +268,7 @@ fn camera_row(camera: &TwinCamera, key: &str, cell: &str) {
         "nominalHeight" => number(size.height.into()),
         "opticalCenterX" => number(centre.x),
         "opticalCenterY" => number(centre.y),
-        "maxFOV" => number(spec.max_fov_deg),
+        "maxFOV" => number(spec.max_fov_deg.unwrap()),
         "physicalDistortionCoefficients" => text(&legacy.physical_coefficients),
         "physicalDistortionModel" => text(&legacy.physical_model),
         _ if key.starts_with("polyK") => number(legacy.poly_k[index()]),

@@ -158,11 +158,6 @@ const INVALID_VALUES: [[&str; 3]; 27] = [
         "unknown sensor \"OV928\"; did you mean 'OV9282'? A new sensor needs a file of its own",
     ],
     [
-        "sensor = \"OV9282\"",
-        "sensor = \"\"",
-        "unknown sensor \"\"; known are IMX378, IMX586, OV9282, OV9782, 33D; a new one needs a file of its own",
-    ],
-    [
         "role = \"right\"",
         "role = \"left\"",
         "a second camera with the role 'left'; give each camera its own",
@@ -196,6 +191,11 @@ const INVALID_VALUES: [[&str; 3]; 27] = [
         "rotation = [[0.0, 0.0, -1.0]",
         "rotation = [[0.0, 0.0, 1.0]",
         "not a rotation; give three orthogonal rows of length 1 with determinant +1",
+    ],
+    [
+        "parts = [\"BNO086\"]",
+        "parts = [\"BNO085\"]",
+        "unknown inertial part \"BNO085\"; did you mean 'BNO086'? A new part needs a file of its own",
     ],
     [
         "camera = \"left\"",
@@ -273,6 +273,18 @@ fn invalid_values_have_a_line_and_a_remedy() {
             "{to}"
         );
     }
+    let known: Vec<&str> = Catalog::builtin()
+        .sensors()
+        .iter()
+        .map(|s| s.id.as_str())
+        .collect();
+    assert_eq!(
+        device_error("sensor = \"OV9282\"", "sensor = \"\""),
+        format!(
+            "mine.toml:LINE: unknown sensor \"\"; known are {}; a new one needs a file of its own",
+            known.join(", ")
+        )
+    );
 }
 
 #[test]
@@ -290,7 +302,7 @@ fn missing_keys_name_their_table() {
     );
     assert_eq!(
         error(&[("s.toml", b"id = \"X\"\n")]),
-        "s.toml:1: the key 'manufacturer' is missing in the table that starts here; add 'manufacturer = ...'"
+        "s.toml:1: the key 'kind' is missing in the table that starts here; add 'kind = ...'"
     );
 }
 
@@ -327,7 +339,7 @@ fn sensors_are_checked_too() {
 fn rejects_invalid_folders() {
     assert_eq!(
         error(&[("notes.txt", b"")]),
-        "DIR: the folder contains no TOML file; add sensors and devices to it or to its subfolders 'sensors' and 'devices'"
+        "DIR: the folder contains no TOML file; add sensors and devices to it or to its subfolders 'sensors', 'imus' and 'devices'"
     );
     assert_eq!(
         error(&[("a.toml", b" \n")]),

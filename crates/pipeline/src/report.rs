@@ -26,22 +26,26 @@ pub struct DeviceReport {
     pub prim: String,
     /// The manufacturer.
     pub manufacturer: String,
-    /// `RVC2` or `RVC4`.
+    /// `RVC2` or `RVC4`; of other makers, the family.
     pub generation: String,
-    /// The processor.
-    pub platform: String,
+    /// The processor, if it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub platform: Option<String>,
     /// The variant of lens and focus.
     pub variant: String,
     /// The origin of the camera parameters: `nominal`, or the calibration's file and product name.
     pub origin: String,
-    /// The nominal baseline in mm.
-    pub nominal_baseline_mm: f64,
-    /// The baseline of this twin in mm.
-    pub baseline_mm: f64,
+    /// The nominal baseline in mm, if the device has a stereo pair.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub nominal_baseline_mm: Option<f64>,
+    /// The baseline of this twin in mm, if the device has a stereo pair.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub baseline_mm: Option<f64>,
     /// The body.
     pub body: Body,
-    /// The inertial unit.
-    pub imu: Imu,
+    /// The inertial unit, if its pose is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub imu: Option<Imu>,
     /// The image sensors.
     pub sensors: Vec<Sensor>,
     /// The cameras.
@@ -91,7 +95,7 @@ impl DeviceReport {
                 } => format!("{file_name} ({product_name})"),
             },
             nominal_baseline_mm: device.stereo_baseline_mm,
-            baseline_mm: baseline_m(twin) * 1e3,
+            baseline_mm: baseline_m(twin).map(|metres| metres * 1e3),
             body: device.body.clone(),
             imu: imu(twin),
             cameras: twin
@@ -116,27 +120,25 @@ impl DeviceReport {
 }
 
 /// The inertial unit, with its pose from a calibration.
-fn imu(twin: &Twin) -> Imu {
-    let mut imu = twin.device.imu.clone();
-    let position_mm = twin.body_from_imu.translation * 1e3;
+fn imu(twin: &Twin) -> Option<Imu> {
+    let mut imu = twin.device.imu.clone()?;
+    let body_from_imu = twin.body_from_imu?;
+    let position_mm = body_from_imu.translation * 1e3;
     if position_mm.distance(DVec3::from(imu.position_mm)) > 1e-6 {
         imu.position_mm = position_mm.to_array();
-        imu.rotation = twin.body_from_imu.rotation.transpose().to_cols_array_2d();
+        imu.rotation = body_from_imu.rotation.transpose().to_cols_array_2d();
         for key in ["position_mm", "rotation"] {
             imu.sources.insert(key.to_owned(), Source::CalibrationExport);
         }
     }
-    imu
+    Some(imu)
 }
 
-/// The baseline in metres; 0 without a stereo pair.
-fn baseline_m(twin: &Twin) -> f64 {
+/// The baseline in metres, if there is a stereo pair.
+fn baseline_m(twin: &Twin) -> Option<f64> {
     let centre = |role| {
         twin.camera(role)
             .map(|camera| camera.body_from_camera.translation)
     };
-    match (centre(Role::Left), centre(Role::Right)) {
-        (Some(left), Some(right)) => left.distance(right),
-        _ => 0.0,
-    }
+    Some(centre(Role::Left)?.distance(centre(Role::Right)?))
 }

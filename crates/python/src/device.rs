@@ -184,7 +184,8 @@ impl Device {
 
     fn body_from(&self, name: &str) -> PyResult<RigidTransform> {
         let twin = &self.twin;
-        let mut all = vec![("body", RigidTransform::IDENTITY), ("imu", twin.body_from_imu)];
+        let mut all = vec![("body", RigidTransform::IDENTITY)];
+        all.extend(twin.body_from_imu.map(|pose| ("imu", pose)));
         for camera in &twin.cameras {
             all.push((camera.spec.role.as_str(), camera.body_from_camera));
         }

@@ -52,8 +52,11 @@ pub struct DepthSensor {
     pub kind: DepthKind,
     /// The prim of the virtual camera, `Camera_pseudo_depth`.
     pub prim: String,
-    /// The camera whose optics and position it has.
+    /// The camera whose optics and position it has: of a stereo pair, the left one.
     pub camera: Role,
+    /// The right camera of its stereo pair; by default, the one with the role `right`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub right_camera: Option<Role>,
     /// `focusDistance` of the virtual camera.
     pub focus_distance: f64,
     /// `clippingRange` of the virtual camera, m.
@@ -96,6 +99,15 @@ pub struct DepthSensor {
 }
 
 impl DepthSensor {
+    /// Returns the left and the right camera of its stereo pair, or `None` for time of flight.
+    #[must_use]
+    pub fn pair(&self) -> Option<(Role, Role)> {
+        match self.kind {
+            DepthKind::Stereo => Some((self.camera, self.right_camera.unwrap_or(Role::Right))),
+            DepthKind::Tof => None,
+        }
+    }
+
     /// Returns the attributes of the render product in the standard or the extended mode. Attributes that the parameter sheet
     /// lacks have the schema's defaults.
     #[must_use]

@@ -12,7 +12,7 @@ struct Model<'a> {
     generation: &'a str,
     cameras: Vec<ModelCamera<'a>>,
     depth_sensors: Vec<&'a str>,
-    stereo_baseline_mm: f64,
+    stereo_baseline_mm: Option<f64>,
     aliases: &'a [String],
 }
 
@@ -79,7 +79,9 @@ fn table(devices: &[&Device]) -> Table {
                     optics(device, Role::Rgb),
                     optics(device, Role::Left),
                     optics(device, Role::Tof),
-                    format!("{} mm", device.stereo_baseline_mm),
+                    device
+                        .stereo_baseline_mm
+                        .map_or_else(String::new, |baseline| format!("{baseline} mm")),
                     device.id.clone(),
                 ]
             })

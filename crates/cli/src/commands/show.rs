@@ -1,6 +1,6 @@
 use std::fmt::Write;
 
-use oaktwin::catalog::{Source, Sourced, Sources};
+use oaktwin::catalog::{Sensor, Source, Sourced, Sources};
 use oaktwin::report::{CameraReport, DepthReport, DeviceReport};
 
 use crate::args::ShowArgs;
@@ -26,8 +26,10 @@ fn text(report: &DeviceReport, provenance: bool) -> String {
         sources(&mut out, report.source, &report.sources);
         let _ = writeln!(out, "  body");
         sources(&mut out, report.body.source, &report.body.sources);
-        let _ = writeln!(out, "  imu");
-        sources(&mut out, report.imu.source, &report.imu.sources);
+        if let Some(imu) = &report.imu {
+            let _ = writeln!(out, "  imu");
+            sources(&mut out, imu.source, &imu.sources);
+        }
     }
     for camera in &report.cameras {
         camera_text(&mut out, camera, provenance);
@@ -66,9 +68,13 @@ fn text(report: &DeviceReport, provenance: bool) -> String {
 
 fn device_text(out: &mut String, report: &DeviceReport) {
     let mut line = |label: &str, value: String| field(out, label, &value);
+    let platform = report.platform.as_ref();
     line(
         "generation",
-        format!("{}, {}", report.generation, report.platform),
+        platform.map_or_else(
+            || report.generation.clone(),
+            |platform| format!("{}, {platform}", report.generation),
+        ),
     );
     line("variant", report.variant.clone());
     line("values", report.origin.clone());
@@ -82,41 +88,45 @@ fn device_text(out: &mut String, report: &DeviceReport) {
             mark(&report.body, "mass_g"),
         ),
     );
-    line(
-        "baseline",
-        match report.origin.as_str() {
-            "nominal" => format!("{:.1} mm", report.baseline_mm),
-            _ => format!(
-                "{:.3} mm (nominal {:.1} mm)",
-                report.baseline_mm, report.nominal_baseline_mm
-            ),
-        },
-    );
+    if let (Some(baseline_mm), Some(nominal_mm)) = (report.baseline_mm, report.nominal_baseline_mm) {
+        line(
+            "baseline",
+            match report.origin.as_str() {
+                "nominal" => format!("{baseline_mm:.1} mm"),
+                _ => format!("{baseline_mm:.3} mm (nominal {nominal_mm:.1} mm)"),
+            },
+        );
+    }
     line(
         "IMU",
-        format!(
-            "{} at {} mm{}",
-            report.imu.model,
-            triple(report.imu.position_mm),
-            mark(&report.imu, "position_mm"),
+        report.imu.as_ref().map_or_else(
+            || "none, or its pose is unknown; see the notes".to_owned(),
+            |imu| {
+                let place = triple(imu.position_mm);
+                format!("{} at {place} mm{}", imu.model, mark(imu, "position_mm"))
+            },
         ),
     );
     for sensor in &report.sensors {
-        line(
-            &sensor.id,
-            format!(
-                "{} {}, {}×{} used of {}×{}, {} µm, {}",
-                sensor.manufacturer,
-                sensor.kind,
-                sensor.used_resolution.0,
-                sensor.used_resolution.1,
-                sensor.native_resolution.0,
-                sensor.native_resolution.1,
-                sensor.pixel_size_um,
-                sensor.optical_format,
-            ),
-        );
+        line(&sensor.id, sensor_text(sensor));
     }
+}
+
+fn sensor_text(sensor: &Sensor) -> String {
+    let manufacturer = sensor.manufacturer.as_ref();
+    let format = sensor.optical_format.as_ref();
+    format!(
+        "{}{}, {}×{} used of {}×{}, {} µm{}{}",
+        manufacturer.map_or_else(String::new, |name| format!("{name} ")),
+        sensor.kind,
+        sensor.used_resolution.0,
+        sensor.used_resolution.1,
+        sensor.native_resolution.0,
+        sensor.native_resolution.1,
+        sensor.pixel_size_um,
+        mark(sensor, "pixel_size_um"),
+        format.map_or_else(String::new, |format| format!(", {format}")),
+    )
 }
 
 fn accuracy_text(out: &mut String, report: &DeviceReport) {
@@ -159,8 +169,9 @@ fn camera_text(out: &mut String, camera: &CameraReport, provenance: bool) {
         out,
         "field of view",
         &format!(
-            "{h:.2}° × {v:.2}°, diagonal {d:.2}° (maxFOV {}°)",
+            "{h:.2}° × {v:.2}°, diagonal {d:.2}°{}",
             usd.max_fov_deg
+                .map_or_else(String::new, |max| format!(" (maxFOV {max}°)"))
         ),
     );
     let (a, b) = (usd.aperture_offsets_openusd, usd.aperture_offsets_document);
@@ -202,19 +213,15 @@ fn camera_text(out: &mut String, camera: &CameraReport, provenance: bool) {
         "lens",
         &format!("{} {}", camera.lens, coefficients.join(" ")),
     );
-    let legacy = &camera.legacy_distortion;
-    let all = legacy
-        .poly_k
-        .iter()
-        .chain(&legacy.p)
-        .chain(&legacy.s)
-        .map(f64::to_string)
-        .collect::<Vec<_>>();
-    field(
-        out,
-        "polyK, p, s",
-        &format!("{} (no effect on a pinhole)", all.join(" ")),
-    );
+    if let Some(legacy) = &camera.legacy_distortion {
+        let all = legacy.poly_k.iter().chain(&legacy.p).chain(&legacy.s);
+        let all: Vec<String> = all.map(f64::to_string).collect();
+        field(
+            out,
+            "polyK, p, s",
+            &format!("{} (no effect on a pinhole)", all.join(" ")),
+        );
+    }
     if provenance {
         sources(out, camera.source, &camera.sources);
     }

@@ -62,8 +62,10 @@ impl PairCameras {
     /// Returns an error if an option is out of range, the device has no stereo pair or no projector, the images are too large, or the
     /// cameras cannot be rectified.
     pub fn new(twin: &Twin, options: &PairOptions) -> Result<Self, PairError> {
-        let left = eye(twin, Role::Left, "left", options)?;
-        let mut right = eye(twin, Role::Right, "right", options)?;
+        let [left, mut right] = [
+            eye(twin, options.cameras.0, options)?,
+            eye(twin, options.cameras.1, options)?,
+        ];
         let rectify = options.rectify.unwrap_or_else(|| device_rectification(twin));
         let right_from_left = right.body_from_camera.inverse() * left.body_from_camera;
         let rectify = StereoRectify::new(&left.camera, &right.camera, &right_from_left, &rectify);
@@ -182,17 +184,12 @@ fn rectified(rectify: &Rectify, raw: &Recorded) -> Recorded {
     found.unwrap_or_else(|| raw.clone())
 }
 
-fn eye(
-    twin: &Twin,
-    role: Role,
-    name: &'static str,
-    options: &PairOptions,
-) -> Result<StereoCamera, PairError> {
+fn eye(twin: &Twin, role: Role, options: &PairOptions) -> Result<StereoCamera, PairError> {
     let device = || twin.device.name.clone();
     let Some(camera) = twin.camera(role) else {
         return Err(PairError::NoCamera {
             device: device(),
-            role: name,
+            role: role.as_str(),
         });
     };
     let mut optics = twin.optics(camera, options.lens);
@@ -228,7 +225,7 @@ fn bias_px(twin: &Twin, options: &PairOptions) -> Result<f64, ParameterError> {
 /// The size of a pixel of the cameras' own resolution, px of the images.
 fn scale(twin: &Twin, options: &PairOptions) -> f64 {
     let own = twin
-        .camera(Role::Right)
+        .camera(options.cameras.1)
         .map(|camera| camera.intrinsics.size.width);
     match (own, options.size) {
         (Some(own), Some(size)) => f64::from(size.width) / f64::from(own),

@@ -10,8 +10,19 @@ pub enum PairError {
     NoCamera {
         /// The device.
         device: String,
-        /// `left` or `right`.
+        /// The role of the camera, such as `left`.
         role: &'static str,
+    },
+    /// The depth sensors to render have different pairs.
+    #[error(
+        "{device}: {} have different stereo pairs; choose one of them by name",
+        sensors.join(", ")
+    )]
+    SeveralPairs {
+        /// The device.
+        device: String,
+        /// The prims of the depth sensors.
+        sensors: Vec<String>,
     },
     /// The device has no projector.
     #[error("{device}: projector: the model has no dot projector; turn it off, or choose a Pro model")]

@@ -1,4 +1,5 @@
 use oaktwin_camera::ImageSize;
+use oaktwin_catalog::Role;
 use oaktwin_depth::imager::Parameters;
 use oaktwin_depth::rectify::RectifyOptions;
 use oaktwin_usd::asset::LensChoice;
@@ -6,6 +7,8 @@ use oaktwin_usd::asset::LensChoice;
 /// The options of recording a pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairOptions {
+    /// The left and the right camera of the pair; by default those with the roles `left` and `right`.
+    pub cameras: (Role, Role),
     /// The image sensors, with their blur in px of the cameras' own resolution. Both have the same exposure.
     pub imager: Parameters,
     /// The rectification; by default that of the device's processor.
@@ -30,6 +33,7 @@ pub struct PairOptions {
 impl Default for PairOptions {
     fn default() -> Self {
         Self {
+            cameras: (Role::Left, Role::Right),
             imager: Parameters::default(),
             rectify: None,
             projector: 0.0,

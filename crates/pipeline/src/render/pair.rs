@@ -10,17 +10,43 @@ use oaktwin_diagnostic::{Finding, Level};
 /// The tolerance of rotations (rad) and focal lengths (relative), far below a pixel.
 const SAME: f64 = 1e-6;
 
-/// Returns the stereo pair of a twin. The camera of its stereo depth sensor becomes the rectified left camera, whose depth
+/// Returns the stereo pair of the depth sensors among the cameras, by default the left and right cameras of the twin. The camera
+/// of such a depth sensor becomes the rectified left camera, whose depth
 /// stereo matching reports, also for ground truth and `camera_params`. For a nominal pinhole pair that changes nothing; otherwise a
 /// finding reports the difference.
 ///
 /// # Errors
-/// Returns an error if the device has no pair or an option is invalid.
+/// Returns an error if the device has no pair, the depth sensors have different pairs, or an option is invalid.
 pub fn put_pair(
     twin: &Twin,
     cameras: &mut [PlacedCamera],
     options: &PairOptions,
 ) -> Result<(PairCameras, Vec<Finding>), PairError> {
+    let mut sensors = Vec::new();
+    for camera in &*cameras {
+        if let Some(DepthSensorSource::Twin(prim)) = &camera.depth_sensor {
+            sensors.extend(
+                twin.depth_sensors
+                    .iter()
+                    .filter(|sensor| sensor.spec.prim == *prim),
+            );
+        }
+    }
+    let pairs = || {
+        sensors
+            .iter()
+            .filter_map(|sensor| Some((sensor, sensor.spec.pair()?)))
+    };
+    let options = &PairOptions {
+        cameras: pairs().next().map_or(options.cameras, |(_, pair)| pair),
+        ..*options
+    };
+    if pairs().any(|(_, pair)| pair != options.cameras) {
+        return Err(PairError::SeveralPairs {
+            device: twin.device.name.clone(),
+            sensors: pairs().map(|(sensor, _)| sensor.spec.prim.clone()).collect(),
+        });
+    }
     let pair = PairCameras::new(twin, options)?;
     let own = pair.rectify().geometry().left;
     let mount_from_camera = pair.body_from_rectified_left();

@@ -45,7 +45,8 @@ pub struct CameraReport {
     /// The direction of the optical axis in degrees: yaw to the left, pitch up.
     pub yaw_pitch_deg: [f64; 2],
     /// The parameter sheet's column of distortion values.
-    pub legacy_distortion: LegacyDistortion,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub legacy_distortion: Option<LegacyDistortion>,
     /// The source of the catalog's values.
     pub source: Source,
     /// The keys with another source.
@@ -87,7 +88,8 @@ pub struct UsdReport {
     /// `cameraProjectionType`.
     pub camera_projection_type: String,
     /// `maxFOV` of the parameter sheet, degrees.
-    pub max_fov_deg: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_fov_deg: Option<f64>,
 }
 
 /// `horizontalApertureOffset` and `verticalApertureOffset`.

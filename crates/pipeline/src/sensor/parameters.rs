@@ -18,10 +18,10 @@ pub fn single_view_parameters(
     parameters
 }
 
-/// Returns the geometry and image width of the stereo pair of a twin at its cameras' used resolution, or `None` if it has
-/// no pair.
-pub(super) fn stereo_pair(twin: &Twin) -> Option<(StereoGeometry, u32)> {
-    let (left, right) = (twin.rectified_left()?, twin.camera(Role::Right)?);
+/// Returns the geometry and image width of a stereo pair of a twin at its cameras' used resolution, or `None` if it lacks one
+/// of the cameras.
+pub(super) fn stereo_pair(twin: &Twin, pair: (Role, Role)) -> Option<(StereoGeometry, u32)> {
+    let (left, right) = (twin.rectified_left(pair)?, twin.camera(pair.1)?);
     let baseline = left.body_from_camera.translation - right.body_from_camera.translation;
     let stereo = StereoGeometry {
         focal_length_px: left.intrinsics.fx,
@@ -34,7 +34,7 @@ pub(super) fn stereo_pair(twin: &Twin) -> Option<(StereoGeometry, u32)> {
 /// no pair.
 #[must_use]
 pub fn stereo_noise_parameters(twin: &Twin) -> Option<stereo_noise::Parameters> {
-    let (stereo, width_px) = stereo_pair(twin)?;
+    let (stereo, width_px) = stereo_pair(twin, (Role::Left, Role::Right))?;
     Some(stereo_noise::Parameters::new(stereo, width_px))
 }
 

@@ -1,7 +1,7 @@
 //! What engines are made of, from a twin, a render product or a stereo pair.
 
 use oaktwin_camera::{Intrinsics, StereoGeometry, Usd};
-use oaktwin_catalog::{DepthKind, Twin, TwinDepthSensor};
+use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_depth::preset::Platform;
 use oaktwin_depth::{EngineKind, ParameterError, PresetConfig, Setup, single_view};
 use oaktwin_diagnostic::{Finding, Level};
@@ -112,14 +112,14 @@ fn of_twin(
         findings.push(own_focal_length(&image, &camera, &sensor.spec.prim));
     }
     let preset = preset::of_sensor(twin, sensor.spec.kind, options)?;
-    let geometry = match sensor.spec.kind {
-        DepthKind::Stereo => stereo_pair(twin).map(|(stereo, width_px)| {
+    let geometry = match sensor.spec.pair() {
+        Some(pair) => stereo_pair(twin, pair).map(|(stereo, width_px)| {
             let focal_length_px = own.map_or(stereo.focal_length_px, |image| {
                 image.fx * f64::from(width_px) / f64::from(image.size.width)
             });
             Setup::new(focal_length_px, width_px, stereo.baseline_m)
         }),
-        DepthKind::Tof => camera.map(|camera| {
+        None => camera.map(|camera| {
             let image = options.image.unwrap_or(camera);
             let fx = if own.is_some() {
                 image.fx

@@ -89,17 +89,22 @@ pub(super) fn add_offsets(prim: &mut Prim, optics: &UsdOptics) {
     );
 }
 
-/// Adds the sheet's distortion rows under the names that Isaac Sim read before 5.0. "Not Applicable" rows are omitted.
+/// Adds the sheet's distortion rows under the names that Isaac Sim read before 5.0, if the catalog has them. "Not Applicable"
+/// rows are omitted.
 fn add_legacy_distortion(prim: &mut Prim, camera: &TwinCamera) {
     let ImageSize { width, height } = camera.intrinsics.size;
     let centre = camera.intrinsics.principal_point::<Usd>();
-    let LegacyDistortion { poly_k, p, s, .. } = &camera.spec.legacy_distortion;
+    let Some(LegacyDistortion { poly_k, p, s, .. }) = &camera.spec.legacy_distortion else {
+        return;
+    };
     prim.set("cameraProjectionType", Value::token(&camera.spec.projection_type));
     prim.set("fthetaWidth", float(f64::from(width)));
     prim.set("fthetaHeight", float(f64::from(height)));
     prim.set("fthetaCx", float(centre.x));
     prim.set("fthetaCy", float(centre.y));
-    prim.set("fthetaMaxFov", float(camera.spec.max_fov_deg));
+    if let Some(max_fov_deg) = camera.spec.max_fov_deg {
+        prim.set("fthetaMaxFov", float(max_fov_deg));
+    }
     for (letter, k) in ('A'..='F').zip(poly_k) {
         prim.set(format!("fthetaPoly{letter}"), float(*k));
     }

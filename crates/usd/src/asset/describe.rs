@@ -1,6 +1,6 @@
 //! The documentation strings of an asset: the sources of its numbers, its frames and units, its estimates.
 
-use oaktwin_catalog::{DepthKind, Origin, Source, Sources, Twin, TwinCamera, TwinDepthSensor};
+use oaktwin_catalog::{DepthKind, Imu, Origin, Source, Sources, Twin, TwinCamera, TwinDepthSensor};
 
 use super::{AssetOptions, Target, lens};
 
@@ -117,8 +117,7 @@ pub(super) fn product(sensor: &TwinDepthSensor) -> String {
 }
 
 /// Describes the inertial sensor.
-pub(super) fn imu(twin: &Twin, options: &AssetOptions) -> String {
-    let imu = &twin.device.imu;
+pub(super) fn imu(imu: &Imu, options: &AssetOptions) -> String {
     let place = is_estimate(&imu.source, &imu.sources, "position_mm")
         || is_estimate(&imu.source, &imu.sources, "rotation");
     let below = if options.rigid_body {
@@ -176,11 +175,13 @@ fn estimates(twin: &Twin) -> Vec<String> {
     if device.body.projector_mm.is_some() && body("projector_mm") {
         estimates.push("position of the projector".into());
     }
-    if is_estimate(&device.imu.source, &device.imu.sources, "position_mm") {
-        estimates.push("position of the inertial unit".into());
-    }
-    if is_estimate(&device.imu.source, &device.imu.sources, "rotation") {
-        estimates.push("axes of the inertial unit".into());
+    if let Some(imu) = &device.imu {
+        if is_estimate(&imu.source, &imu.sources, "position_mm") {
+            estimates.push("position of the inertial unit".into());
+        }
+        if is_estimate(&imu.source, &imu.sources, "rotation") {
+            estimates.push("axes of the inertial unit".into());
+        }
     }
     if twin.origin == Origin::Nominal {
         for camera in &device.cameras {

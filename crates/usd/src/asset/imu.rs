@@ -3,9 +3,10 @@ use oaktwin_catalog::Twin;
 use super::{AssetOptions, IMU, describe, pose};
 use crate::text::Prim;
 
-/// Creates the inertial sensor, which has Isaac Sim's schema; other tools see a prim of unknown type.
-pub(super) fn prim(twin: &Twin, options: &AssetOptions) -> Prim {
-    let mut prim = Prim::def("IsaacImuSensor", IMU).documented(describe::imu(twin, options));
-    pose::set(&mut prim, &twin.body_from_imu);
-    prim
+/// Creates the inertial sensor, if its pose is known. It has Isaac Sim's schema; other tools see a prim of unknown type.
+pub(super) fn prim(twin: &Twin, options: &AssetOptions) -> Option<Prim> {
+    let (imu, pose) = (twin.device.imu.as_ref()?, twin.body_from_imu.as_ref()?);
+    let mut prim = Prim::def("IsaacImuSensor", IMU).documented(describe::imu(imu, options));
+    pose::set(&mut prim, pose);
+    Some(prim)
 }

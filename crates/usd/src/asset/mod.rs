@@ -124,7 +124,7 @@ pub fn asset(twin: &Twin, options: &AssetOptions) -> Result<Asset, AssetError> {
     for camera in &twin.cameras {
         device_prim.children.push(camera::prim(twin, camera, options)?);
     }
-    device_prim.children.push(imu::prim(twin, options));
+    device_prim.children.extend(imu::prim(twin, options));
     if let Some(body) = body {
         if options.body {
             let scopes = geometry::scopes(body.parts, &body.materials, &device_path);

@@ -1,12 +1,12 @@
 use oaktwin_camera::math::DVec2;
-use oaktwin_catalog::{Role, Twin};
+use oaktwin_catalog::{BodyShape, Role, Twin};
 
 use super::loft::{End, Frame, loft};
 use super::material;
 use super::outline::{FINE, Outline, circle, fraction, rounded_rectangle};
 use super::plate::{Opening, plate};
 use super::window::{self, Window};
-use super::{BodyPart, Envelope, Family};
+use super::{BodyPart, Envelope};
 
 /// The distance of the glass behind the front face, mm.
 const INSET: f64 = 0.35;
@@ -30,10 +30,10 @@ pub(super) struct Panel {
 }
 
 impl Panel {
-    pub(super) fn of(twin: &Twin, envelope: &Envelope, family: Family) -> Self {
+    pub(super) fn of(twin: &Twin, envelope: &Envelope, family: BodyShape) -> Self {
         let rim = match family {
-            Family::Bar | Family::Box => 1.6,
-            Family::Comb => 2.6,
+            BodyShape::Bar | BodyShape::Compact | BodyShape::Plain => 1.6,
+            BodyShape::Comb => 2.6,
         } * (envelope.half.min_element() / 20.0).min(1.0);
         let whole = envelope.half - rim;
         // On a tall front, the glass covers the area around the cameras only.

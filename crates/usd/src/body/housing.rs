@@ -1,29 +1,34 @@
 use std::f64::consts::FRAC_PI_2;
 
 use oaktwin_camera::math::{DVec2, DVec3};
+use oaktwin_catalog::BodyShape;
 
 use super::front::Panel;
 use super::loft::{End, Frame, loft};
 use super::material;
 use super::mesh::Mesh;
 use super::outline::{COARSE, FINE, Outline, fraction, rounded_rectangle};
-use super::{BodyPart, Envelope, Family, fastener};
+use super::{BodyPart, Envelope, fastener};
 
 /// The number of segments of a rounded edge.
 const FILLET: usize = 4;
 
 /// Creates everything behind the front glass.
-pub(super) fn parts(envelope: &Envelope, family: Family, panel: &Panel) -> Vec<BodyPart> {
+pub(super) fn parts(envelope: &Envelope, family: BodyShape, panel: &Panel) -> Vec<BodyPart> {
     match family {
-        Family::Bar => bar(envelope, panel),
-        Family::Comb => comb(envelope, panel),
-        Family::Box => compact(envelope, panel),
+        BodyShape::Bar => bar(envelope, panel),
+        BodyShape::Comb => comb(envelope, panel),
+        BodyShape::Compact => compact(envelope, panel),
+        BodyShape::Plain => {
+            let back = envelope.back_x();
+            vec![shell(envelope, family, panel, back, material::ALUMINIUM)]
+        }
     }
 }
 
 /// Creates a prism of the outer dimensions with cut corners. Its arrays have at most 64 elements: above that, NVIDIA's
 /// validator requires OpenUSD's binary format.
-pub(super) fn collider(envelope: &Envelope, family: Family) -> BodyPart {
+pub(super) fn collider(envelope: &Envelope, family: BodyShape) -> BodyPart {
     let radius = envelope.corner_radius(family);
     let outline = || rounded_rectangle(envelope.centre(), envelope.half, radius, 2);
     let stations = [(envelope.back_x(), outline()), (envelope.front.x, outline())];
@@ -31,7 +36,13 @@ pub(super) fn collider(envelope: &Envelope, family: Family) -> BodyPart {
 }
 
 /// Creates the block that holds the glass, from `back_x` to the front face, as wide and high as the envelope.
-fn shell(envelope: &Envelope, family: Family, panel: &Panel, back_x: f64, metal: &'static str) -> BodyPart {
+fn shell(
+    envelope: &Envelope,
+    family: BodyShape,
+    panel: &Panel,
+    back_x: f64,
+    metal: &'static str,
+) -> BodyPart {
     let radius = envelope.corner_radius(family);
     let front_x = envelope.front.x;
     let outline = |inset: f64| -> Outline {
@@ -102,7 +113,7 @@ fn bar(envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
     let (back, centre, half) = (envelope.back_x(), envelope.centre(), envelope.half);
     let fins = 0.19 * envelope.depth;
     let wall = back + fins;
-    let mut parts = vec![shell(envelope, Family::Bar, panel, wall, material::ALUMINIUM)];
+    let mut parts = vec![shell(envelope, BodyShape::Bar, panel, wall, material::ALUMINIUM)];
     let reach = half.y - 4.0;
     let mut comb = Mesh::default();
     for y in spread(0.47 * half.x, 4.4) {
@@ -134,7 +145,13 @@ fn compact(envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
     let (back, centre, half) = (envelope.back_x(), envelope.centre(), envelope.half);
     let fins = 0.13 * envelope.depth;
     let wall = back + fins;
-    let mut parts = vec![shell(envelope, Family::Box, panel, wall, material::ALUMINIUM)];
+    let mut parts = vec![shell(
+        envelope,
+        BodyShape::Compact,
+        panel,
+        wall,
+        material::ALUMINIUM,
+    )];
     let mut comb = Mesh::default();
     for y in spread(0.78 * half.x, 4.4) {
         let z = [centre.y - 0.08 * half.y, centre.y + half.y - 4.0];
@@ -164,7 +181,7 @@ fn comb(envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
     let (back, centre, half) = (envelope.back_x(), envelope.centre(), envelope.half);
     let metal = material::BLACK_ALUMINIUM;
     let block_back = (panel.floor_x - 3.0).max(back + 0.4 * envelope.depth);
-    let mut parts = vec![shell(envelope, Family::Comb, panel, block_back, metal)];
+    let mut parts = vec![shell(envelope, BodyShape::Comb, panel, block_back, metal)];
 
     // The core that carries the fins, and the bay for the connectors.
     let wall = back + 0.12 * envelope.depth;
@@ -178,7 +195,7 @@ fn comb(envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
     ];
     parts.push(loft(Frame::FORWARD, &stations, End::Flat, End::Flat).into_part("core", metal));
 
-    let radius = envelope.corner_radius(Family::Comb);
+    let radius = envelope.corner_radius(BodyShape::Comb);
     let bay_half = 0.36 * half.x;
     let thickness = 1.9;
     let reach = half.y;

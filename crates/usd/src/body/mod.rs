@@ -20,7 +20,7 @@ mod tests;
 mod window;
 
 use oaktwin_camera::math::{DVec2, DVec3};
-use oaktwin_catalog::{Role, Twin};
+use oaktwin_catalog::{BodyShape, Twin};
 
 pub use material::BodyMaterial;
 
@@ -50,17 +50,6 @@ pub struct BodyModel {
     pub materials: Vec<BodyMaterial>,
     /// A convex mesh with the outer dimensions.
     pub collider: BodyPart,
-}
-
-/// The basic shape of a body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Family {
-    /// A long bar with fins between the connectors (RVC2).
-    Bar,
-    /// A bar in front of a comb of fins (RVC4).
-    Comb,
-    /// A short box (time of flight).
-    Box,
 }
 
 /// The outer dimensions that all parts fit into, mm.
@@ -94,11 +83,12 @@ impl Envelope {
     }
 
     /// Returns the radius of the edges that run from front to back.
-    fn corner_radius(&self, family: Family) -> f64 {
+    fn corner_radius(&self, family: BodyShape) -> f64 {
         let share = match family {
-            Family::Bar => 0.46,
-            Family::Comb => 0.14,
-            Family::Box => 0.3,
+            BodyShape::Bar => 0.46,
+            BodyShape::Comb => 0.14,
+            BodyShape::Compact => 0.3,
+            BodyShape::Plain => 0.2,
         };
         share * self.half.min_element()
     }
@@ -111,13 +101,7 @@ impl Envelope {
 #[must_use]
 pub fn body(twin: &Twin) -> BodyModel {
     let envelope = Envelope::of(twin);
-    let family = if twin.camera(Role::Tof).is_some() {
-        Family::Box
-    } else if twin.device.generation == "RVC4" {
-        Family::Comb
-    } else {
-        Family::Bar
-    };
+    let family = twin.device.body.shape;
     let panel = front::Panel::of(twin, &envelope, family);
     let mut parts = housing::parts(&envelope, family, &panel);
     parts.extend(front::parts(twin, &envelope, &panel));
