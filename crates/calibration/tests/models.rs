@@ -1,7 +1,5 @@
 //! The models of real calibrations.
 
-#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test")]
-
 use std::fs;
 use std::path::Path;
 

@@ -5,12 +5,13 @@ use oaktwin_diagnostic::{fold_name, nearest};
 use serde::Serialize;
 
 use crate::document::Document;
-use crate::{CatalogError, DepthKind, Device, Sensor, Source, UnknownModel, builtin, check};
+use crate::{CatalogError, DepthKind, Device, InertialPart, Sensor, Source, UnknownModel, builtin, check};
 
-/// A collection of sensors and devices.
+/// A collection of sensors, inertial parts and devices.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Catalog {
     sensors: Vec<Sensor>,
+    inertial_parts: Vec<InertialPart>,
     devices: Vec<Device>,
 }
 
@@ -55,6 +56,7 @@ impl Catalog {
     const fn empty() -> Self {
         Self {
             sensors: Vec::new(),
+            inertial_parts: Vec::new(),
             devices: Vec::new(),
         }
     }
@@ -83,6 +85,26 @@ impl Catalog {
         self.devices
             .iter()
             .filter(|device| device.source == Source::Document)
+    }
+
+    /// Returns the inertial parts.
+    #[must_use]
+    pub fn inertial_parts(&self) -> &[InertialPart] {
+        &self.inertial_parts
+    }
+
+    /// Returns the inertial part with an id.
+    #[must_use]
+    pub fn inertial_part(&self, id: &str) -> Option<&InertialPart> {
+        let id = fold_name(id);
+        self.inertial_parts.iter().find(|part| fold_name(&part.id) == id)
+    }
+
+    /// Returns the part of a device whose accelerometer and gyroscope are simulated, if a source names it.
+    #[must_use]
+    pub fn inertial_part_of(&self, device: &Device) -> Option<&InertialPart> {
+        let mut parts = device.imu.iter().flat_map(|imu| &imu.parts);
+        parts.find_map(|id| self.inertial_part(id).filter(|part| part.is_inertial()))
     }
 
     /// Returns the device with a name: its id, name or an alias, otherwise its prim, ignoring case, spaces, hyphens and
@@ -143,13 +165,21 @@ impl Catalog {
             .iter()
             .map(|source| Document::parse(source.file, source.text))
             .collect::<Result<Vec<_>, _>>()?;
-        let (devices, sensors): (Vec<_>, Vec<_>) = documents.iter().partition(|d| is_device(d));
+        let (devices, parts): (Vec<_>, Vec<_>) = documents.iter().partition(|d| is_device(d));
+        let (parts, sensors): (Vec<_>, Vec<_>) = parts.into_iter().partition(|d| is_inertial_part(d));
         let mut new_ids: Vec<String> = Vec::new();
         for document in sensors {
             let sensor: Sensor = document.deserialize()?;
             check::sensor(document, &sensor)?;
             check::new_id(document, &sensor.id, &mut new_ids)?;
             put(&mut self.sensors, sensor, |sensor| &sensor.id);
+        }
+        new_ids.clear();
+        for document in parts {
+            let part: InertialPart = document.deserialize()?;
+            check::inertial_part(document, &part)?;
+            check::new_id(document, &part.id, &mut new_ids)?;
+            put(&mut self.inertial_parts, part, |part| &part.id);
         }
         new_ids.clear();
         for document in devices {
@@ -201,6 +231,13 @@ fn without_suffix(name: &str) -> Option<&str> {
     let custom = last.strip_prefix(['C', 'c']);
     let is_custom = custom.is_some_and(|numbers| numbers.splitn(2, ['M', 'm']).all(is_number));
     (is_focus || is_custom).then_some(rest)
+}
+
+/// Whether a file that does not describe a device describes an inertial part.
+fn is_inertial_part(document: &Document<'_>) -> bool {
+    ["accelerometer", "gyroscope", "magnetometer"]
+        .iter()
+        .any(|key| document.has(key))
 }
 
 fn put<T>(entries: &mut Vec<T>, new: T, id: impl Fn(&T) -> &str) {

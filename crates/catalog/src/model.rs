@@ -1,8 +1,10 @@
 //! The contents of sensor and device files, key by key, with units in the names as in the files.
 
 mod depth_sensor;
+mod inertial;
 
 pub use depth_sensor::{DepthKind, DepthSensor};
+pub use inertial::{Accelerometer, Gyroscope, InertialPart, Magnetometer};
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -349,6 +351,10 @@ pub struct Imu {
     /// The longer text of the sheet's device table, if it differs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub detail: Option<String>,
+    /// The ids of its parts, such as `BNO086`, of which the first with an accelerometer and a gyroscope is simulated; empty if
+    /// no source names them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub parts: Vec<String>,
     /// The position in the body frame in mm.
     pub position_mm: [f64; 3],
     /// The axes in the body frame: the rows of `body_from_imu`'s rotation.

@@ -4,7 +4,10 @@ use std::fmt;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{Body, Camera, DepthSensor, Device, Imu, Projector, Sensor};
+use crate::{
+    Accelerometer, Body, Camera, DepthSensor, Device, Gyroscope, Imu, InertialPart, Magnetometer, Projector,
+    Sensor,
+};
 
 /// The source of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -76,7 +79,19 @@ macro_rules! sourced {
     )*};
 }
 
-sourced!(Sensor, Device, Body, Imu, Projector, Camera, DepthSensor);
+sourced!(
+    Sensor,
+    Device,
+    Body,
+    Imu,
+    InertialPart,
+    Accelerometer,
+    Gyroscope,
+    Magnetometer,
+    Projector,
+    Camera,
+    DepthSensor
+);
 
 #[cfg(test)]
 mod tests {

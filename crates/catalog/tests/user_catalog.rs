@@ -126,7 +126,7 @@ fn wrong_keys_say_the_line_and_the_right_key() {
 }
 
 /// What is replaced in a device file, by what, and the message about it.
-const INVALID_VALUES: [[&str; 3]; 26] = [
+const INVALID_VALUES: [[&str; 3]; 27] = [
     [
         "hfov_deg = 77.0",
         "hfov_deg = \"77\"",
@@ -191,6 +191,11 @@ const INVALID_VALUES: [[&str; 3]; 26] = [
         "rotation = [[0.0, 0.0, -1.0]",
         "rotation = [[0.0, 0.0, 1.0]",
         "not a rotation; give three orthogonal rows of length 1 with determinant +1",
+    ],
+    [
+        "parts = [\"BNO086\"]",
+        "parts = [\"BNO085\"]",
+        "unknown inertial part \"BNO085\"; did you mean 'BNO086'? A new part needs a file of its own",
     ],
     [
         "camera = \"left\"",
@@ -334,7 +339,7 @@ fn sensors_are_checked_too() {
 fn rejects_invalid_folders() {
     assert_eq!(
         error(&[("notes.txt", b"")]),
-        "DIR: the folder contains no TOML file; add sensors and devices to it or to its subfolders 'sensors' and 'devices'"
+        "DIR: the folder contains no TOML file; add sensors and devices to it or to its subfolders 'sensors', 'imus' and 'devices'"
     );
     assert_eq!(
         error(&[("a.toml", b" \n")]),

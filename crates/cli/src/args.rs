@@ -3,6 +3,8 @@
 mod accuracy;
 mod annotators;
 mod asset;
+#[cfg(feature = "bridge")]
+mod bridge;
 mod calibration;
 pub(crate) mod choice;
 mod coverage;
@@ -31,6 +33,8 @@ use oaktwin::usd::stage::SceneLimit;
 
 pub(crate) use accuracy::AccuracyArgs;
 pub(crate) use asset::AssetArgs;
+#[cfg(feature = "bridge")]
+pub(crate) use bridge::BridgeArgs;
 pub(crate) use calibration::{
     CalibrationArgs, CalibrationCommand, CalibrationExportArgs, CalibrationShowArgs,
 };
@@ -93,6 +97,9 @@ pub(crate) enum Command {
     Render(Box<RenderArgs>),
     /// Simulate a model's depth sensor on existing depth images
     Sense(Box<SenseArgs>),
+    /// Simulate a model's depth sensor live, between topics of ROS 2
+    #[cfg(feature = "bridge")]
+    Bridge(Box<BridgeArgs>),
     /// Match stereo pairs like an OAK
     Stereo(Box<StereoArgs>),
     /// Measure a model's depth accuracy by the vendor's method, and compare with its specification

@@ -2,6 +2,8 @@
 
 pub(crate) mod accuracy;
 pub(crate) mod asset;
+#[cfg(feature = "bridge")]
+pub(crate) mod bridge;
 pub(crate) mod calibration;
 pub(crate) mod check;
 pub(crate) mod compare;

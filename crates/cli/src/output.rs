@@ -28,6 +28,12 @@ pub(crate) fn print_json(value: &impl Serialize) -> Result<()> {
     print(&(serde_json::to_string_pretty(value)? + "\n"))
 }
 
+/// Prints a value as one line of JSON.
+#[cfg(feature = "bridge")]
+pub(crate) fn print_json_line(value: &impl Serialize) -> Result<()> {
+    print(&(serde_json::to_string(value)? + "\n"))
+}
+
 /// Prints a message to standard error, if that is open.
 pub(crate) fn say(message: &str) {
     let _ = writeln!(io::stderr(), "{message}");

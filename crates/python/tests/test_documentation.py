@@ -20,6 +20,7 @@ NOT_RUN = {
     "pip install ": "the package and its peers are installed",
     "./python.sh ": "it needs Isaac Sim",
     "oaktwin studio": "it serves a page until it is stopped, and has tests of its own",
+    "oaktwin bridge": "it runs until it is stopped, and has tests of its own",
     "rerun ": "it opens a window",
     "ros2 ": "it needs ROS 2",
     "python examples/python/": "the program has a test of its own",

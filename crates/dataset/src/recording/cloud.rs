@@ -7,7 +7,8 @@ use oaktwin_image::{Image, ImageView};
 use super::{DepthView, MeasuredCamera, RecordedCamera};
 
 /// Returns the intersection of the ray at each pixel centre with the plane z = 1; NaN if there is none.
-pub(super) fn rays(camera: &Camera) -> Image<[f32; 2]> {
+#[must_use]
+pub fn rays(camera: &Camera) -> Image<[f32; 2]> {
     let size = camera.intrinsics.size;
     let mut rays = Image::filled(size.width, size.height, [f32::NAN; 2]);
     let columns = (size.width as usize).max(1);
@@ -25,10 +26,7 @@ pub(super) fn rays(camera: &Camera) -> Image<[f32; 2]> {
 }
 
 /// Returns the point of each pixel, metres in the camera's optical frame; NaN for invalid depth.
-pub(super) fn points<'a>(
-    rays: &'a Image<[f32; 2]>,
-    depth: DepthView<'a>,
-) -> impl Iterator<Item = [f32; 3]> + 'a {
+pub fn points<'a>(rays: &'a Image<[f32; 2]>, depth: DepthView<'a>) -> impl Iterator<Item = [f32; 3]> + 'a {
     (0..rays.pixels().len()).map(move |at| {
         let z = match depth {
             DepthView::Metres(image) => image.pixels().get(at).copied().unwrap_or(0.0),

@@ -57,6 +57,7 @@ use std::io;
 use oaktwin_camera::{Camera, ImageSize, RigidTransform};
 use oaktwin_image::ImageView;
 
+pub use cloud::{points, rays};
 pub use lens::ros_lens_loss;
 pub use mcap::Mcap;
 #[cfg(feature = "rerun")]

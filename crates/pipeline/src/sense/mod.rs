@@ -10,6 +10,8 @@
 //! has its index as its item and no history; as a [sequence](SenseOptions::is_sequence) they are frames instead.
 
 mod camera;
+mod image_sensor;
+mod images;
 mod options;
 mod picture;
 mod plan;
@@ -24,6 +26,7 @@ use std::path::PathBuf;
 
 pub use crate::input::InputKind;
 pub use camera::image_camera;
+pub use image_sensor::{ImageSensor, Measured};
 pub use oaktwin_dataset::CloudAxes;
 pub use options::{AlignTo, FieldOfView, SenseOptions};
 pub use plan::STANDARD_INPUT;

@@ -4,23 +4,23 @@ use std::path::PathBuf;
 
 use rayon::prelude::*;
 
-use super::options::ImageCamera;
+use super::image_sensor::check_engine;
+use super::images::{self, Images};
 use super::picture::Pictures;
 use super::plan::{self, DepthFile, Sequence};
 use super::shot::OutputContext;
 use super::stream::StreamWriter;
-use super::{FieldOfView, Input, InputKind, SenseError, SenseOptions, camera, rig};
-use crate::geometry::{places, resample, z_of_range};
+use super::{FieldOfView, Input, SenseError, SenseOptions, camera, rig};
 use crate::input::check_depth_scale;
 use crate::input::source::Source;
 use crate::limits;
 use crate::progress::Watch;
-use crate::sensor::{self, Engine, EngineInput, Sensor, SensorOptions, needs_a_pair, sensor};
+use crate::sensor::{self, Engine, Sensor};
 use crate::write::{Producer, write_while};
-use oaktwin_camera::{Camera, ImageSize, LensModel, RigidTransform, UsdOptics};
+use oaktwin_camera::{Camera, ImageSize, RigidTransform, UsdOptics};
 use oaktwin_catalog::{Twin, TwinCamera, TwinDepthSensor};
 use oaktwin_dataset::{self as dataset, Extras, FlatWriter, InputName, Shot, View, Writer};
-use oaktwin_diagnostic::{Finding, Level, message, opt};
+use oaktwin_diagnostic::{Finding, message, opt};
 use oaktwin_files::{FileError, OutputFiles, WrittenFile};
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Annotator;
@@ -67,13 +67,7 @@ pub fn sense(
     watch: &Watch<'_>,
 ) -> Result<Sensed, SenseError> {
     check_depth_scale(options.depth_scale).map_err(SenseError::option)?;
-    if let Some(engine) = options
-        .sensor
-        .engine
-        .filter(|kind| kind.input == EngineInput::Pair)
-    {
-        return Err(needs_a_pair(engine, "the input is a depth image").into());
-    }
+    check_engine(options)?;
     let mut sensed = Sensed::default();
     let sequences = plan::sequences(twin, inputs, options, &mut sensed.findings)?;
     let files = || sequences.iter().flat_map(|sequence| &sequence.files);
@@ -134,13 +128,9 @@ struct Session<'a> {
     /// The first file, and its size.
     first: PathBuf,
     size: ImageSize,
-    image: Camera,
+    images: Images,
     /// Whether the image's camera was read from its file's `camera_params`.
     is_by_params: bool,
-    /// The factors from range to z-depth, for range images.
-    z_of_range: Option<Vec<f32>>,
-    /// The image pixel of each of the model's pixels, if the images are resampled.
-    places: Option<Vec<Option<usize>>>,
     output: OutputContext<'a>,
 }
 
@@ -190,44 +180,14 @@ impl<'a> Run<'a, '_, '_> {
         size: ImageSize,
     ) -> Result<(Session<'a>, Sensor), SenseError> {
         let (options, prim) = (self.options, &sequence.sensor.spec.prim);
-        let own = self.twin.depth_camera(sequence.sensor).ok_or_else(|| {
-            SenseError::option(format!("the camera of {prim} is unknown; choose another model"))
-        })?;
-        let ImageCamera {
-            camera: image,
-            is_models,
-        } = camera::of_images(
+        let given = images::Given {
             size,
-            options.field_of_view,
-            file.params.as_deref(),
-            own.intrinsics,
-            self.findings,
-        )?;
-        let resampled = options.resample && !is_models;
-        let looked = if resampled {
-            self.findings
-                .retain(|finding| !matches!(finding.code, "own-size" | "image-lens"));
-            self.findings.push(Finding::new(
-                "resampled",
-                Level::Note,
-                prim,
-                format!(
-                    "images of {size}, focal length {:.2} px, resampled to the model's {}, {:.2} px (nearest samples)",
-                    image.intrinsics.fx, own.intrinsics.size, own.intrinsics.fx
-                ),
-                "",
-            ));
-            Camera::new(own.intrinsics, LensModel::Pinhole)
-        } else {
-            image
-        };
-        let settings = SensorOptions {
-            image: Some(looked.intrinsics),
+            kind: file.kind,
+            params: file.params.as_deref(),
             name: sequence.name.clone(),
-            ..options.sensor.clone()
         };
-        let (sensor, findings) = sensor(self.twin, sequence.sensor, &settings)?;
-        self.findings.extend(findings);
+        let (images, sensor) = Images::open(self.twin, sequence.sensor, given, options, self.findings)?;
+        let looked = images.measured;
         let engine = sensor.engine().kind().name;
         let used = (prim.clone(), engine);
         if !self.sensors.contains(&used) {
@@ -242,17 +202,15 @@ impl<'a> Run<'a, '_, '_> {
         let session = Session {
             first: file.path.clone(),
             size,
-            image,
             is_by_params: options.field_of_view == FieldOfView::Known && file.params.is_some(),
-            z_of_range: (file.kind == InputKind::Range).then(|| z_of_range(&image)),
-            places: resampled.then(|| places(&image, &looked)),
             output: OutputContext {
                 options,
                 camera: looked,
-                view: view(&own, sequence.sensor, looked),
+                view: view(&images.own, sequence.sensor, looked),
                 reported,
                 align,
             },
+            images,
         };
         Ok((session, sensor))
     }
@@ -339,9 +297,12 @@ impl Session<'_> {
             return differs(format!("is {size}, but {first} before it is {}", self.size));
         }
         match &file.params {
-            Some(params) if self.is_by_params && camera::read_params(params, size)? != self.image => differs(
-                format!("has another camera ({}) than {first} before it", params.display()),
-            ),
+            Some(params) if self.is_by_params && camera::read_params(params, size)? != self.images.given => {
+                differs(format!(
+                    "has another camera ({}) than {first} before it",
+                    params.display()
+                ))
+            }
             _ => Ok(()),
         }
     }
@@ -353,22 +314,8 @@ impl Session<'_> {
         file: &DepthFile,
         input: InputName,
     ) -> Result<Shot, SenseError> {
-        let Given {
-            mut z,
-            mut rgb,
-            frame,
-            item,
-        } = given;
-        if let Some(factors) = &self.z_of_range {
-            for (z, factor) in z.pixels_mut().iter_mut().zip(factors) {
-                *z *= factor;
-            }
-        }
-        let size = self.output.camera.intrinsics.size;
-        if let Some(places) = &self.places {
-            z = resample(&z, places, size, f32::INFINITY);
-            rgb = rgb.map(|rgb| resample(&rgb, places, size, [0, 0, 0, 255]));
-        }
+        let Given { z, rgb, frame, item } = given;
+        let (z, rgb) = self.images.convert(z, rgb);
         let request = self.output.request();
         let mut shot = sensor::Shot::new((&z).into());
         shot.frame = frame;

@@ -1,0 +1,33 @@
+//! A live filter between topics of ROS 2: a simulator publishes exact depth, and the bridge publishes what an OAK would report.
+//!
+//! * [`message`] has the messages, [`convert`] turns them into images and back, without a network;
+//! * [`Filter`] measures a frame with the engines, presets and filters of `oaktwin sense`;
+//! * [`run`] connects both to topics, and reports what is missing, late or wrong.
+//!
+//! Images are published best-effort, as sensor data: a subscription that requires reliable delivery does not match. A newer
+//! frame replaces the one that waits for the filter, so the bridge is never behind by more than one frame.
+
+mod buffers;
+pub mod convert;
+mod environment;
+mod error;
+mod event;
+mod filter;
+mod mailbox;
+pub mod message;
+mod node;
+mod options;
+mod parameters;
+mod process;
+mod receive;
+mod run;
+mod statistics;
+mod watch;
+
+pub use environment::Network;
+pub use error::BridgeError;
+pub use event::{Event, Started, Status};
+pub use filter::{Filter, FilterInput, FilterOutput};
+pub use options::{BridgeOptions, Topics};
+pub use run::run;
+pub use statistics::Percentiles;

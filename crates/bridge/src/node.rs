@@ -1,0 +1,227 @@
+//! The node with its topics.
+
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::{self, JoinHandle};
+
+use oaktwin::sense::SenseOptions;
+use oaktwin::sensor::SensorOptions;
+use ros2_client::qos::{History, WhenFull};
+use ros2_client::{
+    Context, MessageTypeName, Name, Node, NodeName, NodeOptions, Publisher, QosProfile, Subscription,
+};
+use rustdds::DomainParticipantBuilder;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use crate::filter::{Filter, check};
+use crate::message::{CameraInfo, Image, PointCloud2};
+use crate::options::{BridgeOptions, Topics};
+use crate::{BridgeError, Network, buffers, parameters};
+
+/// The options of the sensor that were last set on the node.
+pub(crate) type Wanted = Arc<Mutex<SensorOptions>>;
+
+/// The subscriptions.
+pub(crate) struct Subscriptions {
+    pub(crate) depth: Subscription<Image>,
+    pub(crate) info: Option<Subscription<CameraInfo>>,
+    pub(crate) rgb: Option<Subscription<Image>>,
+}
+
+/// The publishers.
+pub(crate) struct Publishers {
+    pub(crate) image: Publisher<Image>,
+    pub(crate) info: Publisher<CameraInfo>,
+    pub(crate) points: Option<Publisher<PointCloud2>>,
+}
+
+/// A node and the thread that answers its services.
+pub(crate) struct RosNode {
+    node: Node,
+    context: Context,
+    spinner: Option<JoinHandle<()>>,
+}
+
+impl RosNode {
+    /// Creates a node whose parameters are the options of the filter's sensor.
+    pub(crate) fn new(
+        options: &BridgeOptions,
+        network: &Network,
+        filter: &Filter,
+        wanted: &Wanted,
+    ) -> Result<Self, BridgeError> {
+        let mut participant = DomainParticipantBuilder::new(network.domain)
+            .socket_receive_buffer_size(buffers::WANTED_BYTES)
+            .socket_send_buffer_size(buffers::WANTED_BYTES);
+        if let Some(addresses) = network.only() {
+            participant = participant.with_only_networks(addresses);
+        }
+        let participant = participant.build().map_err(|error| failed(&error))?;
+        let context = Context::from_domain_participant(participant).map_err(|error| failed(&error))?;
+        let name = NodeName::new("/", &options.node).map_err(|error| BridgeError::Name {
+            name: options.node.clone(),
+            what: format!("{error:?}"),
+        })?;
+        let node_options = node_options(filter, wanted);
+        let mut node = context
+            .new_node(name, node_options)
+            .map_err(|error| failed(&error))?;
+        let spinner = node.spinner().map_err(|error| failed(&error))?;
+        let thread = thread::Builder::new().name("spinner".to_owned());
+        let spinner = thread
+            .spawn(move || {
+                // It ends when the node stops it.
+                let _ = futures_executor::block_on(spinner.spin());
+            })
+            .map_err(|error| failed(&error))?;
+        Ok(Self {
+            node,
+            context,
+            spinner: Some(spinner),
+        })
+    }
+
+    /// The name of the node, which is in no namespace.
+    pub(crate) fn name(&self) -> String {
+        self.node.fully_qualified_name()
+    }
+
+    /// Subscribes to the inputs. A best-effort subscription matches every publisher.
+    pub(crate) fn subscribe(
+        &mut self,
+        topics: &Topics,
+        is_reliable: bool,
+    ) -> Result<Subscriptions, BridgeError> {
+        let qos = match is_reliable {
+            true => sensor_data().reliability_reliable(WhenFull::DEFAULT),
+            false => sensor_data(),
+        };
+        Ok(Subscriptions {
+            depth: self.subscription(&topics.depth, "Image", &qos)?,
+            info: match &topics.info {
+                Some(topic) => Some(self.subscription(topic, "CameraInfo", &qos)?),
+                None => None,
+            },
+            rgb: match &topics.rgb {
+                Some(topic) => Some(self.subscription(topic, "Image", &qos)?),
+                None => None,
+            },
+        })
+    }
+
+    /// Creates the publishers of the outputs.
+    pub(crate) fn publish(&mut self, topics: &Topics) -> Result<Publishers, BridgeError> {
+        Ok(Publishers {
+            image: self.publisher(&topics.image_out, "Image")?,
+            info: self.publisher(&topics.info_out, "CameraInfo")?,
+            points: match &topics.points_out {
+                Some(topic) => Some(self.publisher(topic, "PointCloud2")?),
+                None => None,
+            },
+        })
+    }
+
+    fn subscription<M: DeserializeOwned + 'static>(
+        &mut self,
+        topic: &str,
+        message: &str,
+        qos: &QosProfile,
+    ) -> Result<Subscription<M>, BridgeError> {
+        let topic = self.topic(topic, message, qos)?;
+        let subscription = self.node.create_subscription(&topic, Some(qos.clone()));
+        subscription.map_err(|error| failed(&error))
+    }
+
+    fn publisher<M: Serialize>(&mut self, topic: &str, message: &str) -> Result<Publisher<M>, BridgeError> {
+        let qos = sensor_data();
+        let topic = self.topic(topic, message, &qos)?;
+        let publisher = self.node.create_publisher(&topic, Some(qos));
+        publisher.map_err(|error| failed(&error))
+    }
+
+    fn topic(&mut self, topic: &str, message: &str, qos: &QosProfile) -> Result<rustdds::Topic, BridgeError> {
+        let name = Name::parse(topic).map_err(|error| BridgeError::Name {
+            name: topic.to_owned(),
+            what: format!("{error:?}"),
+        })?;
+        let message = MessageTypeName::new("sensor_msgs", message);
+        let topic = self.node.create_topic(&name, message, qos);
+        topic.map_err(|error| failed(&error))
+    }
+
+    /// The number of publishers of a topic.
+    pub(crate) fn publishers(&self, topic: &str) -> usize {
+        self.node.publisher_count(topic)
+    }
+
+    /// The number of subscriptions to a topic.
+    pub(crate) fn subscribers(&self, topic: &str) -> usize {
+        self.node.subscription_count(topic)
+    }
+
+    /// The names of the topics with images, sorted.
+    pub(crate) fn image_topics(&self) -> Vec<String> {
+        let topics = self.context.discovered_topics().into_iter();
+        let mut names: Vec<String> = topics
+            .filter(|topic| topic.type_name == "sensor_msgs::msg::dds_::Image_")
+            .map(|topic| topic.name)
+            .collect();
+        names.sort();
+        names.dedup();
+        names
+    }
+}
+
+impl Drop for RosNode {
+    fn drop(&mut self) {
+        self.node.stop_spinner();
+        if let Some(spinner) = self.spinner.take() {
+            let _ = spinner.join();
+        }
+    }
+}
+
+/// The profile of sensors: best-effort, and only the newest image, because late images are of no use.
+fn sensor_data() -> QosProfile {
+    QosProfile::subscription_default().history(History::KeepLast { depth: 1 })
+}
+
+/// Declares the sensor's options as parameters. A value is checked before it is set.
+fn node_options(filter: &Filter, wanted: &Wanted) -> NodeOptions {
+    let mut node = NodeOptions::new().enable_rosout(false);
+    for option in parameters::offered() {
+        node = node.declare_parameter(option.name, parameters::value(option, &filter.options().sensor));
+    }
+    let (twin, options) = (filter.twin().clone(), filter.options().clone());
+    let current = Arc::clone(wanted);
+    let validate = move |name: &str, value: &ros2_client::ParameterValue| {
+        let before = lock(&current);
+        let Some(new) = parameters::with(&before, name, value) else {
+            return Ok(());
+        };
+        let new = SenseOptions {
+            sensor: new?,
+            ..options.clone()
+        };
+        check(&twin, &new).map_err(|error| error.to_string())
+    };
+    let current = Arc::clone(wanted);
+    let set = move |name: &str, value: &ros2_client::ParameterValue| {
+        let before = lock(&current);
+        if let Some(new) = parameters::with(&before, name, value) {
+            *current.lock().unwrap_or_else(PoisonError::into_inner) = new?;
+        }
+        Ok(())
+    };
+    node.parameter_validator(Box::new(validate))
+        .parameter_set_action(Box::new(set))
+}
+
+/// Returns the options that were last set.
+pub(crate) fn lock(wanted: &Wanted) -> SensorOptions {
+    wanted.lock().unwrap_or_else(PoisonError::into_inner).clone()
+}
+
+fn failed(error: &impl std::fmt::Debug) -> BridgeError {
+    BridgeError::Node(format!("{error:?}"))
+}

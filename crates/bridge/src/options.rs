@@ -1,0 +1,140 @@
+use ros2_client::Name;
+use serde::Serialize;
+
+use crate::BridgeError;
+use crate::convert::Encoding;
+
+/// The options of a bridge.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BridgeOptions {
+    /// The topic of the exact depth.
+    pub depth: String,
+    /// The topic of its camera info; without it, the field of view is that of the filter's options, or the model's.
+    pub info: Option<String>,
+    /// The topic of the colour images of the same camera and stamps.
+    pub rgb: Option<String>,
+    /// The namespace of the published topics.
+    pub out: String,
+    /// The name of the sensor within the namespace: `stereo`, or `tof`.
+    pub sensor: String,
+    /// The name of the node, which is in no namespace.
+    pub node: String,
+    /// The encoding of measured depth.
+    pub encoding: Encoding,
+    /// Whether point clouds are published.
+    pub points: bool,
+    /// Whether subscriptions require reliable delivery.
+    pub is_reliable: bool,
+}
+
+/// The topics of a bridge, whole names.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Topics {
+    /// The exact depth.
+    pub depth: String,
+    /// Its camera info.
+    pub info: Option<String>,
+    /// The colour images.
+    pub rgb: Option<String>,
+    /// The measured depth.
+    pub image_out: String,
+    /// The camera info of the measured depth.
+    pub info_out: String,
+    /// The point cloud of the measured depth.
+    pub points_out: Option<String>,
+}
+
+impl BridgeOptions {
+    /// Returns the names of the topics, those of the vendor's driver below the namespace.
+    ///
+    /// # Errors
+    /// Returns an error if a name is invalid, or if a published topic is also subscribed to.
+    pub fn topics(&self) -> Result<Topics, BridgeError> {
+        let (out, sensor) = (self.out.trim_end_matches('/'), &self.sensor);
+        let optional = |topic: &Option<String>| topic.as_deref().map(whole).transpose();
+        let topics = Topics {
+            depth: whole(&self.depth)?,
+            info: optional(&self.info)?,
+            rgb: optional(&self.rgb)?,
+            image_out: whole(&format!("{out}/{sensor}/image_raw"))?,
+            info_out: whole(&format!("{out}/{sensor}/camera_info"))?,
+            points_out: match self.points {
+                true => Some(whole(&format!("{out}/points"))?),
+                false => None,
+            },
+        };
+        match topics.both() {
+            Some(both) => Err(BridgeError::Loop(both.clone())),
+            None => Ok(topics),
+        }
+    }
+}
+
+impl Topics {
+    /// Returns a topic that is both subscribed to and published.
+    fn both(&self) -> Option<&String> {
+        let inputs = [Some(&self.depth), self.info.as_ref(), self.rgb.as_ref()];
+        let outputs = [
+            Some(&self.image_out),
+            Some(&self.info_out),
+            self.points_out.as_ref(),
+        ];
+        let mut outputs = outputs.into_iter().flatten();
+        outputs.find(|out| inputs.contains(&Some(out)))
+    }
+}
+
+/// Returns a valid absolute name; a relative one is below the root.
+fn whole(name: &str) -> Result<String, BridgeError> {
+    let absolute = format!("/{}", name.strip_prefix('/').unwrap_or(name));
+    match Name::parse(&absolute) {
+        Ok(_) => Ok(absolute),
+        Err(error) => Err(BridgeError::Name {
+            name: name.chars().take(80).collect(),
+            what: format!("{error:?}"),
+        }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn options(depth: &str, out: &str) -> BridgeOptions {
+        BridgeOptions {
+            depth: depth.to_owned(),
+            info: Some("/camera/camera_info".to_owned()),
+            rgb: None,
+            out: out.to_owned(),
+            sensor: "stereo".to_owned(),
+            node: "oaktwin_bridge".to_owned(),
+            encoding: Encoding::default(),
+            points: true,
+            is_reliable: false,
+        }
+    }
+
+    #[test]
+    fn topics_are_those_of_the_vendors_driver() {
+        for out in ["/oak", "oak", "/oak/"] {
+            let topics = options("camera/depth/image_raw", out).topics().unwrap();
+            assert_eq!(topics.depth, "/camera/depth/image_raw");
+            assert_eq!(topics.image_out, "/oak/stereo/image_raw");
+            assert_eq!(topics.info_out, "/oak/stereo/camera_info");
+            assert_eq!(topics.points_out.as_deref(), Some("/oak/points"));
+        }
+    }
+
+    #[test]
+    fn invalid_names_and_loops_are_rejected() {
+        for depth in ["", "/", "/a//b", "/a b", "/1a", "/a/"] {
+            let error = options(depth, "/oak").topics().unwrap_err().to_string();
+            assert!(error.contains("is not a name of ROS"), "{depth:?}: {error}");
+        }
+        let error = options("/oak/stereo/image_raw", "/oak").topics().unwrap_err();
+        assert!(
+            error.to_string().starts_with("/oak/stereo/image_raw: "),
+            "{error}"
+        );
+    }
+}

@@ -1,0 +1,162 @@
+//! One frame: from messages to messages.
+
+use oaktwin::camera::{Camera, ImageSize};
+use oaktwin::diagnostic::{Finding, Level};
+
+use crate::buffers;
+use crate::convert::{self, Encoding, Frames, MessageError};
+use crate::filter::{Filter, FilterInput};
+use crate::mailbox::Arrived;
+use crate::message::{CameraInfo, Header, Image, PointCloud2};
+use crate::options::{BridgeOptions, Topics};
+
+/// The messages of a frame.
+pub(crate) struct Outgoing {
+    pub(crate) image: Image,
+    pub(crate) info: CameraInfo,
+    pub(crate) points: Option<PointCloud2>,
+}
+
+/// Filters the frames of a topic.
+pub(crate) struct Processor {
+    topics: Topics,
+    encoding: Encoding,
+    filter: Filter,
+    frames: Frames,
+    camera: Option<Result<Camera, MessageError>>,
+    size: Option<ImageSize>,
+}
+
+impl Processor {
+    pub(crate) fn new(filter: Filter, options: &BridgeOptions, topics: Topics) -> Self {
+        Self {
+            topics,
+            encoding: options.encoding,
+            filter,
+            frames: Frames::default(),
+            camera: None,
+            size: None,
+        }
+    }
+
+    pub(crate) fn filter(&mut self) -> &mut Filter {
+        &mut self.filter
+    }
+
+    /// Filters a frame; the point cloud is made if it is wanted. Returns `None` if the frame cannot be used.
+    pub(crate) fn frame(
+        &mut self,
+        arrived: Arrived,
+        wants_points: bool,
+        findings: &mut Vec<Finding>,
+    ) -> Option<Outgoing> {
+        if let Some(info) = &arrived.new_info {
+            self.camera = Some(convert::camera(info));
+        }
+        let header = arrived.depth.header.clone();
+        let outgoing = self
+            .input(arrived, findings)
+            .and_then(|input| self.measure(input, header, wants_points, findings));
+        outgoing.map_err(|error| findings.push(error)).ok()
+    }
+
+    /// Converts the messages of a frame.
+    fn input(&mut self, arrived: Arrived, findings: &mut Vec<Finding>) -> Result<FilterInput, Finding> {
+        let Arrived {
+            depth: message, rgb, ..
+        } = arrived;
+        let depth_topic = self.topics.depth.as_str();
+        let info_topic = self.topics.info.as_deref().unwrap_or_default();
+        let rgb_topic = self.topics.rgb.as_deref().unwrap_or_default();
+        let depth = convert::depth(&message).map_err(|error| invalid(depth_topic, error))?;
+        let camera = self.camera.clone().transpose();
+        let camera = camera.map_err(|error| invalid(info_topic, error))?;
+        let size = ImageSize::new(message.width, message.height);
+        if let Some(camera) = camera.filter(|camera| camera.intrinsics.size != size) {
+            let own = camera.intrinsics.size;
+            return Err(Finding::new(
+                "camera-info-size",
+                Level::Error,
+                info_topic,
+                format!("is of images of {own}, but the depth image is {size}"),
+                "publish the camera info of the depth image",
+            ));
+        }
+        let rgb = rgb.map(|rgb| convert::color(&rgb)).transpose();
+        let rgb = rgb.map_err(|error| invalid(rgb_topic, error))?;
+        let stamped = self.frames.next(message.header.stamp);
+        let stamped = stamped.map_err(|error| invalid(depth_topic, error))?;
+        if stamped.is_repeated {
+            findings.push(Finding::new(
+                "same-stamp",
+                Level::Warning,
+                depth_topic,
+                "successive images have the same stamp; their noise is numbered in order of arrival",
+                "publish a stamp for each image",
+            ));
+        }
+        if stamped.is_earlier {
+            self.filter.reset();
+            findings.push(Finding::new(
+                "time-went-back",
+                Level::Note,
+                depth_topic,
+                "the stamp is earlier than that of the image before; the filters begin afresh",
+                "",
+            ));
+        }
+        self.note_size(size, message.data.len() as u64, findings);
+        Ok(FilterInput {
+            depth,
+            camera,
+            rgb,
+            frame: stamped.number,
+        })
+    }
+
+    /// Measures a frame and converts the result to messages.
+    fn measure(
+        &mut self,
+        input: FilterInput,
+        header: Header,
+        wants_points: bool,
+        findings: &mut Vec<Finding>,
+    ) -> Result<Outgoing, Finding> {
+        let mut output = self.filter.apply(input).map_err(|error| {
+            let (place, what) = (&self.topics.depth, error.to_string());
+            Finding::new("not-measured", Level::Error, place, what, "")
+        })?;
+        findings.append(&mut output.findings);
+        let image = convert::depth_message(header.clone(), &output.measured.distance, self.encoding);
+        let info = convert::camera_info(header.clone(), &output.camera.camera.intrinsics);
+        let points = wants_points.then(|| output.point_cloud(header));
+        Ok(Outgoing { image, info, points })
+    }
+
+    /// Reports the size of the images where it changes.
+    fn note_size(&mut self, size: ImageSize, bytes: u64, findings: &mut Vec<Finding>) {
+        if let Some(before) = self.size.replace(size) {
+            if before != size {
+                findings.push(Finding::new(
+                    "size-changed",
+                    Level::Note,
+                    &self.topics.depth,
+                    format!("images are {size} instead of {before}; the filters begin afresh"),
+                    "",
+                ));
+            }
+            if before == size {
+                return;
+            }
+        }
+        findings.extend(buffers::check(buffers::limit(), Some(bytes)));
+    }
+}
+
+fn invalid(topic: &str, error: MessageError) -> Finding {
+    let what = format!("{}: {}", error.field, error.what);
+    Finding::new("invalid-message", Level::Error, topic, what, error.remedy)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,255 @@
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use oaktwin::diagnostic::{Finding, Level};
+
+use crate::event::{Event, Started, Status};
+use crate::filter::Filter;
+use crate::mailbox::{Arrived, Mailbox};
+use crate::node::{Publishers, RosNode, Wanted, lock};
+use crate::options::{BridgeOptions, Topics};
+use crate::process::{Outgoing, Processor};
+use crate::receive::receive;
+use crate::statistics::Latencies;
+use crate::watch::{Inputs, Watch};
+use crate::{BridgeError, Network, buffers};
+
+/// The time after which the end, new parameters and missing topics are noticed.
+const TICK: Duration = Duration::from_millis(50);
+/// The time between two looks at the graph.
+const LOOK: Duration = Duration::from_millis(500);
+/// The time between two reports of the state.
+const STATUS: Duration = Duration::from_secs(10);
+/// The time before the same finding is reported again.
+const REPEAT: Duration = Duration::from_secs(30);
+/// The number of kinds of findings whose times are remembered.
+const MAX_KINDS: usize = 256;
+
+/// Runs the bridge until `is_over`, and returns its final state, which is also reported.
+///
+/// # Errors
+/// Returns an error if a topic or an option is invalid, or the node cannot be created.
+pub fn run(
+    filter: Filter,
+    options: &BridgeOptions,
+    network: &Network,
+    report: impl FnMut(Event),
+    is_over: impl Fn() -> bool,
+) -> Result<Status, BridgeError> {
+    let topics = options.topics()?;
+    let wanted: Wanted = Arc::new(Mutex::new(filter.options().sensor.clone()));
+    let mut node = RosNode::new(options, network, &filter, &wanted)?;
+    let publishers = node.publish(&topics)?;
+    let subscriptions = node.subscribe(&topics, options.is_reliable)?;
+    let mailbox = Mailbox::new(topics.info.is_some(), topics.rgb.is_some());
+    let (lost, is_receiver_over) = (AtomicU64::new(0), AtomicBool::new(false));
+    let mut reporter = Reporter {
+        report,
+        last: BTreeMap::new(),
+    };
+    (reporter.report)(Event::Started(Started {
+        node: node.name(),
+        domain: network.domain,
+        localhost: network.is_local,
+        topics: topics.clone(),
+    }));
+    reporter.findings(buffers::check(buffers::limit(), None));
+    let started = Instant::now();
+    let mut bridge = Bridge {
+        processor: Processor::new(filter, options, topics.clone()),
+        publishers,
+        node: &node,
+        topics: &topics,
+        mailbox: &mailbox,
+        lost: &lost,
+        latencies: Latencies::default(),
+        status: Status::default(),
+        has_points_subscriber: false,
+        watch: Watch::new(started),
+        started,
+    };
+    thread::scope(|scope| {
+        let thread = thread::Builder::new().name("receiver".to_owned());
+        let receiver = thread
+            .spawn_scoped(scope, || {
+                receive(subscriptions, &mailbox, &lost, &is_receiver_over)
+            })
+            .map_err(|error| BridgeError::Node(error.to_string()))?;
+        let (mut looked, mut told) = (started, started);
+        while !is_over() && !receiver.is_finished() {
+            bridge.set(&wanted, &mut reporter);
+            if let Some(arrived) = mailbox.take(TICK) {
+                bridge.frame(arrived, &mut reporter);
+            }
+            let now = Instant::now();
+            if now.duration_since(looked) >= LOOK {
+                looked = now;
+                bridge.look(now, &mut reporter);
+            }
+            if now.duration_since(told) >= STATUS {
+                told = now;
+                (reporter.report)(Event::Status(bridge.status()));
+            }
+        }
+        let status = bridge.status();
+        (reporter.report)(Event::Stopped(status.clone()));
+        is_receiver_over.store(true, Ordering::Relaxed);
+        match receiver.join() {
+            Ok(Ok(())) => Ok(status),
+            Ok(Err(error)) => Err(BridgeError::Node(error.to_string())),
+            Err(_) => Err(BridgeError::Node("the receiver stopped".to_owned())),
+        }
+    })
+}
+
+/// Reports findings, each kind at most every [`REPEAT`].
+struct Reporter<R> {
+    report: R,
+    last: BTreeMap<(&'static str, String), Instant>,
+}
+
+impl<R: FnMut(Event)> Reporter<R> {
+    fn findings(&mut self, findings: impl IntoIterator<Item = Finding>) {
+        for finding in findings {
+            let now = Instant::now();
+            let kind = (finding.code, finding.place.clone());
+            let is_new = match self.last.get(&kind) {
+                Some(last) => now.duration_since(*last) >= REPEAT,
+                None => self.last.len() < MAX_KINDS,
+            };
+            if is_new {
+                self.last.insert(kind, now);
+                (self.report)(Event::Finding(finding));
+            }
+        }
+    }
+}
+
+struct Bridge<'a> {
+    processor: Processor,
+    publishers: Publishers,
+    node: &'a RosNode,
+    topics: &'a Topics,
+    mailbox: &'a Mailbox,
+    lost: &'a AtomicU64,
+    latencies: Latencies,
+    status: Status,
+    has_points_subscriber: bool,
+    watch: Watch,
+    started: Instant,
+}
+
+impl Bridge<'_> {
+    /// Takes over the parameters that were set on the node.
+    fn set(&mut self, wanted: &Wanted, reporter: &mut Reporter<impl FnMut(Event)>) {
+        let filter = self.processor.filter();
+        let wanted = lock(wanted);
+        if wanted == filter.options().sensor {
+            return;
+        }
+        reporter.findings([match filter.set_sensor(wanted) {
+            Ok(()) => Finding::new(
+                "parameters",
+                Level::Note,
+                self.node.name(),
+                "the sensor has new parameters; the filters begin afresh",
+                "",
+            ),
+            Err(error) => Finding::new(
+                "parameters",
+                Level::Error,
+                self.node.name(),
+                error.to_string(),
+                "",
+            ),
+        }]);
+    }
+
+    /// Filters a frame and publishes it.
+    fn frame(&mut self, arrived: Arrived, reporter: &mut Reporter<impl FnMut(Event)>) {
+        let at = arrived.at;
+        let mut findings = Vec::new();
+        let outgoing = self
+            .processor
+            .frame(arrived, self.has_points_subscriber, &mut findings);
+        match outgoing {
+            Some(outgoing) => match self.publish(outgoing) {
+                Ok(()) => {
+                    self.status.published += 1;
+                    self.latencies.add(at.elapsed());
+                }
+                Err(error) => {
+                    self.status.rejected += 1;
+                    let place = &self.topics.image_out;
+                    findings.push(Finding::new(
+                        "not-published",
+                        Level::Error,
+                        place,
+                        format!("an image could not be published ({error})"),
+                        "check the network",
+                    ));
+                }
+            },
+            None => self.status.rejected += 1,
+        }
+        reporter.findings(findings);
+    }
+
+    fn publish(&self, outgoing: Outgoing) -> Result<(), String> {
+        let Outgoing { image, info, points } = outgoing;
+        let text = |error: &dyn std::fmt::Debug| format!("{error:?}").chars().take(200).collect::<String>();
+        self.publishers.info.publish(info).map_err(|error| text(&error))?;
+        self.publishers
+            .image
+            .publish(image)
+            .map_err(|error| text(&error))?;
+        if let (Some(publisher), Some(points)) = (&self.publishers.points, points) {
+            publisher.publish(points).map_err(|error| text(&error))?;
+        }
+        Ok(())
+    }
+
+    /// Looks at the graph: who publishes, who subscribes, what is missing.
+    fn look(&mut self, now: Instant, reporter: &mut Reporter<impl FnMut(Event)>) {
+        let points = self.topics.points_out.as_deref();
+        self.has_points_subscriber = points.is_some_and(|topic| self.node.subscribers(topic) > 0);
+        let last_depth = self.mailbox.last();
+        let (publishers, images) = match last_depth {
+            None => (self.node.publishers(&self.topics.depth), self.node.image_topics()),
+            Some(_) => (1, Vec::new()),
+        };
+        // What the bridge publishes is no input.
+        let images: Vec<String> = images
+            .into_iter()
+            .filter(|name| *name != self.topics.image_out)
+            .collect();
+        let inputs = Inputs {
+            topics: self.topics,
+            last_depth,
+            received: self.mailbox.count().received,
+            lost: self.lost.load(Ordering::Relaxed),
+            lacking: self.mailbox.lacks(),
+            publishers,
+            images: &images,
+        };
+        reporter.findings(self.watch.check(now, &inputs));
+    }
+
+    fn status(&self) -> Status {
+        let count = self.mailbox.count();
+        Status {
+            seconds: self.started.elapsed().as_secs_f64(),
+            received: count.received,
+            dropped: count.dropped,
+            lost: self.lost.load(Ordering::Relaxed),
+            incomplete: count.incomplete,
+            rejected: self.status.rejected + count.undecoded,
+            subscribers: self.node.subscribers(&self.topics.image_out) as u64,
+            latency_ms: self.latencies.percentiles(),
+            ..self.status.clone()
+        }
+    }
+}

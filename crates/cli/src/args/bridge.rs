@@ -1,0 +1,102 @@
+use clap::Args;
+use oaktwin::sense::InputKind;
+use oaktwin_bridge::convert::Encoding;
+
+use super::choice::parser;
+use super::{SensorArgs, ThreadArgs, UnitArgs};
+
+#[derive(Args, Debug)]
+#[command(
+    next_line_help = true,
+    after_help = "The bridge subscribes to a simulator's exact depth (sensor_msgs/Image, 32FC1 in metres or 16UC1 in millimetres) and \
+    publishes what the OAK would report, with the stamps and frame ids of the input, as sensor data (best-effort): \
+    OUT/stereo/image_raw and OUT/stereo/camera_info (OUT/tof/… for a time-of-flight sensor) and, with --points, OUT/points. \
+    The options of the depth sensor are parameters of the node: `ros2 param set /oaktwin_bridge preset robotics`.\n\n\
+    It reads ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY and ROS_AUTOMATIC_DISCOVERY_RANGE, and runs until Ctrl-C."
+)]
+pub(crate) struct BridgeArgs {
+    /// The model
+    #[arg(long)]
+    pub(crate) model: String,
+
+    /// The topic of the exact depth
+    #[arg(long, value_name = "TOPIC")]
+    pub(crate) depth: String,
+
+    /// The topic of the depth images' camera info; without it, set --fx or --hfov, or the model's field of view is used
+    #[arg(long, value_name = "TOPIC", conflicts_with_all = ["fx", "hfov"])]
+    pub(crate) info: Option<String>,
+
+    /// The topic of colour images with the camera and the stamps of the depth images
+    #[arg(long, value_name = "TOPIC")]
+    pub(crate) rgb: Option<String>,
+
+    /// The namespace of the published topics
+    #[arg(long, value_name = "NAMESPACE", default_value = "/oak")]
+    pub(crate) out: String,
+
+    #[command(flatten)]
+    pub(crate) unit: UnitArgs,
+
+    /// The depth sensor by kind (stereo, tof) or prim; by default time of flight if the model has it
+    #[arg(long, value_name = "KIND|PRIM")]
+    pub(crate) sensor: Option<String>,
+
+    /// The kind of depth: along the optical axis or from the optical centre
+    #[arg(long, value_parser = parser::<InputKind>(), default_value_t, help_heading = "Images")]
+    pub(crate) input_kind: InputKind,
+
+    /// The focal length of the images, px
+    #[arg(
+        long,
+        value_name = "F",
+        allow_negative_numbers = true,
+        conflicts_with = "hfov",
+        help_heading = "Images"
+    )]
+    pub(crate) fx: Option<f64>,
+
+    /// The horizontal field of view of the images, degrees
+    #[arg(
+        long,
+        value_name = "D",
+        allow_negative_numbers = true,
+        help_heading = "Images"
+    )]
+    pub(crate) hfov: Option<f64>,
+
+    /// Resample images of another size or field of view to the model's (nearest samples)
+    #[arg(long, help_heading = "Images")]
+    pub(crate) resample: bool,
+
+    #[command(flatten, next_help_heading = "Depth sensor")]
+    pub(crate) engine: SensorArgs,
+
+    /// The encoding of the published depth
+    #[arg(long, value_parser = parser::<Encoding>(), default_value_t, help_heading = "Outputs")]
+    pub(crate) encoding: Encoding,
+
+    /// Also publish point clouds, with colours if --rgb is given
+    #[arg(long, help_heading = "Outputs")]
+    pub(crate) points: bool,
+
+    /// Require reliable delivery of the inputs; by default, reliable and best-effort publishers match
+    #[arg(long, help_heading = "ROS 2")]
+    pub(crate) reliable: bool,
+
+    /// The name of the node
+    #[arg(
+        long,
+        value_name = "NAME",
+        default_value = "oaktwin_bridge",
+        help_heading = "ROS 2"
+    )]
+    pub(crate) node: String,
+
+    #[command(flatten, next_help_heading = "Execution")]
+    pub(crate) threads: ThreadArgs,
+
+    /// Print events and the state every 10 s as JSON, one object per line
+    #[arg(long, help_heading = "Execution")]
+    pub(crate) json: bool,
+}

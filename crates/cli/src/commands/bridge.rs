@@ -1,0 +1,173 @@
+use std::path::Path;
+
+use oaktwin::sense::{FieldOfView, SenseOptions};
+use oaktwin::sensor::depth_sensor;
+use oaktwin_bridge::{BridgeOptions, Event, Filter, Network, Started, Status, run as bridge};
+
+use crate::args::BridgeArgs;
+use crate::context::{Context, Exit, Result};
+use crate::{output, signals};
+
+pub(crate) fn run(context: &Context, args: &BridgeArgs) -> Result<Exit> {
+    args.threads.apply();
+    let (network, findings) = Network::from_environment()?;
+    for finding in findings {
+        output::say(&finding.to_string());
+    }
+    let (twin, findings) = context.twin(&args.model, &args.unit)?;
+    if let Some(path) = &args.unit.calibration {
+        output::say_findings(path, &findings);
+    }
+    let sensor = depth_sensor(&twin, args.sensor.as_deref())?;
+    let options = BridgeOptions {
+        depth: args.depth.clone(),
+        info: args.info.clone(),
+        rgb: args.rgb.clone(),
+        out: args.out.clone(),
+        sensor: sensor.spec.kind.as_str().to_owned(),
+        node: args.node.clone(),
+        encoding: args.encoding,
+        points: args.points,
+        is_reliable: args.reliable,
+    };
+    let prim = sensor.spec.prim.clone();
+    let filter = Filter::new(twin, sense_options(args, prim)?)?;
+    let mut printed = Ok(());
+    signals::while_checked(|| {
+        bridge(
+            filter,
+            &options,
+            &network,
+            |event| {
+                let result = print(args, &event);
+                if printed.is_ok() {
+                    printed = result;
+                }
+            },
+            signals::is_received,
+        )
+    })?;
+    printed?;
+    Ok(Exit::Interrupted)
+}
+
+fn sense_options(args: &BridgeArgs, prim: String) -> Result<SenseOptions> {
+    Ok(SenseOptions {
+        sensor: args.engine.options()?,
+        depth_sensor: Some(prim),
+        input_kind: Some(args.input_kind),
+        field_of_view: match (args.fx, args.hfov) {
+            (Some(fx), _) => FieldOfView::FocalLength(fx),
+            (None, Some(hfov)) => FieldOfView::Degrees(hfov),
+            (None, None) => FieldOfView::Known,
+        },
+        resample: args.resample,
+        lens: args.unit.lens,
+        ..SenseOptions::default()
+    })
+}
+
+fn print(args: &BridgeArgs, event: &Event) -> Result<()> {
+    if args.json {
+        return output::print_json_line(event);
+    }
+    match event {
+        Event::Started(started) => output::say(&connected(args, started)),
+        Event::Finding(finding) => {
+            output::say_findings(Path::new(&args.model), std::slice::from_ref(finding));
+        }
+        Event::Status(status) => output::say(&line(status)),
+        Event::Stopped(status) => output::print(&format!("{}\n", line(status)))?,
+    }
+    Ok(())
+}
+
+fn connected(args: &BridgeArgs, started: &Started) -> String {
+    let topics = &started.topics;
+    let inputs = [Some(&topics.depth), topics.info.as_ref(), topics.rgb.as_ref()];
+    let outputs = [
+        Some(&topics.image_out),
+        Some(&topics.info_out),
+        topics.points_out.as_ref(),
+    ];
+    let list = |names: [Option<&String>; 3]| {
+        let names: Vec<&str> = names.into_iter().flatten().map(String::as_str).collect();
+        names.join(", ")
+    };
+    let range = if started.localhost {
+        ", this machine only"
+    } else {
+        ""
+    };
+    format!(
+        "{}: {} → {} (node {}, domain {}{range})\nPress Ctrl-C to stop.",
+        args.model,
+        list(inputs),
+        list(outputs),
+        started.node,
+        started.domain
+    )
+}
+
+/// Describes the state in a line, with what went wrong only where it did.
+fn line(status: &Status) -> String {
+    let mut line = format!(
+        "{:.0} s: {} received, {} published, {} dropped",
+        status.seconds, status.received, status.published, status.dropped
+    );
+    for (count, what) in [
+        (status.lost, "lost in the network"),
+        (status.incomplete, "incomplete"),
+        (status.rejected, "rejected"),
+    ] {
+        if count > 0 {
+            line += &format!(", {count} {what}");
+        }
+    }
+    if let Some(latency) = &status.latency_ms {
+        line += &format!(
+            "; latency {:.1} ms (median), {:.1} ms (95 %), {:.1} ms (longest)",
+            latency.median, latency.p95, latency.longest
+        );
+    }
+    line + &match status.subscribers {
+        1 => "; 1 subscriber".to_owned(),
+        count => format!("; {count} subscribers"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use oaktwin_bridge::Percentiles;
+
+    #[test]
+    fn the_state_names_what_went_wrong_only() {
+        let status = Status {
+            seconds: 60.2,
+            received: 1800,
+            published: 1799,
+            dropped: 1,
+            subscribers: 1,
+            latency_ms: Some(Percentiles {
+                median: 4.2,
+                p95: 6.0,
+                longest: 20.0,
+            }),
+            ..Status::default()
+        };
+        assert_eq!(
+            line(&status),
+            "60 s: 1800 received, 1799 published, 1 dropped; latency 4.2 ms (median), 6.0 ms (95 %), 20.0 ms (longest); \
+             1 subscriber"
+        );
+        let empty = Status {
+            rejected: 3,
+            ..Status::default()
+        };
+        assert_eq!(
+            line(&empty),
+            "0 s: 0 received, 0 published, 0 dropped, 3 rejected; 0 subscribers"
+        );
+    }
+}
