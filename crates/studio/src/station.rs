@@ -270,7 +270,12 @@ fn light_of(state: &OakState) -> OakState {
 /// The pose of the right camera, from which the left one's view may be occluded.
 fn other_camera(oak: &Oak, world_from_body: &RigidTransform) -> Option<RigidTransform> {
     let is_stereo = oak.sensor.engine().kind().models == Some(Technology::Stereo);
-    let own = |prim: &str| oak.twin.depth_sensors.iter().find(|sensor| sensor.spec.prim == prim);
+    let own = |prim: &str| {
+        oak.twin
+            .depth_sensors
+            .iter()
+            .find(|sensor| sensor.spec.prim == prim)
+    };
     let pair = match &oak.camera.depth_sensor {
         Some(DepthSensorSource::Twin(prim)) => own(prim)?.spec.pair()?,
         _ => return None,
