@@ -1,4 +1,4 @@
-//! Lists the files in `data/`, so that a sensor or a device is one file.
+//! Lists the files in `data/`, so that a sensor, an inertial part or a device is one file.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -16,10 +16,11 @@ const SHEET: [&str; 5] = [
 fn main() -> io::Result<()> {
     let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
     let out = PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default());
-    let mut files = names(&root.join("data/sensors"))?
-        .into_iter()
-        .map(|name| format!("data/sensors/{name}"))
-        .collect::<Vec<_>>();
+    let mut files = Vec::new();
+    for folder in ["data/sensors", "data/imus"] {
+        let names = names(&root.join(folder))?;
+        files.extend(names.into_iter().map(|name| format!("{folder}/{name}")));
+    }
     let mut devices = names(&root.join("data/devices"))?;
     devices.sort_by_key(|name| {
         SHEET
@@ -28,7 +29,7 @@ fn main() -> io::Result<()> {
             .unwrap_or(SHEET.len())
     });
     files.extend(devices.into_iter().map(|name| format!("data/devices/{name}")));
-    let mut list = "/// The names and texts of the files: sensors, then devices, those of the sheet first.\n\
+    let mut list = "/// The names and texts of the files: sensors, inertial parts, then devices, those of the sheet first.\n\
          pub(crate) const FILES: &[(&str, &str)] = &[\n"
         .to_owned();
     for file in files {

@@ -11,7 +11,7 @@ mod tests {
     fn every_file_of_the_folder_is_built_in() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
         let mut found: Vec<String> = Vec::new();
-        for folder in ["data/sensors", "data/devices"] {
+        for folder in ["data/sensors", "data/imus", "data/devices"] {
             for entry in fs::read_dir(root.join(folder)).unwrap() {
                 let name = entry.unwrap().file_name();
                 found.push(format!("{folder}/{}", name.to_str().unwrap()));

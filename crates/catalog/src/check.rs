@@ -1,9 +1,9 @@
 //! What must hold in a file beyond its form.
 
+mod inertial;
 mod values;
 
-use oaktwin_camera::RigidTransform;
-use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_camera::math::DVec3;
 use oaktwin_diagnostic::{fold_name, nearest};
 use oaktwin_parameter::Table;
 use oaktwin_parameter::nvidia::Attributes;
@@ -11,6 +11,8 @@ use oaktwin_parameter::nvidia::Attributes;
 use crate::document::Document;
 use crate::{Accuracy, Camera, Catalog, CatalogError, DepthSensor, Device, Role, Sensor, Sources};
 use values::{ascending, between, not_negative, one_of, positive, prim_name, text, unique_prim};
+
+pub(crate) use inertial::inertial_part;
 
 type Checked = Result<(), CatalogError>;
 
@@ -67,7 +69,8 @@ pub(crate) fn device(doc: &Document<'_>, device: &Device, catalog: &Catalog) -> 
     prim_name(doc, "id", &device.id)?;
     prim_name(doc, "prim", &device.prim)?;
     names_are_free(doc, device, catalog)?;
-    body_and_imu(doc, device)?;
+    body(doc, device)?;
+    inertial::imu(doc, device, catalog)?;
     projector(doc, device)?;
     if device.cameras.is_empty() {
         return Err(doc.error("camera", "a device without cameras", "add a [[camera]]"));
@@ -103,7 +106,16 @@ pub(crate) fn device(doc: &Document<'_>, device: &Device, catalog: &Catalog) -> 
         depth_sensor(doc, &at, spec, device)?;
     }
     for (i, table) in device.accuracy.iter().enumerate() {
-        accuracy(doc, &format!("accuracy.{i}"), table)?;
+        let at = format!("accuracy.{i}");
+        let is_own = |prim: &String| device.depth_sensors.iter().any(|sensor| sensor.prim == *prim);
+        if let Some(prim) = table.depth_sensor.as_ref().filter(|prim| !is_own(prim)) {
+            return Err(doc.error(
+                &format!("{at}.depth_sensor"),
+                format!("the device has no depth sensor {prim:?}"),
+                "name the prim of one of its depth sensors",
+            ));
+        }
+        accuracy(doc, &at, table)?;
     }
     sources(doc, "", &device.sources)?;
     sources(doc, "body.", &device.body.sources)?;
@@ -161,24 +173,11 @@ fn taken(doc: &Document<'_>, place: &str, name: &str, other: &Device) -> Catalog
     )
 }
 
-fn body_and_imu(doc: &Document<'_>, device: &Device) -> Checked {
+fn body(doc: &Document<'_>, device: &Device) -> Checked {
     for (i, side) in device.body.dimensions_mm.into_iter().enumerate() {
         positive(doc, &format!("body.dimensions_mm.{i}"), side)?;
     }
-    positive(doc, "body.mass_g", device.body.mass_g)?;
-    let Some(imu) = &device.imu else {
-        return Ok(());
-    };
-    let rotation = DMat3::from_cols_array_2d(&imu.rotation).transpose();
-    let off = RigidTransform::new(rotation, DVec3::ZERO).orthonormality_error();
-    if off > 1e-6 {
-        return Err(doc.error(
-            "imu.rotation",
-            "not a rotation",
-            "give three orthogonal rows of length 1 with determinant +1",
-        ));
-    }
-    Ok(())
+    positive(doc, "body.mass_g", device.body.mass_g)
 }
 
 /// More dots than any projector has.

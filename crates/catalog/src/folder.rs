@@ -14,7 +14,7 @@ const MAX_FILE_BYTES: u64 = 1 << 20;
 const MAX_FILES: usize = 1000;
 
 impl Catalog {
-    /// Loads the built-in catalog and a folder: `DIR/sensors/*.toml`, `DIR/devices/*.toml` and `DIR/*.toml`. An entry replaces a
+    /// Loads the built-in catalog and a folder: `DIR/sensors/*.toml`, `DIR/imus/*.toml`, `DIR/devices/*.toml` and `DIR/*.toml`. An entry replaces a
     /// built-in one with the same id.
     ///
     /// # Errors
@@ -41,6 +41,7 @@ fn toml_files(dir: &Path) -> Result<Vec<PathBuf>, CatalogError> {
     for (folder, required) in [
         (dir.to_owned(), true),
         (dir.join("sensors"), false),
+        (dir.join("imus"), false),
         (dir.join("devices"), false),
     ] {
         if !required && !folder.is_dir() {
@@ -75,7 +76,7 @@ fn toml_files(dir: &Path) -> Result<Vec<PathBuf>, CatalogError> {
             dir,
             None,
             "the folder contains no TOML file",
-            "add sensors and devices to it or to its subfolders 'sensors' and 'devices'",
+            "add sensors and devices to it or to its subfolders 'sensors', 'imus' and 'devices'",
         ));
     }
     paths.sort();

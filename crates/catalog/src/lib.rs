@@ -19,6 +19,7 @@
 mod builtin;
 mod catalog;
 mod check;
+mod choose;
 mod compare;
 mod document;
 mod error;
@@ -31,13 +32,15 @@ mod source;
 mod twin;
 
 pub use catalog::Catalog;
+pub use choose::{DepthFilter, UnknownMaker};
 pub use compare::{Table, compare};
 pub use error::{CatalogError, UnknownModel};
 pub use model::{
-    Accuracy, AccuracyBand, AccuracyHeadline, Body, BodyShape, Camera, DepthKind, DepthSensor, Device,
-    Evidence, Imu, LegacyDistortion, Note, Projector, Role, Sensor,
+    Accelerometer, Accuracy, AccuracyBand, AccuracyHeadline, Body, BodyShape, Camera, DepthKind, DepthSensor,
+    Device, Evidence, Gyroscope, Imu, InertialPart, LegacyDistortion, Magnetometer, Note, Projector, Role,
+    Sensor,
 };
 pub use optics::LensChoice;
-pub use schema::{device_schema, schema_files, sensor_schema};
+pub use schema::{device_schema, inertial_part_schema, schema_files, sensor_schema};
 pub use source::{Source, Sourced, Sources};
 pub use twin::{Origin, Twin, TwinCamera, TwinDepthSensor};

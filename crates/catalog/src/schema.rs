@@ -1,6 +1,6 @@
 use serde_json::Value;
 
-use crate::{Device, Sensor};
+use crate::{Device, InertialPart, Sensor};
 
 /// Returns the JSON schema of a sensor's file.
 #[must_use]
@@ -20,12 +20,22 @@ pub fn device_schema() -> Value {
     )
 }
 
+/// Returns the JSON schema of an inertial part's file.
+#[must_use]
+pub fn inertial_part_schema() -> Value {
+    described(
+        schemars::schema_for!(InertialPart).into(),
+        "An inertial sensor of an oaktwin catalog",
+    )
+}
+
 /// Returns the names and texts of the schemas in this crate's folder `schema/`.
 #[must_use]
-pub fn schema_files() -> [(&'static str, String); 2] {
+pub fn schema_files() -> [(&'static str, String); 3] {
     [
         ("sensor.schema.json", sensor_schema()),
         ("device.schema.json", device_schema()),
+        ("imu.schema.json", inertial_part_schema()),
     ]
     .map(|(name, schema)| (name, format!("{schema:#}\n")))
 }

@@ -4,7 +4,10 @@ use std::fmt;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{Body, Camera, DepthSensor, Device, Imu, Projector, Sensor};
+use crate::{
+    Accelerometer, Body, Camera, DepthSensor, Device, Gyroscope, Imu, InertialPart, Magnetometer, Projector,
+    Sensor,
+};
 
 /// The source of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -22,6 +25,8 @@ pub enum Source {
     Schema,
     /// Luxonis' board and housing files.
     BoardFile,
+    /// A robot description (URDF) of the manufacturer or of a robot's.
+    RobotDescription,
     /// Computed from other entries.
     Derived,
     /// An estimate in the absence of sources.
@@ -44,6 +49,7 @@ impl Source {
             Self::CalibrationExport => "calibration-export",
             Self::Schema => "schema",
             Self::BoardFile => "board-file",
+            Self::RobotDescription => "robot-description",
             Self::Derived => "derived",
             Self::Estimate => "estimate",
             Self::User => "user",
@@ -73,7 +79,19 @@ macro_rules! sourced {
     )*};
 }
 
-sourced!(Sensor, Device, Body, Imu, Projector, Camera, DepthSensor);
+sourced!(
+    Sensor,
+    Device,
+    Body,
+    Imu,
+    InertialPart,
+    Accelerometer,
+    Gyroscope,
+    Magnetometer,
+    Projector,
+    Camera,
+    DepthSensor
+);
 
 #[cfg(test)]
 mod tests {
@@ -92,6 +110,7 @@ mod tests {
             Source::CalibrationExport,
             Source::Schema,
             Source::BoardFile,
+            Source::RobotDescription,
             Source::Derived,
             Source::Estimate,
             Source::User,

@@ -24,6 +24,7 @@ fn the_builtin_files_fit() {
     for (folder, schema) in [
         ("sensors", oaktwin_catalog::sensor_schema()),
         ("devices", oaktwin_catalog::device_schema()),
+        ("imus", oaktwin_catalog::inertial_part_schema()),
     ] {
         for entry in std::fs::read_dir(root.join(folder)).unwrap() {
             let path = entry.unwrap().path();

@@ -70,7 +70,7 @@ fn a_users_own_device_and_sensor_load() {
             ("readme.txt", b"not a catalog file"),
         ]);
         let catalog = Catalog::with_dir(dir.path()).unwrap();
-        assert_eq!(catalog.devices().len(), 6);
+        assert_eq!(catalog.devices().len(), Catalog::builtin().devices().len() + 1);
         let mine = catalog.device("MY-CAM").unwrap();
         assert_eq!((mine.name.as_str(), mine.source), ("My camera", Source::User));
         let left = &catalog.nominal(mine).cameras[1];
@@ -83,7 +83,7 @@ fn the_same_id_replaces() {
     let device = DEVICE.replace("mass_g = 184.0", "mass_g = 200.0");
     let dir = folder(&[("pro.toml", device.as_bytes())]);
     let catalog = Catalog::with_dir(dir.path()).unwrap();
-    assert_eq!(catalog.devices().len(), 5);
+    assert_eq!(catalog.devices().len(), Catalog::builtin().devices().len());
     assert_eq!(catalog.device("oak-d pro poe").unwrap().body.mass_g, 200.0);
     assert_eq!(catalog.devices()[0].id, "oak_d_pro_poe", "it keeps its place");
 }
@@ -126,7 +126,7 @@ fn wrong_keys_say_the_line_and_the_right_key() {
 }
 
 /// What is replaced in a device file, by what, and the message about it.
-const INVALID_VALUES: [[&str; 3]; 26] = [
+const INVALID_VALUES: [[&str; 3]; 27] = [
     [
         "hfov_deg = 77.0",
         "hfov_deg = \"77\"",
@@ -191,6 +191,11 @@ const INVALID_VALUES: [[&str; 3]; 26] = [
         "rotation = [[0.0, 0.0, -1.0]",
         "rotation = [[0.0, 0.0, 1.0]",
         "not a rotation; give three orthogonal rows of length 1 with determinant +1",
+    ],
+    [
+        "parts = [\"BNO086\"]",
+        "parts = [\"BNO085\"]",
+        "unknown inertial part \"BNO085\"; did you mean 'BNO086'? A new part needs a file of its own",
     ],
     [
         "camera = \"left\"",
@@ -334,7 +339,7 @@ fn sensors_are_checked_too() {
 fn rejects_invalid_folders() {
     assert_eq!(
         error(&[("notes.txt", b"")]),
-        "DIR: the folder contains no TOML file; add sensors and devices to it or to its subfolders 'sensors' and 'devices'"
+        "DIR: the folder contains no TOML file; add sensors and devices to it or to its subfolders 'sensors', 'imus' and 'devices'"
     );
     assert_eq!(
         error(&[("a.toml", b" \n")]),

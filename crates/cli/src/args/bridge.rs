@@ -1,5 +1,4 @@
 use clap::Args;
-use oaktwin::catalog::DepthKind;
 use oaktwin::sense::InputKind;
 use oaktwin_bridge::convert::Encoding;
 
@@ -40,9 +39,9 @@ pub(crate) struct BridgeArgs {
     #[command(flatten)]
     pub(crate) unit: UnitArgs,
 
-    /// The depth sensor of the model; by default time of flight if it has one
-    #[arg(long, value_parser = parser::<DepthKind>())]
-    pub(crate) sensor: Option<DepthKind>,
+    /// The depth sensor by kind (stereo, tof) or prim; by default time of flight if the model has it
+    #[arg(long, value_name = "KIND|PRIM")]
+    pub(crate) sensor: Option<String>,
 
     /// The kind of depth: along the optical axis or from the optical centre
     #[arg(long, value_parser = parser::<InputKind>(), default_value_t, help_heading = "Images")]

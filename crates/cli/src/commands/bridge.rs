@@ -3,7 +3,6 @@ use std::path::Path;
 use std::sync::mpsc::{self, Receiver};
 use std::thread;
 
-use oaktwin::catalog::DepthKind;
 use oaktwin::sense::{FieldOfView, SenseOptions};
 use oaktwin::sensor::depth_sensor;
 use oaktwin_bridge::{BridgeOptions, Event, Filter, Network, Started, Status, run as bridge};
@@ -25,7 +24,7 @@ pub(crate) fn run(context: &Context, args: &BridgeArgs) -> Result<Exit> {
     if let Some(path) = &args.unit.calibration {
         output::say_findings(path, &findings);
     }
-    let sensor = depth_sensor(&twin, args.sensor.map(DepthKind::as_str))?;
+    let sensor = depth_sensor(&twin, args.sensor.as_deref())?;
     let options = BridgeOptions {
         depth: args.depth.clone(),
         info: args.info.clone(),
@@ -37,8 +36,8 @@ pub(crate) fn run(context: &Context, args: &BridgeArgs) -> Result<Exit> {
         points: args.points,
         is_reliable: args.reliable,
     };
-    let kind = sensor.spec.kind;
-    let filter = Filter::new(twin, sense_options(args, kind)?)?;
+    let prim = sensor.spec.prim.clone();
+    let filter = Filter::new(twin, sense_options(args, prim)?)?;
     let mut printed = Ok(());
     signals::while_checked(|| {
         bridge(
@@ -82,10 +81,10 @@ fn lines(is_read: bool) -> Receiver<String> {
     receiver
 }
 
-fn sense_options(args: &BridgeArgs, kind: DepthKind) -> Result<SenseOptions> {
+fn sense_options(args: &BridgeArgs, prim: String) -> Result<SenseOptions> {
     Ok(SenseOptions {
         sensor: args.engine.options()?,
-        kind: Some(kind),
+        depth_sensor: Some(prim),
         input_kind: Some(args.input_kind),
         field_of_view: match (args.fx, args.hfov) {
             (Some(fx), _) => FieldOfView::FocalLength(fx),
