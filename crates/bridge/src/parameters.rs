@@ -100,7 +100,8 @@ pub(crate) fn parse(line: &str) -> Result<(&'static str, ParameterValue), String
         OptionValue::Flag => "true or false",
         _ => "a whole number",
     };
-    let value = value.ok_or_else(|| format!("{}: invalid value '{text}'; expected {expected}", option.name))?;
+    let value =
+        value.ok_or_else(|| format!("{}: invalid value '{text}'; expected {expected}", option.name))?;
     Ok((option.name, value))
 }
 
@@ -168,11 +169,20 @@ mod tests {
     fn lines_are_read() {
         assert_eq!(parse("preset = robotics"), Ok(("preset", text("robotics"))));
         assert_eq!(parse("preset="), Ok(("preset", text(""))));
-        assert_eq!(parse("extended-disparity=true"), Ok(("extended_disparity", ParameterValue::Boolean(true))));
-        assert_eq!(parse("device_seed="), Ok(("device_seed", ParameterValue::Integer(-1))));
+        assert_eq!(
+            parse("extended-disparity=true"),
+            Ok(("extended_disparity", ParameterValue::Boolean(true)))
+        );
+        assert_eq!(
+            parse("device_seed="),
+            Ok(("device_seed", ParameterValue::Integer(-1)))
+        );
         let filters = ParameterValue::StringArray(vec!["median:size=5".to_owned(), "speckle".to_owned()]);
         assert_eq!(parse("filters=median:size=5 speckle"), Ok(("filters", filters)));
-        assert_eq!(parse("seed=x").unwrap_err(), "seed: invalid value 'x'; expected a whole number");
+        assert_eq!(
+            parse("seed=x").unwrap_err(),
+            "seed: invalid value 'x'; expected a whole number"
+        );
         assert!(parse("presett=x").unwrap_err().contains("did you mean 'preset'"));
         assert!(parse("").is_err() && parse("params=/etc/passwd").is_err());
     }

@@ -112,7 +112,13 @@ pub fn run(
 /// Sets a parameter, and returns why that failed.
 fn set(node: &RosNode, line: &str) -> Option<Finding> {
     let error = node.set(line).err()?;
-    Some(Finding::new("parameter", Level::Error, "standard input", error, ""))
+    Some(Finding::new(
+        "parameter",
+        Level::Error,
+        "standard input",
+        error,
+        "",
+    ))
 }
 
 /// Reports findings, each kind at most every [`REPEAT`].

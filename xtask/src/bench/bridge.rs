@@ -16,6 +16,8 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
     let program = workspace::build_program("oaktwin", &["--release", "--package", "oaktwin-cli"])?;
     let script = Script::new(&CURRENT, "bench_bridge.py")?;
     let mut command = script.command();
-    command.arg(program).args(["--seconds", &args.seconds.to_string()]);
+    command
+        .arg(program)
+        .args(["--seconds", &args.seconds.to_string()]);
     check(&mut command)
 }
