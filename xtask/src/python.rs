@@ -36,9 +36,14 @@ pub(crate) const CURRENT: Environment = Environment {
     tests: ORACLES,
 };
 
-/// The newest OpenUSD, and the generation of Isaac Sim 5.1.
-pub(crate) const ENVIRONMENTS: [Environment; 2] = [
+/// The newest OpenUSD, the generation of Isaac Sim 5.1, and the readers of robot descriptions.
+pub(crate) const ENVIRONMENTS: [Environment; 3] = [
     CURRENT,
+    Environment {
+        name: "robot",
+        versions: ((3, 11), Some((3, 13))),
+        tests: "tests/oracles/test_robot.py",
+    },
     Environment {
         name: "usd-24.5",
         versions: ((3, 10), Some((3, 11))),

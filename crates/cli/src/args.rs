@@ -8,6 +8,7 @@ mod bridge;
 mod calibration;
 pub(crate) mod choice;
 mod coverage;
+mod export;
 mod fit;
 mod limit;
 mod outputs;
@@ -38,6 +39,7 @@ pub(crate) use calibration::{
     CalibrationArgs, CalibrationCommand, CalibrationExportArgs, CalibrationShowArgs,
 };
 pub(crate) use coverage::CoverageArgs;
+pub(crate) use export::ExportArgs;
 pub(crate) use fit::{Also, FitArgs};
 pub(crate) use outputs::OutputArgs;
 pub(crate) use pair::PairArgs;
@@ -92,6 +94,8 @@ pub(crate) enum Command {
     Calibration(CalibrationArgs),
     /// Write a model as a USD asset
     Asset(AssetArgs),
+    /// Describe a model for robots and simulators: URDF, SDF, MJCF, Webots, Blender
+    Export(ExportArgs),
     /// Render a scene: depth, colour, normals, labels and the output of depth sensors
     Render(Box<RenderArgs>),
     /// Simulate a model's depth sensor on existing depth images

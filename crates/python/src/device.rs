@@ -9,6 +9,7 @@ use oaktwin::catalog::{self, Catalog, DepthKind, Origin, Role, Twin};
 use oaktwin::diagnostic::{self, suggest};
 use oaktwin::render::{OakOptions, check_lens, oak_cameras};
 use oaktwin::report::DeviceReport;
+use oaktwin::robot::Attachment;
 use oaktwin::sensor::depth_sensor;
 use oaktwin::unit;
 use oaktwin::usd::asset::LensChoice;
@@ -393,6 +394,46 @@ impl Device {
         py.detach(|| oaktwin::files::write(&path, &bytes))
             .map_err(|error| writing(&path, &error))?;
         finding::warn(py, &findings)
+    }
+
+    /// Writes a description for robots and simulators, and returns the paths of its files.
+    ///
+    /// folder: the folder for the files, which is created.
+    /// format: "urdf", "sdf", "mjcf", "webots" or "blender".
+    /// name: the name of the device, which begins the names of its frames.
+    /// parent: the link of a robot that carries the device.
+    /// mount: the point of the device that is placed: "cameras" (midway between the left and the right optical centre), or the centre of
+    ///     the housing's face "front", "back", "bottom" or "top".
+    /// xyz: the position of that point in the parent's frame in metres.
+    /// rpy: roll, pitch and yaw of the device in the parent's frame in radians.
+    ///
+    /// Warns with oaktwin.FindingWarning about what the format cannot represent. Raises oaktwin.Error for an unknown format or an invalid
+    /// name, OSError for files that cannot be written.
+    #[pyo3(signature = (folder, format, *, name = "oak", parent = None, mount = "cameras", xyz = [0.0; 3], rpy = [0.0; 3]))]
+    #[expect(clippy::too_many_arguments, reason = "options of Python")]
+    #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
+    fn export(
+        &self,
+        py: Python<'_>,
+        folder: PathBuf,
+        format: &str,
+        name: &str,
+        parent: Option<String>,
+        mount: &str,
+        xyz: [f64; 3],
+        rpy: [f64; 3],
+    ) -> PyResult<Vec<PathBuf>> {
+        let format = named("format", format)?;
+        let attachment = Attachment {
+            name: name.to_owned(),
+            parent,
+            mount: named("mount", mount)?,
+            parent_from_mount: Attachment::pose(xyz, rpy).map_err(error)?,
+        };
+        let made = oaktwin::robot::export(self.models.get(), &self.twin, &attachment, format).map_err(error)?;
+        let written = py.detach(|| made.write(&folder)).map_err(|error| writing(&folder, &error))?;
+        finding::warn(py, &made.findings)?;
+        Ok(written)
     }
 
     /// Returns ROS's camera_info YAML: a mapping from file names to texts, one per camera.

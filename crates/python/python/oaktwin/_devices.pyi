@@ -1,9 +1,24 @@
+from collections.abc import Sequence
 from os import PathLike
+from pathlib import Path
 from typing import Any, Literal, final
 
 from ._cameras import Camera, Rectification
 from ._findings import Finding
-from ._types import _Float64, _Intrinsics, _Isaac, _Lens, _Offsets, _Parameters, _Part, _Platform, _Sensor, _Target
+from ._types import (
+    _Float64,
+    _Intrinsics,
+    _Isaac,
+    _Lens,
+    _Mount,
+    _Offsets,
+    _Parameters,
+    _Part,
+    _Platform,
+    _Robot,
+    _Sensor,
+    _Target,
+)
 
 __all__ = ["Device", "models", "parameters", "presets"]
 
@@ -119,6 +134,31 @@ class Device:
 
         Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an option that the model does not support or an unknown
         extension, OSError for files that cannot be written; incomplete files are removed.
+        """
+    def export(
+        self,
+        folder: str | PathLike[str],
+        format: _Robot,
+        *,
+        name: str = "oak",
+        parent: str | None = None,
+        mount: _Mount = "cameras",
+        xyz: Sequence[float] = (0.0, 0.0, 0.0),
+        rpy: Sequence[float] = (0.0, 0.0, 0.0),
+    ) -> list[Path]:
+        """Writes a description for robots and simulators, and returns the paths of its files.
+
+        folder: the folder for the files, which is created.
+        format: "urdf", "sdf", "mjcf", "webots" or "blender".
+        name: the name of the device, which begins the names of its frames.
+        parent: the link of a robot that carries the device.
+        mount: the point of the device that is placed: "cameras" (midway between the left and the right optical centre), or the centre of
+            the housing's face "front", "back", "bottom" or "top".
+        xyz: the position of that point in the parent's frame in metres.
+        rpy: roll, pitch and yaw of the device in the parent's frame in radians.
+
+        Warns with oaktwin.FindingWarning about what the format cannot represent. Raises oaktwin.Error for an unknown format or an invalid
+        name, OSError for files that cannot be written.
         """
     def to_ros(self) -> dict[str, str]:
         """Returns ROS's camera_info YAML: a mapping from file names to texts, one per camera.
