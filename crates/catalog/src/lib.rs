@@ -19,6 +19,7 @@
 mod builtin;
 mod catalog;
 mod check;
+mod choose;
 mod compare;
 mod document;
 mod error;
@@ -31,6 +32,7 @@ mod source;
 mod twin;
 
 pub use catalog::Catalog;
+pub use choose::{DepthFilter, UnknownMaker};
 pub use compare::{Table, compare};
 pub use error::{CatalogError, UnknownModel};
 pub use model::{
