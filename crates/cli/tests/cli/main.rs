@@ -7,6 +7,7 @@ mod assets;
 mod bad_input;
 mod coverage;
 mod every_model;
+mod export;
 mod fit;
 mod memory;
 mod named_files;

@@ -1,0 +1,69 @@
+//! `export`: the files of each format, and bad inputs. What other programs make of the files is tested in `tests/oracles`.
+
+use crate::program::Program;
+
+const FORMATS: [&str; 5] = ["urdf", "sdf", "mjcf", "webots", "blender"];
+
+#[test]
+fn every_format_of_every_model() {
+    let program = Program::new();
+    for format in FORMATS {
+        for model in ["OAK-D Pro PoE", "OAK4-D Wide", "OAK-D ToF"] {
+            let out = program.good(&["export", model, "--to", format, "-o", "out"]);
+            assert!(!out.is_empty(), "{format} {model}");
+        }
+    }
+    let text = program.read("out/model.sdf");
+    assert!(text.contains("<sensor name=\"oak_tof_depth\" type=\"rgbd_camera\">"), "{text}");
+}
+
+#[test]
+fn the_urdf_of_a_mounted_oak() {
+    let program = Program::new();
+    let mount = ["--parent", "wrist", "--mount", "back", "--xyz", "0", "0", "0.1", "--rpy", "0", "0.5", "0"];
+    let mut command = vec!["export", "OAK4-D", "--to", "urdf", "-o", "out"];
+    command.extend(mount);
+    insta::assert_snapshot!(program.good(&command));
+    let text = program.read("out/oak.urdf");
+    let start = text.find("<joint name=\"oak_center_joint\"").unwrap();
+    insta::assert_snapshot!(&text[start..start + 260]);
+}
+
+#[test]
+fn a_calibration_finds_its_model() {
+    let program = Program::new();
+    program.put("unit.json", &program.good(&["calibration", "export", "OAK-D Pro PoE", "--to", "depthai"]));
+    let out = program.good(&["export", "unit.json", "--to", "mjcf", "-o", "out", "--json"]);
+    assert!(out.contains("\"model\": \"OAK-D Pro PoE\"") && out.contains("oak.xml"), "{out}");
+    let mut text = String::new();
+    for command in [
+        "export unit.json --to mjcf -o out --calibration unit.json",
+        "export OAK4-D --to mjcf -o out --calibration unit.json",
+    ] {
+        text += &program.bad(&command.split(' ').collect::<Vec<_>>());
+    }
+    insta::assert_snapshot!(text);
+}
+
+#[test]
+fn bad_input() {
+    let program = Program::new();
+    program.put("file", "");
+    let mut text = String::new();
+    for command in [
+        "export OAK4-E --to urdf -o out",
+        "export OAK4-D --to urdff -o out",
+        "export OAK4-D --to urdf -o out --mount bottm",
+        "export OAK4-D --to urdf -o out --name 4-oak",
+        "export OAK4-D --to urdf -o out --parent oak",
+        "export OAK4-D --to urdf -o out --parent a<b",
+        "export OAK4-D --to urdf -o out --xyz 0 nan 0",
+        "export OAK4-D --to urdf -o file",
+        "export file --to urdf -o out",
+        "export nothing.json --to urdf -o out",
+    ] {
+        text += &program.bad(&command.split(' ').collect::<Vec<_>>());
+        text += "\n";
+    }
+    insta::assert_snapshot!(text);
+}
