@@ -11,7 +11,8 @@ use super::{SensorArgs, ThreadArgs, UnitArgs};
     after_help = "The bridge subscribes to a simulator's exact depth (sensor_msgs/Image, 32FC1 in metres or 16UC1 in millimetres) and \
     publishes what the OAK would report, with the stamps and frame ids of the input, as sensor data (best-effort): \
     OUT/stereo/image_raw and OUT/stereo/camera_info (OUT/tof/… for a time-of-flight sensor) and, with --points, OUT/points. \
-    The options of the depth sensor are parameters of the node: `ros2 param set /oaktwin_bridge preset robotics`.\n\n\
+    The options of the depth sensor are parameters of the node: `ros2 param set /oaktwin_bridge preset robotics`, or lines on standard \
+    input with --stdin.\n\n\
     It reads ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY and ROS_AUTOMATIC_DISCOVERY_RANGE, and runs until Ctrl-C."
 )]
 pub(crate) struct BridgeArgs {
@@ -95,6 +96,10 @@ pub(crate) struct BridgeArgs {
 
     #[command(flatten, next_help_heading = "Execution")]
     pub(crate) threads: ThreadArgs,
+
+    /// Also read parameters from standard input, one NAME=VALUE per line, such as preset=robotics
+    #[arg(long, help_heading = "ROS 2")]
+    pub(crate) stdin: bool,
 
     /// Print events and the state every 10 s as JSON, one object per line
     #[arg(long, help_heading = "Execution")]

@@ -1,4 +1,7 @@
+use std::io::{self, BufRead, BufReader, Read};
 use std::path::Path;
+use std::sync::mpsc::{self, Receiver};
+use std::thread;
 
 use oaktwin::sense::{FieldOfView, SenseOptions};
 use oaktwin::sensor::depth_sensor;
@@ -7,6 +10,9 @@ use oaktwin_bridge::{BridgeOptions, Event, Filter, Network, Started, Status, run
 use crate::args::BridgeArgs;
 use crate::context::{Context, Exit, Result};
 use crate::{output, signals};
+
+/// The longest line of standard input, bytes.
+const MAX_LINE: u64 = 1 << 16;
 
 pub(crate) fn run(context: &Context, args: &BridgeArgs) -> Result<Exit> {
     args.threads.apply();
@@ -38,6 +44,7 @@ pub(crate) fn run(context: &Context, args: &BridgeArgs) -> Result<Exit> {
             filter,
             &options,
             &network,
+            &lines(args.stdin),
             |event| {
                 let result = print(args, &event);
                 if printed.is_ok() {
@@ -49,6 +56,29 @@ pub(crate) fn run(context: &Context, args: &BridgeArgs) -> Result<Exit> {
     })?;
     printed?;
     Ok(Exit::Interrupted)
+}
+
+/// Returns the lines of standard input, which a thread reads until its end, or no lines.
+fn lines(is_read: bool) -> Receiver<String> {
+    // A program that writes faster than the bridge takes waits.
+    let (sender, receiver) = mpsc::sync_channel(16);
+    if is_read {
+        thread::spawn(move || {
+            let mut input = BufReader::new(io::stdin());
+            loop {
+                let mut line = Vec::new();
+                let read = input.by_ref().take(MAX_LINE).read_until(b'\n', &mut line);
+                if !matches!(read, Ok(1..)) {
+                    return;
+                }
+                let text = String::from_utf8_lossy(&line).trim().to_owned();
+                if !text.is_empty() && sender.send(text).is_err() {
+                    return;
+                }
+            }
+        });
+    }
+    receiver
 }
 
 fn sense_options(args: &BridgeArgs, prim: String) -> Result<SenseOptions> {
