@@ -1,6 +1,6 @@
-"""Draws docs/images/models.png: the five assets as `oaktwin asset all` writes them.
+"""Draws docs/images/models.png: the five assets as `oaktwin asset sheet` writes them.
 
-    oaktwin asset all -o ASSETS && python docs/draw_models.py ASSETS docs/images/models.png
+    oaktwin asset sheet -o ASSETS && python docs/draw_models.py ASSETS docs/images/models.png
 
 Needs usd-core, numpy and opencv-python-headless: the environment that `cargo xtask test` makes has them.
 A small software rasterizer with a made-up studio around it; nothing of it is part of the program.

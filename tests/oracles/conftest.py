@@ -13,6 +13,7 @@ from depth_eval import DepthEval
 
 # Not every environment has these packages; tests that need them do not depend on the version of OpenUSD.
 NEEDS = {
+    "test_bridge.py": ("cyclonedds",),
     "test_calibration.py": ("cv2", "depthai", "yaml"),
     "test_camera_maths.py": ("cv2",),
     "test_dataset.py": ("cv2",),

@@ -69,7 +69,7 @@ export interface Camera {
 }
 
 export interface DepthSensor {
-  /** "depth_stereo" or "depth_tof". */
+  /** "depth_stereo" or "depth_tof"; the prim if the device has several of the kind. */
   id: string;
   kind: "stereo" | "tof";
   resolution: [number, number];

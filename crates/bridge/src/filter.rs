@@ -1,7 +1,7 @@
 //! The filter between topics: a depth image and its camera in, what the OAK reports out.
 
 use oaktwin::camera::{Camera, ImageSize};
-use oaktwin::catalog::{DepthKind, Twin};
+use oaktwin::catalog::Twin;
 use oaktwin::depth::OutputCamera;
 use oaktwin::diagnostic::Finding;
 use oaktwin::image::Image;
@@ -159,7 +159,7 @@ impl Filter {
 
 /// Creates the sensor of a twin for images of its own camera, to check options.
 pub(crate) fn check(twin: &Twin, options: &SenseOptions) -> Result<(), SenseError> {
-    let sensor = oaktwin::sensor::depth_sensor(twin, options.kind.map(DepthKind::as_str))?;
+    let sensor = oaktwin::sensor::depth_sensor(twin, options.depth_sensor.as_deref())?;
     let own = twin.depth_camera(sensor).map(|camera| camera.intrinsics.size);
     let size = own.unwrap_or(ImageSize::new(1280, 800));
     ImageSensor::new(twin, size, options).map(|_| ())

@@ -5,11 +5,9 @@ use std::thread::{self, JoinHandle};
 
 use oaktwin::sense::SenseOptions;
 use oaktwin::sensor::SensorOptions;
-use ros2_client::qos::{History, WhenFull};
-use ros2_client::{
-    Context, MessageTypeName, Name, Node, NodeName, NodeOptions, Publisher, QosProfile, Subscription,
-};
-use rustdds::DomainParticipantBuilder;
+use ros2_client::{Context, MessageTypeName, Node, NodeName, NodeOptions, Publisher, Subscription};
+use rustdds::policy::{Durability, History, Reliability, ResourceLimits};
+use rustdds::{DomainParticipantBuilder, Duration, QosPolicies, QosPolicyBuilder, Topic, TopicKind};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -92,10 +90,13 @@ impl RosNode {
         topics: &Topics,
         is_reliable: bool,
     ) -> Result<Subscriptions, BridgeError> {
-        let qos = match is_reliable {
-            true => sensor_data().reliability_reliable(WhenFull::DEFAULT),
-            false => sensor_data(),
+        let reliability = match is_reliable {
+            true => Reliability::Reliable {
+                max_blocking_time: Duration::ZERO,
+            },
+            false => Reliability::BestEffort,
         };
+        let qos = sensor_data(reliability);
         Ok(Subscriptions {
             depth: self.subscription(&topics.depth, "Image", &qos)?,
             info: match &topics.info {
@@ -125,28 +126,31 @@ impl RosNode {
         &mut self,
         topic: &str,
         message: &str,
-        qos: &QosProfile,
+        qos: &QosPolicies,
     ) -> Result<Subscription<M>, BridgeError> {
         let topic = self.topic(topic, message, qos)?;
-        let subscription = self.node.create_subscription(&topic, Some(qos.clone()));
+        let subscription = self.node.create_subscription(&topic, None);
         subscription.map_err(|error| failed(&error))
     }
 
     fn publisher<M: Serialize>(&mut self, topic: &str, message: &str) -> Result<Publisher<M>, BridgeError> {
-        let qos = sensor_data();
-        let topic = self.topic(topic, message, &qos)?;
-        let publisher = self.node.create_publisher(&topic, Some(qos));
+        let topic = self.topic(topic, message, &sensor_data(Reliability::BestEffort))?;
+        let publisher = self.node.create_publisher(&topic, None);
         publisher.map_err(|error| failed(&error))
     }
 
-    fn topic(&mut self, topic: &str, message: &str, qos: &QosProfile) -> Result<rustdds::Topic, BridgeError> {
-        let name = Name::parse(topic).map_err(|error| BridgeError::Name {
-            name: topic.to_owned(),
-            what: format!("{error:?}"),
-        })?;
-        let message = MessageTypeName::new("sensor_msgs", message);
-        let topic = self.node.create_topic(&name, message, qos);
+    fn topic(&self, topic: &str, message: &str, qos: &QosPolicies) -> Result<Topic, BridgeError> {
+        // The topics of the node have no limit of samples.
+        let participant = self.context.domain_participant();
+        let message = MessageTypeName::new("sensor_msgs", message).dds_msg_type();
+        let topic = participant.create_topic(format!("rt{topic}"), message, qos, TopicKind::NoKey);
         topic.map_err(|error| failed(&error))
+    }
+
+    /// Sets a parameter, as its service does.
+    pub(crate) fn set(&self, line: &str) -> Result<(), String> {
+        let (name, value) = parameters::parse(line)?;
+        self.node.set_parameter(name, value)
     }
 
     /// The number of publishers of a topic.
@@ -159,12 +163,13 @@ impl RosNode {
         self.node.subscription_count(topic)
     }
 
-    /// The names of the topics with images, sorted.
+    /// The names of the published topics with images, sorted.
     pub(crate) fn image_topics(&self) -> Vec<String> {
-        let topics = self.context.discovered_topics().into_iter();
+        let writers = self.context.domain_participant().discovered_writers();
+        let topics = writers.into_iter().map(|writer| writer.publication_topic_data);
         let mut names: Vec<String> = topics
             .filter(|topic| topic.type_name == "sensor_msgs::msg::dds_::Image_")
-            .map(|topic| topic.name)
+            .filter_map(|topic| topic.topic_name.strip_prefix("rt").map(str::to_owned))
             .collect();
         names.sort();
         names.dedup();
@@ -181,9 +186,21 @@ impl Drop for RosNode {
     }
 }
 
-/// The profile of sensors: best-effort, and only the newest image, because late images are of no use.
-fn sensor_data() -> QosProfile {
-    QosProfile::subscription_default().history(History::KeepLast { depth: 1 })
+/// The number of messages of a topic that the DDS library keeps.
+const MAX_SAMPLES: i32 = 4;
+
+/// The profile of sensors: only the newest image, because late images are of no use, and few in memory.
+fn sensor_data(reliability: Reliability) -> QosPolicies {
+    QosPolicyBuilder::new()
+        .reliability(reliability)
+        .durability(Durability::Volatile)
+        .history(History::KeepLast { depth: 1 })
+        .resource_limits(ResourceLimits {
+            max_samples: MAX_SAMPLES,
+            max_instances: 1,
+            max_samples_per_instance: MAX_SAMPLES,
+        })
+        .build()
 }
 
 /// Declares the sensor's options as parameters. A value is checked before it is set.

@@ -1,5 +1,6 @@
 //! The options of the sensor as parameters of the node, which `ros2 param set` changes while the bridge runs.
 
+use oaktwin::diagnostic::{fold_name, suggest};
 use oaktwin::sensor::{OptionValue, SENSOR_OPTIONS, SensorOption, SensorOptions};
 use ros2_client::ParameterValue;
 
@@ -72,6 +73,38 @@ pub(crate) fn with(
     Some(Ok(new))
 }
 
+/// Reads `NAME=VALUE`, with several values of a list separated by spaces.
+///
+/// # Errors
+/// Returns an error if there is no such parameter, or the value has another type.
+pub(crate) fn parse(line: &str) -> Result<(&'static str, ParameterValue), String> {
+    let (name, text) = line.split_once('=').unwrap_or((line, ""));
+    let (name, text) = (name.trim(), text.trim());
+    let Some(option) = offered().find(|option| fold_name(option.name) == fold_name(name)) else {
+        let names = offered().map(|option| option.name);
+        return Err(format!("'{name}' is not a parameter; {}", suggest(name, names)));
+    };
+    let value = match option.value {
+        OptionValue::Flag => text.parse().ok().map(ParameterValue::Boolean),
+        OptionValue::Number if text.is_empty() => Some(ParameterValue::Integer(NONE)),
+        OptionValue::Number => text.parse().ok().map(ParameterValue::Integer),
+        OptionValue::List(_) | OptionValue::Assignments => {
+            let texts = text.split_whitespace().map(str::to_owned);
+            Some(ParameterValue::StringArray(texts.collect()))
+        }
+        OptionValue::Text(..) | OptionValue::Choice(..) | OptionValue::File => {
+            Some(ParameterValue::String(text.to_owned()))
+        }
+    };
+    let expected = match option.value {
+        OptionValue::Flag => "true or false",
+        _ => "a whole number",
+    };
+    let value =
+        value.ok_or_else(|| format!("{}: invalid value '{text}'; expected {expected}", option.name))?;
+    Ok((option.name, value))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -130,5 +163,27 @@ mod tests {
         assert!(set(&options, "seed", &ParameterValue::Integer(-2)).is_err());
         assert!(with(&options, "params", &text("/etc/passwd")).is_none());
         assert!(with(&options, "use_sim_time", &ParameterValue::Boolean(true)).is_none());
+    }
+
+    #[test]
+    fn lines_are_read() {
+        assert_eq!(parse("preset = robotics"), Ok(("preset", text("robotics"))));
+        assert_eq!(parse("preset="), Ok(("preset", text(""))));
+        assert_eq!(
+            parse("extended-disparity=true"),
+            Ok(("extended_disparity", ParameterValue::Boolean(true)))
+        );
+        assert_eq!(
+            parse("device_seed="),
+            Ok(("device_seed", ParameterValue::Integer(-1)))
+        );
+        let filters = ParameterValue::StringArray(vec!["median:size=5".to_owned(), "speckle".to_owned()]);
+        assert_eq!(parse("filters=median:size=5 speckle"), Ok(("filters", filters)));
+        assert_eq!(
+            parse("seed=x").unwrap_err(),
+            "seed: invalid value 'x'; expected a whole number"
+        );
+        assert!(parse("presett=x").unwrap_err().contains("did you mean 'preset'"));
+        assert!(parse("").is_err() && parse("params=/etc/passwd").is_err());
     }
 }

@@ -1,5 +1,6 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc::Receiver;
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -28,7 +29,8 @@ const REPEAT: Duration = Duration::from_secs(30);
 /// The number of kinds of findings whose times are remembered.
 const MAX_KINDS: usize = 256;
 
-/// Runs the bridge until `is_over`, and returns its final state, which is also reported.
+/// Runs the bridge until `is_over`, and returns its final state, which is also reported. Each of `lines` sets a parameter of
+/// the sensor, `NAME=VALUE`.
 ///
 /// # Errors
 /// Returns an error if a topic or an option is invalid, or the node cannot be created.
@@ -36,6 +38,7 @@ pub fn run(
     filter: Filter,
     options: &BridgeOptions,
     network: &Network,
+    lines: &Receiver<String>,
     report: impl FnMut(Event),
     is_over: impl Fn() -> bool,
 ) -> Result<Status, BridgeError> {
@@ -80,6 +83,7 @@ pub fn run(
             .map_err(|error| BridgeError::Node(error.to_string()))?;
         let (mut looked, mut told) = (started, started);
         while !is_over() && !receiver.is_finished() {
+            reporter.findings(lines.try_iter().filter_map(|line| set(&node, &line)));
             bridge.set(&wanted, &mut reporter);
             if let Some(arrived) = mailbox.take(TICK) {
                 bridge.frame(arrived, &mut reporter);
@@ -105,6 +109,18 @@ pub fn run(
     })
 }
 
+/// Sets a parameter, and returns why that failed.
+fn set(node: &RosNode, line: &str) -> Option<Finding> {
+    let error = node.set(line).err()?;
+    Some(Finding::new(
+        "parameter",
+        Level::Error,
+        "standard input",
+        error,
+        "",
+    ))
+}
+
 /// Reports findings, each kind at most every [`REPEAT`].
 struct Reporter<R> {
     report: R,
@@ -116,12 +132,17 @@ impl<R: FnMut(Event)> Reporter<R> {
         for finding in findings {
             let now = Instant::now();
             let kind = (finding.code, finding.place.clone());
+            // Each change of a parameter has an answer.
+            let is_answer = finding.code.starts_with("parameter");
             let is_new = match self.last.get(&kind) {
+                _ if is_answer => true,
                 Some(last) => now.duration_since(*last) >= REPEAT,
                 None => self.last.len() < MAX_KINDS,
             };
             if is_new {
-                self.last.insert(kind, now);
+                if !is_answer {
+                    self.last.insert(kind, now);
+                }
                 (self.report)(Event::Finding(finding));
             }
         }

@@ -1,6 +1,6 @@
 use oaktwin_camera::ImageSize;
 use oaktwin_catalog::{Catalog, Role, Twin, TwinCamera};
-use oaktwin_diagnostic::{Finding, Level, fold_name, message, opt};
+use oaktwin_diagnostic::{Finding, Level, message, opt};
 
 use crate::check::{RESOLUTION, baseline_finding};
 use crate::{Calibration, CameraCalibration, Socket};
@@ -16,7 +16,7 @@ const SAME_ASPECT: f64 = 0.01;
 #[must_use]
 pub fn check_against(calibration: &Calibration, nominal: &Twin, catalog: &Catalog) -> Vec<Finding> {
     let mut findings = Vec::new();
-    findings.extend(product(calibration, nominal));
+    findings.extend(product(calibration, nominal, catalog));
     findings.extend(baseline(calibration, nominal));
     for camera in &nominal.cameras {
         let Some(found) = calibrated(calibration, camera) else {
@@ -37,7 +37,7 @@ pub(crate) fn calibrated<'a>(
 }
 
 pub(crate) fn socket_of(camera: &TwinCamera) -> Option<Socket> {
-    u8::try_from(camera.spec.socket?).ok().map(Socket)
+    u8::try_from(camera.spec.socket()).ok().map(Socket)
 }
 
 /// Returns the sockets of a twin's stereo pair.
@@ -46,11 +46,10 @@ pub(crate) fn pair_of(nominal: &Twin) -> Option<(Socket, Socket)> {
     Some((socket(Role::Left)?, socket(Role::Right)?))
 }
 
-fn product(calibration: &Calibration, nominal: &Twin) -> Option<Finding> {
+fn product(calibration: &Calibration, nominal: &Twin, catalog: &Catalog) -> Option<Finding> {
     let product = &calibration.board.product_name;
     let device = &nominal.device;
-    let same = |name: &str| fold_name(name) == fold_name(product);
-    if product.is_empty() || device.names().any(same) {
+    if product.is_empty() || catalog.device(product).is_ok_and(|own| own.id == device.id) {
         return None;
     }
     Some(Finding::new(

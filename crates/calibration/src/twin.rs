@@ -45,6 +45,7 @@ pub fn twin(
     if let Some((left, body_from_left)) = body {
         match calibration.camera_from_imu(left, false) {
             Ok(left_from_imu) => twin.body_from_imu = Some(body_from_left * left_from_imu),
+            Err(_) if nominal.body_from_imu.is_none() => {}
             Err(_) => findings.push(Finding::new(
                 "imu-nominal",
                 Level::Note,

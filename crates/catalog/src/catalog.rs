@@ -5,7 +5,7 @@ use oaktwin_diagnostic::{fold_name, nearest};
 use serde::Serialize;
 
 use crate::document::Document;
-use crate::{CatalogError, Device, InertialPart, Sensor, UnknownModel, builtin, check};
+use crate::{CatalogError, DepthKind, Device, InertialPart, Sensor, Source, UnknownModel, builtin, check};
 
 /// A collection of sensors, inertial parts and devices.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -48,12 +48,7 @@ impl Catalog {
 
     /// Sorts the devices by manufacturer, in the order in which these occur.
     fn group_by_maker(&mut self) {
-        let mut makers: Vec<String> = Vec::new();
-        for device in &self.devices {
-            if !makers.contains(&device.manufacturer) {
-                makers.push(device.manufacturer.clone());
-            }
-        }
+        let makers: Vec<String> = self.makers().into_iter().map(str::to_owned).collect();
         let place = |device: &Device| makers.iter().position(|maker| *maker == device.manufacturer);
         self.devices.sort_by_key(place);
     }
@@ -85,6 +80,13 @@ impl Catalog {
         self.sensors.iter().find(|sensor| fold_name(&sensor.id) == id)
     }
 
+    /// Returns the devices of the parameter sheet in its order.
+    pub fn sheet(&self) -> impl Iterator<Item = &Device> {
+        self.devices
+            .iter()
+            .filter(|device| device.source == Source::Document)
+    }
+
     /// Returns the inertial parts.
     #[must_use]
     pub fn inertial_parts(&self) -> &[InertialPart] {
@@ -108,32 +110,53 @@ impl Catalog {
     /// Returns the device with a name: its id, name or an alias, otherwise its prim, ignoring case, spaces, hyphens and
     /// underscores.
     ///
+    /// The product name of a unit may add its focus (`-AF`, `-FF`) and a custom build (`-C16`, `-C56M52`). A name that is
+    /// unknown with these suffixes is the one without them.
+    ///
     /// # Errors
     /// Returns an error with the nearest names if no device has this name.
     pub fn device(&self, name: &str) -> Result<&Device, UnknownModel> {
+        let found =
+            std::iter::successors(Some(name), |name| without_suffix(name)).find_map(|name| self.find(name));
+        found.ok_or_else(|| self.unknown(name))
+    }
+
+    /// Returns the device of a unit whose calibration has these names of product and board.
+    ///
+    /// # Errors
+    /// Returns an error with the names nearest to the product if neither is known.
+    pub fn device_of_unit(&self, product: &str, board: &str) -> Result<&Device, UnknownModel> {
+        self.device(product).or_else(|unknown| {
+            let board = fold_name(board);
+            let is_on = |device: &&Device| device.boards.iter().any(|own| fold_name(own) == board);
+            let found = self.devices.iter().find(is_on);
+            found.filter(|_| product.is_empty()).ok_or(unknown)
+        })
+    }
+
+    fn find(&self, name: &str) -> Option<&Device> {
         let wanted = fold_name(name);
         let named = |device: &&Device| device.names().any(|name| fold_name(name) == wanted);
         let in_asset = |device: &&Device| fold_name(&device.prim) == wanted;
         let devices = || self.devices.iter();
-        devices()
-            .find(named)
-            .or_else(|| devices().find(in_asset))
-            .ok_or_else(|| {
-                let all = self.devices.iter().flat_map(Device::names_and_prim);
-                let mut names: Vec<String> = Vec::new();
-                for near in nearest(name, all) {
-                    for device in &self.devices {
-                        if device.names_and_prim().any(|name| name == near) && !names.contains(&device.name) {
-                            names.push(device.name.clone());
-                        }
-                    }
+        devices().find(named).or_else(|| devices().find(in_asset))
+    }
+
+    fn unknown(&self, name: &str) -> UnknownModel {
+        let all = self.devices.iter().flat_map(Device::names_and_prim);
+        let mut names: Vec<String> = Vec::new();
+        for near in nearest(name, all) {
+            for device in &self.devices {
+                if device.names_and_prim().any(|name| name == near) && !names.contains(&device.name) {
+                    names.push(device.name.clone());
                 }
-                UnknownModel {
-                    name: name.to_owned(),
-                    nearest: names,
-                    known: self.devices.iter().map(|device| device.name.clone()).collect(),
-                }
-            })
+            }
+        }
+        UnknownModel {
+            name: name.to_owned(),
+            nearest: names,
+            known: self.devices.iter().map(|device| device.name.clone()).collect(),
+        }
     }
 
     /// Adds files to the catalog. An entry replaces an earlier one with the same id.
@@ -169,11 +192,45 @@ impl Catalog {
     }
 }
 
+impl Device {
+    /// Returns the names of the built-in models with a depth sensor, of one kind if it is given, comma-separated: those of the same
+    /// manufacturer if there are any.
+    #[must_use]
+    pub fn models_with_depth(&self, kind: Option<DepthKind>) -> String {
+        let has = |device: &&Device| {
+            let mut kinds = device.depth_sensors.iter().map(|sensor| sensor.kind);
+            kinds.any(|own| kind.is_none_or(|kind| own == kind))
+        };
+        let all: Vec<&Device> = Catalog::builtin().devices.iter().filter(has).collect();
+        let is_sibling = |device: &&&Device| device.manufacturer == self.manufacturer;
+        let siblings: Vec<&str> = all
+            .iter()
+            .filter(is_sibling)
+            .map(|device| device.name.as_str())
+            .collect();
+        if siblings.is_empty() {
+            let all: Vec<&str> = all.iter().map(|device| device.name.as_str()).collect();
+            return all.join(", ");
+        }
+        siblings.join(", ")
+    }
+}
+
 /// Whether a file describes a device: these have cameras or a prim, sensors have neither.
 fn is_device(document: &Document<'_>) -> bool {
     ["camera", "prim", "body", "depth_sensor"]
         .iter()
         .any(|key| document.has(key))
+}
+
+/// Returns a product name without its last part if that is a focus or a custom build.
+fn without_suffix(name: &str) -> Option<&str> {
+    let (rest, last) = name.trim_end().rsplit_once(['-', '_', ' '])?;
+    let is_focus = ["AF", "FF"].iter().any(|focus| last.eq_ignore_ascii_case(focus));
+    let is_number = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+    let custom = last.strip_prefix(['C', 'c']);
+    let is_custom = custom.is_some_and(|numbers| numbers.splitn(2, ['M', 'm']).all(is_number));
+    (is_focus || is_custom).then_some(rest)
 }
 
 /// Whether a file that does not describe a device describes an inertial part.
@@ -195,22 +252,51 @@ fn put<T>(entries: &mut Vec<T>, new: T, id: impl Fn(&T) -> &str) {
 mod tests {
     use super::*;
 
+    const SHEET: [&str; 5] = [
+        "OAK-D Pro PoE",
+        "OAK-D Pro W PoE",
+        "OAK4-D",
+        "OAK4-D Wide",
+        "OAK-D ToF",
+    ];
+
     #[test]
     fn builtin_catalog_is_valid() {
         let catalog = Catalog::builtin();
-        let names: Vec<&str> = catalog.devices().iter().map(|d| d.name.as_str()).collect();
-        assert_eq!(
-            names,
-            [
-                "OAK-D Pro PoE",
-                "OAK-D Pro W PoE",
-                "OAK4-D",
-                "OAK4-D Wide",
-                "OAK-D ToF"
-            ]
-        );
-        let sensors: Vec<&str> = catalog.sensors().iter().map(|s| s.id.as_str()).collect();
-        assert_eq!(sensors, ["33D", "IMX378", "IMX586", "OV9282", "OV9782"]);
+        let sheet: Vec<&str> = catalog.sheet().map(|d| d.name.as_str()).collect();
+        let first: Vec<&str> = catalog
+            .devices()
+            .iter()
+            .map(|d| d.name.as_str())
+            .take(5)
+            .collect();
+        assert_eq!(sheet, first);
+        assert_eq!(sheet, SHEET);
+        let mut makers: Vec<&str> = catalog
+            .devices()
+            .iter()
+            .map(|d| d.manufacturer.as_str())
+            .collect();
+        makers.dedup();
+        assert_eq!(makers, ["Luxonis", "Microsoft", "Orbbec", "Intel", "Stereolabs"]);
+    }
+
+    #[test]
+    fn gaps_are_explained() {
+        for device in Catalog::builtin().devices() {
+            let has_note = |topic: &str| device.notes.iter().any(|note| note.topic == topic);
+            assert!(device.imu.is_some() || has_note("imu"), "{}: imu", device.id);
+            assert!(
+                device.accuracy.len() >= device.depth_sensors.len() || has_note("accuracy"),
+                "{}: accuracy",
+                device.id
+            );
+            assert!(
+                !device.depth_sensors.is_empty() || has_note("depth"),
+                "{}: depth",
+                device.id
+            );
+        }
     }
 
     #[test]
@@ -218,7 +304,13 @@ mod tests {
         let catalog = Catalog::builtin();
         for (asked, id) in [
             ("oak-d pro poe", "oak_d_pro_poe"),
-            ("OAK_D_PRO", "oak_d_pro_poe"),
+            ("OAK_D_PRO", "oak_d_pro"),
+            ("OAK-D Pro AF", "oak_d_pro"),
+            ("OAK-D-PRO-POE-C16", "oak_d_pro_poe"),
+            ("OAK-D-PRO-POE-AF-C16", "oak_d_pro_poe"),
+            ("OAK-4-D-C56M52", "oak4_d"),
+            ("OAK-D-LITE", "oak_d_lite"),
+            ("D435i", "realsense_d435i"),
             ("OAK-D-PRO-W-POE", "oak_d_pro_w_poe"),
             ("oak4d", "oak4_d"),
             ("OAK 4 D", "oak4_d"),
@@ -229,9 +321,29 @@ mod tests {
         }
         let error = catalog.device("OAK-D TofF").unwrap_err();
         assert_eq!(error.nearest[0], "OAK-D ToF");
-        assert_eq!(
-            catalog.device("kinect").unwrap_err().to_string(),
-            "unknown model 'kinect'; known models: OAK-D Pro PoE, OAK-D Pro W PoE, OAK4-D, OAK4-D Wide, OAK-D ToF"
+        for unknown in ["OAK-D-PRO-POE-97", "OAK-D-C", "-C16", "OAK-D-C1X"] {
+            assert!(catalog.device(unknown).is_err(), "{unknown}");
+        }
+        let error = catalog.device("primesense").unwrap_err().to_string();
+        assert!(
+            error.starts_with("unknown model 'primesense'; known models: OAK-D Pro PoE, "),
+            "{error}"
         );
+        assert!(error.ends_with(", ZED X"), "{error}");
+    }
+
+    #[test]
+    fn units_without_a_product_name_are_found_by_their_board() {
+        let catalog = Catalog::builtin();
+        assert_eq!(catalog.device_of_unit("", "BW1098OBC").unwrap().id, "oak_d");
+        assert_eq!(
+            catalog.device_of_unit("OAK-D-S2", "DM9098").unwrap().id,
+            "oak_d_s2"
+        );
+        assert!(
+            catalog.device_of_unit("", "DM9098").is_err(),
+            "several models have it"
+        );
+        assert!(catalog.device_of_unit("another", "BW1098OBC").is_err());
     }
 }

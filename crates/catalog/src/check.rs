@@ -106,7 +106,16 @@ pub(crate) fn device(doc: &Document<'_>, device: &Device, catalog: &Catalog) -> 
         depth_sensor(doc, &at, spec, device)?;
     }
     for (i, table) in device.accuracy.iter().enumerate() {
-        accuracy(doc, &format!("accuracy.{i}"), table)?;
+        let at = format!("accuracy.{i}");
+        let is_own = |prim: &String| device.depth_sensors.iter().any(|sensor| sensor.prim == *prim);
+        if let Some(prim) = table.depth_sensor.as_ref().filter(|prim| !is_own(prim)) {
+            return Err(doc.error(
+                &format!("{at}.depth_sensor"),
+                format!("the device has no depth sensor {prim:?}"),
+                "name the prim of one of its depth sensors",
+            ));
+        }
+        accuracy(doc, &at, table)?;
     }
     sources(doc, "", &device.sources)?;
     sources(doc, "body.", &device.body.sources)?;

@@ -19,6 +19,7 @@
 mod builtin;
 mod catalog;
 mod check;
+mod choose;
 mod compare;
 mod document;
 mod error;
@@ -26,11 +27,13 @@ mod folder;
 mod model;
 mod nominal;
 mod optics;
+mod page;
 mod schema;
 mod source;
 mod twin;
 
 pub use catalog::Catalog;
+pub use choose::{DepthFilter, UnknownMaker};
 pub use compare::{Table, compare};
 pub use error::{CatalogError, UnknownModel};
 pub use model::{
@@ -39,6 +42,7 @@ pub use model::{
     Sensor,
 };
 pub use optics::LensChoice;
+pub use page::models_page;
 pub use schema::{device_schema, inertial_part_schema, schema_files, sensor_schema};
 pub use source::{Source, Sourced, Sources};
 pub use twin::{Origin, Twin, TwinCamera, TwinDepthSensor};

@@ -79,6 +79,9 @@ pub struct Device {
     /// Alternative names, such as the `productName` of calibration files.
     #[serde(default)]
     pub aliases: Vec<String>,
+    /// The board names by which calibrations without a product name identify it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub boards: Vec<String>,
     /// The prim below `/Root` in the asset, such as `oak_d_pro`.
     pub prim: String,
     /// The manufacturer, such as `Luxonis`.
@@ -194,7 +197,8 @@ pub struct Camera {
     /// A remark that the comparison adds to the sensor's name: `wide optics`, `color`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub remark: Option<String>,
-    /// The socket in `DepthAI` calibration files; 0 is `CAM_A`. Other makers' cameras have none.
+    /// The socket in `DepthAI` calibration files; 0 is `CAM_A`. By default, as for other makers' cameras, see
+    /// [`Camera::socket`].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub socket: Option<i32>,
     /// The horizontal field of view of the ideal pinhole in degrees, which determines fx.
@@ -368,6 +372,9 @@ pub struct Imu {
 pub struct Accuracy {
     /// The depth sensor to which the table applies.
     pub sensor: DepthKind,
+    /// The prim of the depth sensor, if the table does not apply to all of that kind.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub depth_sensor: Option<String>,
     /// The quantity of the percentage, such as `error of the region's median`.
     pub measure: String,
     /// The bands in order of distance.
@@ -426,6 +433,19 @@ pub struct Note {
     pub topic: String,
     /// One or two sentences.
     pub text: String,
+}
+
+impl Camera {
+    /// Returns the socket in `DepthAI` calibration files: by default 0 for `rgb`, 1 for `left`, 2 for `right`, 3 for `tof`.
+    #[must_use]
+    pub fn socket(&self) -> i32 {
+        self.socket.unwrap_or(match self.role {
+            Role::Rgb => 0,
+            Role::Left => 1,
+            Role::Right => 2,
+            Role::Tof => 3,
+        })
+    }
 }
 
 impl Sensor {

@@ -25,6 +25,8 @@ pub enum Source {
     Schema,
     /// Luxonis' board and housing files.
     BoardFile,
+    /// A robot description (URDF) of the manufacturer or of a robot's.
+    RobotDescription,
     /// Computed from other entries.
     Derived,
     /// An estimate in the absence of sources.
@@ -47,6 +49,7 @@ impl Source {
             Self::CalibrationExport => "calibration-export",
             Self::Schema => "schema",
             Self::BoardFile => "board-file",
+            Self::RobotDescription => "robot-description",
             Self::Derived => "derived",
             Self::Estimate => "estimate",
             Self::User => "user",
@@ -107,6 +110,7 @@ mod tests {
             Source::CalibrationExport,
             Source::Schema,
             Source::BoardFile,
+            Source::RobotDescription,
             Source::Derived,
             Source::Estimate,
             Source::User,

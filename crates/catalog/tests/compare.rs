@@ -4,7 +4,7 @@ use oaktwin_catalog::{Catalog, Device, Table, compare};
 
 fn all() -> Vec<Table> {
     let catalog = Catalog::builtin();
-    let devices: Vec<&Device> = catalog.devices().iter().collect();
+    let devices: Vec<&Device> = catalog.sheet().collect();
     compare(catalog, &devices)
 }
 

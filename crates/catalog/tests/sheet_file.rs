@@ -78,13 +78,13 @@ fn sensor_and_device_tables() {
     let tables = sheet();
     let catalog = Catalog::builtin();
     let properties = with_header(&tables, &["Property", "Value"]);
-    assert_eq!(properties.len(), SENSORS.len() + catalog.devices().len());
+    assert_eq!(properties.len(), SENSORS.len() + catalog.sheet().count());
     for (i, id) in properties.iter().zip(SENSORS) {
         for row in &tables[*i].rows {
             sensor_row(catalog.sensor(id).unwrap(), &row[0], &row[1]);
         }
     }
-    for (i, device) in properties[SENSORS.len()..].iter().zip(catalog.devices()) {
+    for (i, device) in properties[SENSORS.len()..].iter().zip(catalog.sheet()) {
         for row in &tables[*i].rows {
             device_row(device, &row[0], &row[1]);
         }
@@ -218,9 +218,9 @@ fn camera_tables() {
         .iter()
         .filter(|table| table.header.len() == 4 && table.header[1].starts_with("Camera_"))
         .collect();
-    assert_eq!(found.len(), catalog.devices().len());
+    assert_eq!(found.len(), catalog.sheet().count());
     let mut cells = 0;
-    for (table, device) in found.iter().zip(catalog.devices()) {
+    for (table, device) in found.iter().zip(catalog.sheet()) {
         let twin = catalog.nominal(device);
         let prims: Vec<&str> = twin
             .cameras

@@ -26,6 +26,7 @@ mod unit;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueHint};
+use oaktwin::catalog::DepthFilter;
 use oaktwin::depth::parameters::choice;
 use oaktwin::depth::preset::Platform;
 use oaktwin::memory;
@@ -80,10 +81,10 @@ pub(crate) struct Cli {
 
 #[derive(Subcommand, Debug)]
 pub(crate) enum Command {
-    /// Write all assets, a calibrated twin, a room rendered by every model, and comparison tables
+    /// Write the assets of the parameter sheet, a calibrated twin, a room rendered by them, and comparison tables
     Demo(DemoArgs),
     /// List the models
-    Models(JsonArgs),
+    Models(ModelsArgs),
     /// Print all parameters of a model
     Show(ShowArgs),
     /// List the parameters of an engine, the imager or the filters
@@ -120,7 +121,15 @@ pub(crate) enum Command {
 }
 
 #[derive(Args, Debug)]
-pub(crate) struct JsonArgs {
+pub(crate) struct ModelsArgs {
+    /// List only this maker's models
+    #[arg(long)]
+    pub(crate) maker: Option<String>,
+
+    /// List only models with this kind of depth sensor
+    #[arg(long, value_parser = choice::parser::<DepthFilter>())]
+    pub(crate) depth: Option<DepthFilter>,
+
     /// Print JSON
     #[arg(long)]
     pub(crate) json: bool,
@@ -170,7 +179,7 @@ pub(crate) struct ParamsArgs {
 
 #[derive(Args, Debug)]
 pub(crate) struct CompareArgs {
-    /// Models [default: all]
+    /// Models [default: those of the parameter sheet, and those of --catalog]
     pub(crate) models: Vec<String>,
 
     /// Output format

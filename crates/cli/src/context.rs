@@ -50,10 +50,13 @@ impl Context {
         Ok(self.catalog.device(name)?)
     }
 
-    /// Returns the named models, or all models if `names` is empty.
+    /// Returns the named models; by default those of the parameter sheet and those of the user.
     pub(crate) fn devices(&self, names: &[String]) -> Result<Vec<&Device>> {
         if names.is_empty() {
-            return Ok(self.catalog.devices().iter().collect());
+            let is_builtin =
+                |device: &Device| Catalog::builtin().devices().iter().any(|own| own.id == device.id);
+            let own = self.catalog.devices().iter().filter(|device| !is_builtin(device));
+            return Ok(self.catalog.sheet().chain(own).collect());
         }
         names.iter().map(|name| self.device(name)).collect()
     }

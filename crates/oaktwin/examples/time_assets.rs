@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 fn write_all(folder: &Path) -> Result<(), Box<dyn Error>> {
     let catalog = Catalog::builtin();
-    let twins = catalog.nominals();
+    let twins: Vec<_> = catalog.sheet().map(|device| catalog.nominal(device)).collect();
     for file in files(&twins, &AssetOptions::default(), Format::Usd)? {
         std::fs::write(folder.join(file.name), file.bytes)?;
     }

@@ -3,7 +3,7 @@
 #![allow(clippy::cast_possible_truncation, clippy::unwrap_used, reason = "a test")]
 
 use oaktwin::accuracy::Bands;
-use oaktwin::catalog::{Catalog, DepthKind, Source};
+use oaktwin::catalog::{Catalog, Source};
 use oaktwin::depth::BatchEngine as _;
 use oaktwin::depth::random::Stream;
 use oaktwin::depth::stereo_noise::StereoNoise;
@@ -70,7 +70,7 @@ fn the_median_unit_is_as_accurate_as_published() {
     ];
     for (model, source) in models {
         let device = catalog.device(model).unwrap();
-        let bands = Bands::of(device, DepthKind::Stereo).unwrap();
+        let bands = Bands::of(device, &device.depth_sensors[0]).unwrap();
         assert_eq!(bands.source, source, "{model}");
         let end = bands.bands.iter().map(|band| band.to_m).fold(0.0, f64::max);
         let parameters = stereo_noise_parameters(&catalog.nominal(device)).unwrap();

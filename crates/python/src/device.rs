@@ -1,10 +1,11 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use numpy::PyArray2;
 use oaktwin::calibration::{Calibration, Raw, nominal_calibration};
 use oaktwin::camera::RigidTransform;
-use oaktwin::catalog::{DepthKind, Origin, Role, Twin};
+use oaktwin::catalog::{DepthFilter, Origin, Role, Twin};
 use oaktwin::diagnostic::{self, suggest};
 use oaktwin::render::{OakOptions, check_lens, oak_cameras};
 use oaktwin::report::DeviceReport;
@@ -16,7 +17,7 @@ use pyo3::types::PyDict;
 
 use crate::asset::{self, AssetSettings};
 use crate::camera::Camera;
-use crate::choice::{maybe_named, named};
+use crate::choice::named;
 use crate::error::{error, reading, writing, wrong};
 use crate::export::export;
 use crate::finding::{self, Finding};
@@ -27,18 +28,27 @@ use crate::rectification::Rectification;
 
 /// Returns the names of all models for `Device`.
 ///
+/// maker: only this manufacturer's, such as "Luxonis" or "Intel".
+/// depth: only those with this kind of depth sensor: "stereo", "tof" or "none".
 /// catalog: a folder with more models, see `Device`.
 ///
-/// Raises oaktwin.Error for an invalid folder or file.
+/// Raises oaktwin.Error for an unknown maker or kind, and for an invalid folder or file.
 #[pyfunction]
-#[pyo3(signature = (*, catalog = None))]
-pub(crate) fn models(catalog: Option<PathBuf>) -> PyResult<Vec<String>> {
+#[pyo3(signature = (*, maker = None, depth = None, catalog = None))]
+pub(crate) fn models(
+    maker: Option<&str>,
+    depth: Option<&str>,
+    catalog: Option<PathBuf>,
+) -> PyResult<Vec<String>> {
     let catalog = Models::open(catalog)?;
-    let devices = catalog.get().devices().iter();
-    Ok(devices.map(|device| device.name.clone()).collect())
+    let depth = depth
+        .map(|depth| named::<DepthFilter>("depth", depth))
+        .transpose()?;
+    let chosen = catalog.get().chosen(maker, depth).map_err(error)?;
+    Ok(chosen.into_iter().map(|device| device.name.clone()).collect())
 }
 
-/// A digital twin of a Luxonis OAK: the nominal device of a model, or one unit by its calibration.
+/// A digital twin of a depth camera: the nominal device of a model, or one unit by its calibration.
 ///
 /// model: the name, such as "OAK4-D"; case, spaces, hyphens and underscores are ignored. See `models()`.
 /// lens: "pinhole" (default), or "fisheye" for the left and right cameras of the wide models.
@@ -120,8 +130,11 @@ impl Device {
         let device = match model {
             Some(model) => models.entry(model)?,
             None => {
-                let product = &calibration.board.product_name;
-                models.get().device(product).map_err(|unknown| {
+                let board = &calibration.board;
+                let device = models
+                    .get()
+                    .device_of_unit(&board.product_name, &board.board_name);
+                device.map_err(|unknown| {
                     let place = format!("{}: productName", path.display());
                     wrong(place, unknown, "pass model=")
                 })?
@@ -258,22 +271,29 @@ impl Device {
     /// Returns the camera of a depth sensor's images: a pinhole with the depth sensor's clipping range. That of a calibrated
     /// stereo pair is the device's rectified left camera, as `StereoMatcher` has: rotated, and on RVC2 with the right camera's K.
     ///
-    /// sensor: "stereo" or "tof"; by default "tof" if the device has it.
+    /// sensor: "stereo", "tof" or a prim; by default "tof" if the device has it.
     #[pyo3(signature = (sensor = None))]
     fn depth_camera(&self, sensor: Option<&str>) -> PyResult<Camera> {
-        let sensor = maybe_named("sensor", sensor)?.map(DepthKind::as_str);
         let sensor = depth_sensor(&self.twin, sensor).map_err(error)?;
         self.placed(&sensor.spec.prim)
     }
 
-    /// The parameters of the depth sensors by kind ("stereo", "tof"), with the catalog's names, which include units.
+    /// The parameters of the depth sensors by kind ("stereo", "tof"; further stereo pairs by prim), with the catalog's names, which
+    /// include units.
     #[getter]
     fn depth_sensors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let sensors = PyDict::new(py);
         for sensor in &self.twin.depth_sensors {
             let spec = json::to_python(py, &sensor.spec)?;
             spec.set_item("focal_length_px", sensor.focal_length_px)?;
-            sensors.set_item(sensor.spec.kind.as_str(), spec)?;
+            let kind = sensor.spec.kind.as_str();
+            // A device with several stereo pairs.
+            let key = if sensors.contains(kind)? {
+                &sensor.spec.prim
+            } else {
+                kind
+            };
+            sensors.set_item(key, spec)?;
         }
         Ok(sensors)
     }

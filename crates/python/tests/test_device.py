@@ -16,6 +16,37 @@ def test_models(program):
     assert oaktwin.Device("oak d-pro_POE").name == "OAK-D Pro PoE"
 
 
+def test_models_by_maker_and_depth():
+    assert oaktwin.models(maker="stereolabs") == ["ZED 2i", "ZED Mini", "ZED X"]
+    assert oaktwin.models(depth="none") == ["OAK4-S", "OAK-1"]
+    assert oaktwin.models(maker="Luxonis", depth="tof") == ["OAK-D ToF"]
+    with pytest.raises(oaktwin.Error, match="unknown maker 'Luxsonis'; did you mean 'Luxonis'?"):
+        oaktwin.models(maker="Luxsonis")
+    with pytest.raises(oaktwin.Error, match="depth: invalid value 'lidar'"):
+        oaktwin.models(depth="lidar")
+
+
+def test_a_device_with_three_stereo_pairs():
+    device = oaktwin.Device("OAK-D LR")
+    baselines = {name: spec["baseline_mm"] for name, spec in device.depth_sensors.items()}
+    assert baselines == {"stereo": 150, "Camera_pseudo_depth_100mm": 100, "Camera_pseudo_depth_50mm": 50}
+    near, far = device.depth_camera("Camera_pseudo_depth_50mm"), device.depth_camera()
+    # The centre camera is 25 mm to the right of the body's origin, the left one 75 mm to the left.
+    assert near.body_from_camera[1, 3] == -0.025 and far.body_from_camera[1, 3] == 0.075
+    depth = np.full((80, 128), 2, np.float32)
+    for name in baselines:
+        assert (oaktwin.DepthSensor(device, sensor=name)(depth) > 0).any()
+
+
+def test_a_device_without_depth():
+    device = oaktwin.Device("OAK-1")
+    assert device.depth_sensors == {} and list(device.cameras) == ["rgb"]
+    with pytest.raises(oaktwin.Error, match="OAK-1 has no depth sensor; choose a model with one: OAK-D Pro PoE, "):
+        oaktwin.DepthSensor(device)
+    with pytest.raises(oaktwin.Error, match="imu"):
+        device.extrinsics("imu", "rgb")
+
+
 def test_a_device_is_what_the_program_shows(program, device):
     shown = json.loads(program("show", "OAK4-D", "--json"))
     assert device.report() == (shown[0] if isinstance(shown, list) else shown)

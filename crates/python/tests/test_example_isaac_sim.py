@@ -155,7 +155,7 @@ def test_help_needs_no_isaac_sim():
     assert done.returncode == 0 and "--compare" in done.stdout
 
 
-@pytest.mark.parametrize("model", oaktwin.models())
+@pytest.mark.parametrize("model", oaktwin.models(maker="Luxonis", depth="stereo"))
 def test_the_assets_templates_by_our_own_check(model, tmp_path):
     """The prims that the loaders require, without OpenUSD's Python package."""
     device = oaktwin.Device(model)
@@ -175,7 +175,7 @@ def test_the_assets_templates_by_our_own_check(model, tmp_path):
             assert product.endswith(f"/TemplateRenderProducts/{name}_render_product")
 
 
-@pytest.mark.parametrize("model", oaktwin.models())
+@pytest.mark.parametrize("model", oaktwin.models(maker="Luxonis", depth="stereo"))
 def test_the_usd_half(example, model, tmp_path):
     pytest.importorskip("pxr", reason="usd-core is not installed")
     from pxr import Usd, UsdGeom

@@ -236,7 +236,7 @@ def test_paths_that_look_like_options_are_unchanged(tmp_path):
         ({"fx": float("nan")}, "fx: must be a finite number > 0"),
         ({"hfov_deg": 180}, "hfov_deg: 180 is out of range"),
         ({"fx": 3, "hfov_deg": 4}, "give one"),
-        ({"sensor": "lidar"}, "sensor: invalid value 'lidar'"),
+        ({"sensor": "lidar"}, "has no depth sensor 'lidar'; expected one of stereo, Camera_pseudo_depth"),
     ],
 )
 def test_what_is_no_sensor(device, options, text):

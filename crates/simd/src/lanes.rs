@@ -23,6 +23,8 @@ pub trait Lanes:
     fn to_bits(self) -> Self::I32;
     /// Converts integers to the nearest numbers.
     fn from_i32(values: Self::I32) -> Self;
+    /// Truncates numbers that fit into 32 bits to integers; the result for others depends on the processor.
+    fn trunc(self) -> Self::I32;
 
     /// Converts to double precision.
     fn widen(self) -> Self::F64;

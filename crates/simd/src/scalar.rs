@@ -3,7 +3,7 @@
 use std::array::from_fn;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Sub};
 
-use crate::{F64Lanes, I32Lanes, Lanes, Row};
+use crate::{F64Lanes, I32Lanes, Lanes, Row, saturating_trunc};
 
 #[derive(Clone, Copy)]
 pub(crate) struct F32([f32; 8]);
@@ -84,6 +84,10 @@ impl Lanes for F32 {
     #[expect(clippy::cast_precision_loss, reason = "rounds to nearest")]
     fn from_i32(values: I32) -> Self {
         Self(values.0.map(|value| value as f32))
+    }
+    #[inline(always)]
+    fn trunc(self) -> I32 {
+        I32(self.0.map(saturating_trunc))
     }
 
     #[inline(always)]

@@ -36,8 +36,9 @@ impl Calibrations {
         let raw = Raw::parse(bytes, name).map_err(|error| Failure::from(error.to_string()))?;
         let read = Calibration::from_raw(&raw);
         let (calibration, findings) = read.map_err(|error| Failure::from(format!("{name}: {error}")))?;
-        let product = &calibration.board.product_name;
-        let model = catalog.device(product).ok().map(|device| device.name.clone());
+        let board = &calibration.board;
+        let model = catalog.device_of_unit(&board.product_name, &board.board_name);
+        let model = model.ok().map(|device| device.name.clone());
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         known.0 += 1;
         let id = format!("calibration-{}", known.0);

@@ -64,7 +64,7 @@ struct ViewInfo {
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 struct DepthSensor {
-    id: &'static str,
+    id: String,
     kind: &'static str,
     #[serde(flatten)]
     view: ViewInfo,
@@ -172,11 +172,14 @@ fn rows(transform: &RigidTransform) -> Vec<f64> {
     transform.rows().into_iter().take(3).flatten().collect()
 }
 
-/// Returns the name of a depth sensor among the cameras of an OAK.
-pub(crate) fn sensor_id(kind: DepthKind) -> &'static str {
-    match kind {
-        DepthKind::Stereo => "depth_stereo",
-        DepthKind::Tof => "depth_tof",
+/// Returns the name of a depth sensor among the cameras of an OAK: its prim if there are several of its kind.
+fn sensor_id(twin: &Twin, sensor: &TwinDepthSensor) -> String {
+    let kind = sensor.spec.kind;
+    let own = twin.depth_sensors.iter().filter(|other| other.spec.kind == kind);
+    if own.count() > 1 {
+        sensor.spec.prim.clone()
+    } else {
+        format!("depth_{kind}")
     }
 }
 
@@ -202,7 +205,7 @@ impl DepthSensor {
         engines.sort_by_key(|name| *name != default);
         let (from, to) = spec.ideal_range_m;
         Some(Self {
-            id: sensor_id(spec.kind),
+            id: sensor_id(twin, sensor),
             kind: spec.kind.as_str(),
             view: ViewInfo::new(&camera),
             minimum_m: spec.min_distance_m,
@@ -211,7 +214,7 @@ impl DepthSensor {
             baseline_m: spec.baseline_mm * 1e-3,
             engines,
             presets,
-            bands: bands(Bands::of(&twin.device, spec.kind).as_ref()),
+            bands: bands(Bands::of(&twin.device, spec).as_ref()),
         })
     }
 }

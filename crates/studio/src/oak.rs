@@ -81,7 +81,7 @@ impl OakState {
         })
     }
 
-    /// Returns the kind of the depth sensor: `stereo` or `tof`.
+    /// Returns the kind of the depth sensor, `stereo` or `tof`, or its prim.
     pub(crate) fn sensor_kind(&self) -> &str {
         self.sensor.strip_prefix("depth_").unwrap_or(&self.sensor)
     }
@@ -163,8 +163,10 @@ impl Oak {
             .find_map(|(camera, sensor)| Some((camera, sensor?)))
         else {
             let error = format!(
-                "{} has no depth sensor '{}'; choose another model",
-                state.model, state.sensor
+                "{} has no depth sensor '{}'; choose a model with one: {}",
+                state.model,
+                state.sensor,
+                twin.device.models_with_depth(None)
             );
             return Err(Failure::of("sensor", &error));
         };

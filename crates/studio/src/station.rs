@@ -3,13 +3,12 @@
 use std::sync::Arc;
 
 use oaktwin::camera::{ImageSize, RigidTransform};
-use oaktwin::catalog::Role;
 use oaktwin::depth::{Capture, Engine};
 use oaktwin::diagnostic::Finding;
 use oaktwin::image::annotation::{Annotator, Frame};
 use oaktwin::image::{Image, ImageView, ZDepth};
 use oaktwin::pair::Pair;
-use oaktwin::render::{AnnotateOptions, Backend, Renderer, View, sensor_input};
+use oaktwin::render::{AnnotateOptions, Backend, DepthSensorSource, Renderer, View, sensor_input};
 use oaktwin::sensor::Technology;
 
 use crate::oak::{Oak, image_size};
@@ -271,7 +270,17 @@ fn light_of(state: &OakState) -> OakState {
 /// The pose of the right camera, from which the left one's view may be occluded.
 fn other_camera(oak: &Oak, world_from_body: &RigidTransform) -> Option<RigidTransform> {
     let is_stereo = oak.sensor.engine().kind().models == Some(Technology::Stereo);
-    let right = oak.twin.camera(Role::Right).filter(|_| is_stereo)?;
+    let own = |prim: &str| {
+        oak.twin
+            .depth_sensors
+            .iter()
+            .find(|sensor| sensor.spec.prim == prim)
+    };
+    let pair = match &oak.camera.depth_sensor {
+        Some(DepthSensorSource::Twin(prim)) => own(prim)?.spec.pair()?,
+        _ => return None,
+    };
+    let right = oak.twin.camera(pair.1).filter(|_| is_stereo)?;
     Some(*world_from_body * right.body_from_camera)
 }
 

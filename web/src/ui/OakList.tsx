@@ -2,6 +2,7 @@ import { css, oakColor } from "../gpu/colormaps";
 import {
   addOak, changeOak, defaultState, findModel, findSensor, MAX_OAKS, type Oak, removeOak, selectedOak, withModel,
 } from "../state/document";
+import type { Model } from "../protocol";
 import { useStore } from "../util/store";
 import { Button, Check, Section } from "./controls";
 import { useApp } from "./context";
@@ -41,6 +42,23 @@ export function OakList() {
   );
 }
 
+/** The models by maker; those without a depth sensor cannot be chosen. */
+function ModelOptions({ models, selected }: { models: Model[]; selected?: string }) {
+  const makers = [...new Set(models.map((model) => model.maker))];
+  return makers.map((maker) => (
+    <optgroup key={maker} label={maker}>
+      {models.filter((model) => model.maker === maker).map(({ name, depthSensors }) => {
+        const hasDepth = depthSensors.length > 0;
+        return (
+          <option key={name} value={name} selected={name === selected} disabled={!hasDepth}>
+            {hasDepth ? name : `${name} (no depth)`}
+          </option>
+        );
+      })}
+    </optgroup>
+  ));
+}
+
 /** Adds another model at the pose of the selected OAK. */
 function AddOak({ isDisabled }: { isDisabled: boolean }) {
   const { studio } = useApp();
@@ -66,7 +84,7 @@ function AddOak({ isDisabled }: { isDisabled: boolean }) {
       }}
     >
       <option value="">Add…</option>
-      {models.map(({ name }) => <option key={name} value={name}>{name}</option>)}
+      <ModelOptions models={models} />
     </select>
   );
 }
@@ -98,7 +116,7 @@ function OakRow({ oak, index, isLast }: { oak: Oak; index: number; isLast: boole
           value={oak.state.model}
           onChange={(event) => setModel(event.currentTarget.value)}
         >
-          {catalog.models.map(({ name }) => <option key={name} value={name} selected={name === oak.state.model}>{name}</option>)}
+          <ModelOptions models={catalog.models} selected={oak.state.model} />
         </select>
         <span class="detail">{describe(oak, catalog)}</span>
         {rejection && !isSelected && <span class="problem" role="alert">{rejection.error}</span>}

@@ -84,7 +84,9 @@ impl Contestants {
             )?);
             let into = empty(folder, "program")?;
             program.push(whole(
-                Command::new(&self.program).args(["asset", "all", "-o"]).arg(into),
+                Command::new(&self.program)
+                    .args(["asset", "sheet", "-o"])
+                    .arg(into),
             )?);
             python_inside.push(inside(self.peer.command().arg(empty(folder, "python")?))?);
             python_whole.push(whole(self.peer.command().arg(empty(folder, "python")?).arg("1"))?);

@@ -1,6 +1,7 @@
 //! `cargo xtask bench`: compares speed with peers in one run, as ratios.
 
 mod assets;
+mod bridge;
 mod depth;
 mod load;
 mod python;
@@ -13,6 +14,8 @@ mod turns;
 pub(crate) enum Bench {
     /// Writing all five assets, compared with a Python script that uses OpenUSD
     Assets(assets::Args),
+    /// The live filter between topics of ROS 2: delivery, latency and memory
+    Bridge(bridge::Args),
     /// Depth frames, compared with Embree, Open3D and Mitsuba
     #[command(disable_help_flag = true)]
     Render(render::Args),
@@ -31,6 +34,7 @@ pub(crate) enum Bench {
 pub(crate) fn run(bench: &Bench) -> Result<(), String> {
     match bench {
         Bench::Assets(args) => assets::run(args),
+        Bench::Bridge(args) => bridge::run(args),
         Bench::Render(args) => render::run(args),
         Bench::Depth(args) => depth::run(args),
         Bench::Stereo(args) => stereo::run(args),

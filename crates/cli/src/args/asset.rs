@@ -10,11 +10,11 @@ use super::{UnitArgs, limit};
 
 #[derive(Args, Debug)]
 pub(crate) struct AssetArgs {
-    /// Model, or `all`
-    #[arg(value_name = "MODEL|all")]
+    /// Model, `sheet` for the five of the parameter sheet, or `all`
+    #[arg(value_name = "MODEL|sheet|all")]
     pub(crate) model: String,
 
-    /// Output file or folder; a folder with `all`
+    /// Output file or folder; a folder with `sheet` and `all`
     #[arg(short, long, value_name = "PATH", value_hint = ValueHint::AnyPath)]
     pub(crate) output: PathBuf,
 

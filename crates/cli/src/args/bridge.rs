@@ -1,5 +1,4 @@
 use clap::Args;
-use oaktwin::catalog::DepthKind;
 use oaktwin::sense::InputKind;
 use oaktwin_bridge::convert::Encoding;
 
@@ -12,7 +11,8 @@ use super::{SensorArgs, ThreadArgs, UnitArgs};
     after_help = "The bridge subscribes to a simulator's exact depth (sensor_msgs/Image, 32FC1 in metres or 16UC1 in millimetres) and \
     publishes what the OAK would report, with the stamps and frame ids of the input, as sensor data (best-effort): \
     OUT/stereo/image_raw and OUT/stereo/camera_info (OUT/tof/… for a time-of-flight sensor) and, with --points, OUT/points. \
-    The options of the depth sensor are parameters of the node: `ros2 param set /oaktwin_bridge preset robotics`.\n\n\
+    The options of the depth sensor are parameters of the node: `ros2 param set /oaktwin_bridge preset robotics`, or lines on standard \
+    input with --stdin.\n\n\
     It reads ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY and ROS_AUTOMATIC_DISCOVERY_RANGE, and runs until Ctrl-C."
 )]
 pub(crate) struct BridgeArgs {
@@ -39,9 +39,9 @@ pub(crate) struct BridgeArgs {
     #[command(flatten)]
     pub(crate) unit: UnitArgs,
 
-    /// The depth sensor of the model; by default time of flight if it has one
-    #[arg(long, value_parser = parser::<DepthKind>())]
-    pub(crate) sensor: Option<DepthKind>,
+    /// The depth sensor by kind (stereo, tof) or prim; by default time of flight if the model has it
+    #[arg(long, value_name = "KIND|PRIM")]
+    pub(crate) sensor: Option<String>,
 
     /// The kind of depth: along the optical axis or from the optical centre
     #[arg(long, value_parser = parser::<InputKind>(), default_value_t, help_heading = "Images")]
@@ -96,6 +96,10 @@ pub(crate) struct BridgeArgs {
 
     #[command(flatten, next_help_heading = "Execution")]
     pub(crate) threads: ThreadArgs,
+
+    /// Also read parameters from standard input, one NAME=VALUE per line, such as preset=robotics
+    #[arg(long, help_heading = "ROS 2")]
+    pub(crate) stdin: bool,
 
     /// Print events and the state every 10 s as JSON, one object per line
     #[arg(long, help_heading = "Execution")]

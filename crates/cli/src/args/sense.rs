@@ -1,7 +1,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
-use oaktwin::catalog::{DepthKind, Role};
+use oaktwin::catalog::Role;
 use oaktwin::dataset::CloudAxes;
 use oaktwin::depth::align::Fill;
 use oaktwin::sense::InputKind;
@@ -38,9 +38,9 @@ pub(crate) struct SenseArgs {
     #[command(flatten)]
     pub(crate) unit: UnitArgs,
 
-    /// The depth sensor of the model; by default time of flight if it has one
-    #[arg(long, value_parser = parser::<DepthKind>())]
-    pub(crate) sensor: Option<DepthKind>,
+    /// The depth sensor by kind (stereo, tof) or prim; by default time of flight if the model has it
+    #[arg(long, value_name = "KIND|PRIM")]
+    pub(crate) sensor: Option<String>,
 
     /// The colour images of the same camera, one per depth image or an NPY array of all; those of a folder are found
     #[arg(long, value_name = "IMAGE", num_args = 1.., value_hint = ValueHint::FilePath, help_heading = "Images")]

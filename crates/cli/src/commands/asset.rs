@@ -39,16 +39,24 @@ pub(crate) fn run(context: &Context, args: &AssetArgs) -> Result<Exit> {
 }
 
 fn write(context: &Context, args: &AssetArgs) -> Result<Vec<Written>> {
-    if !args.model.eq_ignore_ascii_case("all") {
+    let is = |name: &str| args.model.eq_ignore_ascii_case(name);
+    let devices: Vec<_> = if is("all") {
+        context.catalog.devices().iter().collect()
+    } else if is("sheet") {
+        context.catalog.sheet().collect()
+    } else {
         let (twin, findings) = context.twin(&args.model, &args.unit)?;
         return Ok(vec![write_one(&twin, findings, args)?]);
-    }
+    };
     if args.unit.calibration.is_some() {
-        return Err("--calibration applies to one model; name it instead of `all`".into());
+        let name = &args.model;
+        return Err(format!("--calibration applies to one model; name it instead of `{name}`").into());
     }
     let format = args.format.unwrap_or_default();
-    let devices = context.catalog.devices();
-    let twins = context.catalog.nominals();
+    let twins: Vec<Twin> = devices
+        .iter()
+        .map(|device| context.catalog.nominal(device))
+        .collect();
     // All assets are created before the first is written, so that an error leaves no files behind.
     let made = asset::files(&twins, &args.options(), format)?;
     let mut written = Vec::new();

@@ -1,6 +1,8 @@
+use std::io::{self, BufRead, BufReader, Read};
 use std::path::Path;
+use std::sync::mpsc::{self, Receiver};
+use std::thread;
 
-use oaktwin::catalog::DepthKind;
 use oaktwin::sense::{FieldOfView, SenseOptions};
 use oaktwin::sensor::depth_sensor;
 use oaktwin_bridge::{BridgeOptions, Event, Filter, Network, Started, Status, run as bridge};
@@ -8,6 +10,9 @@ use oaktwin_bridge::{BridgeOptions, Event, Filter, Network, Started, Status, run
 use crate::args::BridgeArgs;
 use crate::context::{Context, Exit, Result};
 use crate::{output, signals};
+
+/// The longest line of standard input, bytes.
+const MAX_LINE: u64 = 1 << 16;
 
 pub(crate) fn run(context: &Context, args: &BridgeArgs) -> Result<Exit> {
     args.threads.apply();
@@ -19,7 +24,7 @@ pub(crate) fn run(context: &Context, args: &BridgeArgs) -> Result<Exit> {
     if let Some(path) = &args.unit.calibration {
         output::say_findings(path, &findings);
     }
-    let sensor = depth_sensor(&twin, args.sensor.map(DepthKind::as_str))?;
+    let sensor = depth_sensor(&twin, args.sensor.as_deref())?;
     let options = BridgeOptions {
         depth: args.depth.clone(),
         info: args.info.clone(),
@@ -31,14 +36,15 @@ pub(crate) fn run(context: &Context, args: &BridgeArgs) -> Result<Exit> {
         points: args.points,
         is_reliable: args.reliable,
     };
-    let kind = sensor.spec.kind;
-    let filter = Filter::new(twin, sense_options(args, kind)?)?;
+    let prim = sensor.spec.prim.clone();
+    let filter = Filter::new(twin, sense_options(args, prim)?)?;
     let mut printed = Ok(());
     signals::while_checked(|| {
         bridge(
             filter,
             &options,
             &network,
+            &lines(args.stdin),
             |event| {
                 let result = print(args, &event);
                 if printed.is_ok() {
@@ -52,10 +58,33 @@ pub(crate) fn run(context: &Context, args: &BridgeArgs) -> Result<Exit> {
     Ok(Exit::Interrupted)
 }
 
-fn sense_options(args: &BridgeArgs, kind: DepthKind) -> Result<SenseOptions> {
+/// Returns the lines of standard input, which a thread reads until its end, or no lines.
+fn lines(is_read: bool) -> Receiver<String> {
+    // A program that writes faster than the bridge takes waits.
+    let (sender, receiver) = mpsc::sync_channel(16);
+    if is_read {
+        thread::spawn(move || {
+            let mut input = BufReader::new(io::stdin());
+            loop {
+                let mut line = Vec::new();
+                let read = input.by_ref().take(MAX_LINE).read_until(b'\n', &mut line);
+                if !matches!(read, Ok(1..)) {
+                    return;
+                }
+                let text = String::from_utf8_lossy(&line).trim().to_owned();
+                if !text.is_empty() && sender.send(text).is_err() {
+                    return;
+                }
+            }
+        });
+    }
+    receiver
+}
+
+fn sense_options(args: &BridgeArgs, prim: String) -> Result<SenseOptions> {
     Ok(SenseOptions {
         sensor: args.engine.options()?,
-        kind: Some(kind),
+        depth_sensor: Some(prim),
         input_kind: Some(args.input_kind),
         field_of_view: match (args.fx, args.hfov) {
             (Some(fx), _) => FieldOfView::FocalLength(fx),

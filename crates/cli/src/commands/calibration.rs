@@ -25,7 +25,13 @@ fn show(context: &Context, args: &CalibrationShowArgs) -> Result<Exit> {
         .as_deref()
         .map(|model| context.device(model))
         .transpose()?;
-    let device = named.or_else(|| context.catalog.device(&calibration.board.product_name).ok());
+    let board = &calibration.board;
+    let own = || {
+        context
+            .catalog
+            .device_of_unit(&board.product_name, &board.board_name)
+    };
+    let device = named.or_else(|| own().ok());
     if let Some(device) = device {
         let nominal = context.catalog.nominal(device);
         findings.extend(calibration::check_against(

@@ -25,8 +25,11 @@ pub(crate) fn run(context: &Context, args: &DemoArgs) -> Result<Exit> {
         let _ = writeln!(listing, "  {:<44} {what}", path.display().to_string());
         Ok(path)
     };
-    let devices = context.catalog.devices();
-    let twins = context.catalog.nominals();
+    let devices: Vec<_> = context.catalog.sheet().collect();
+    let twins: Vec<_> = devices
+        .iter()
+        .map(|device| context.catalog.nominal(device))
+        .collect();
     for (device, file) in devices.iter().zip(asset::files(&twins, &options, format)?) {
         put(&file.name, &device.name, &file.bytes)?;
     }
@@ -40,7 +43,7 @@ pub(crate) fn run(context: &Context, args: &DemoArgs) -> Result<Exit> {
     let what = format!("twin of that {}", twin.device.name);
     let path = put(&format!("{}_unit.usd", made.stem), &what, &made.bytes(format)?)?;
     let renderer = room::open(&args.output)?;
-    let sheet = room::render(&renderer, &args.output, devices, &twins)?;
+    let sheet = room::render(&renderer, &args.output, &devices, &twins)?;
     put(
         "demo_room.png",
         "a room seen by all models: colour, depth and simulated sensor depth",
@@ -60,7 +63,7 @@ pub(crate) fn run(context: &Context, args: &DemoArgs) -> Result<Exit> {
     output::say_findings(&file, &findings);
     output::say_findings(&path, &made.findings);
 
-    let tables = compare(&context.catalog, &context.devices(&[])?);
+    let tables = compare(&context.catalog, &devices);
     let tables: Vec<String> = tables.iter().map(output::text_table).collect();
     output::print(&format!(
         "{}\nWritten:\n{listing}\n{}",

@@ -70,9 +70,10 @@ fn twin(context: &Context, args: &StereoArgs) -> Result<Option<(Twin, Vec<Findin
         }
         (None, None) => return Ok(None),
         (None, Some(file)) => {
-            let product = unit::read_calibration(file)?.1.board.product_name;
-            let known = context.catalog.device(&product);
-            known.map_err(|unknown| {
+            let board = unit::read_calibration(file)?.1.board;
+            let product = board.product_name;
+            let known = context.catalog.device_of_unit(&product, &board.board_name);
+            let device = known.map_err(|unknown| {
                 let names = if product.is_empty() {
                     "no product name".to_owned()
                 } else {
@@ -85,7 +86,7 @@ fn twin(context: &Context, args: &StereoArgs) -> Result<Option<(Twin, Vec<Findin
                 let remedy = format!("set --model: {}", nearest.join(" or "));
                 format!("{}: productName: {names}; {remedy}", file.display())
             })?;
-            product
+            device.id.clone()
         }
     };
     let (twin, findings) = context.twin(&model, &args.unit)?;

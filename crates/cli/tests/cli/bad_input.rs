@@ -103,7 +103,7 @@ fn names_and_options_that_are_none() {
         &["show", "OAK-D Pro POW"][..],
         &["show", "kinect"],
         &["compare", "oak4-d", "oak5"],
-        &["asset", "oakd", "-o", "x.usd"],
+        &["asset", "oakdd", "-o", "x.usd"],
         &["asset", "all", "--calibration", EXAMPLE, "-o", "x"],
         &["asset", "oak4-d", "-o", "x.obj"],
         &["asset", "oak4-d", "-o", "x.usda", "--format", "usdz"],
@@ -215,7 +215,11 @@ fn a_users_catalog_adds_a_model_and_its_mistakes_have_lines() {
     for (from, to, expected) in [
         ("hfov_deg = 68.0", "hfov_rad = 1.2", "hfov_deg"),
         ("hfov_deg = 68.0", "", "hfov_deg"),
-        ("sensor = \"IMX586\"", "sensor = \"IMX587\"", "IMX586"),
+        (
+            "sensor = \"IMX586\"",
+            "sensor = \"IMX587\"",
+            "did you mean 'IMX582'?",
+        ),
         ("hfov_deg = 68.0", "hfov_deg = \"wide\"", "expected a number"),
         ("hfov_deg = 68.0", "hfov_deg = nan", "finite"),
     ] {

@@ -6,6 +6,7 @@ mod accuracy;
 mod assets;
 mod bad_input;
 mod coverage;
+mod every_model;
 mod fit;
 mod memory;
 mod named_files;

@@ -139,7 +139,7 @@ fn what_is_wrong_with_a_pair() {
     program.put("cut.png", &fs::read(program.path("left.png")).unwrap()[..900]);
     program.put("words.png", "nothing to see");
     let calibration = fs::read_to_string(EXAMPLE).unwrap();
-    let named = calibration.replacen("OAK-D-PRO-POE", "OAK-D Pro AF", 1);
+    let named = calibration.replacen("OAK-D-PRO-POE", "OAK-D Prism", 1);
     assert_ne!(named, calibration);
     program.put("other.json", named);
     program.put("alone.json", without_pair(&calibration));

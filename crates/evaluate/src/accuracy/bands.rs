@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use oaktwin_catalog::{Accuracy, AccuracyBand, DepthKind, Device, Source};
+use oaktwin_catalog::{Accuracy, AccuracyBand, DepthSensor, Device, Source};
 
 /// The published accuracy with which a sensor is compared.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -30,11 +30,15 @@ pub struct Band {
 }
 
 impl Bands {
-    /// Returns the bands of the vendor's page for a kind of sensor, or those of the first other source that has any; `None` if
+    /// Returns the bands of the vendor's page for a depth sensor, or those of the first other source that has any; `None` if
     /// there are none.
     #[must_use]
-    pub fn of(device: &Device, kind: DepthKind) -> Option<Self> {
-        let about = || device.accuracy.iter().filter(|table| table.sensor == kind);
+    pub fn of(device: &Device, sensor: &DepthSensor) -> Option<Self> {
+        let applies = |table: &&Accuracy| {
+            let own = table.depth_sensor.as_ref();
+            table.sensor == sensor.kind && own.is_none_or(|prim| *prim == sensor.prim)
+        };
+        let about = || device.accuracy.iter().filter(applies);
         let table: &Accuracy = about()
             .find(|table| table.source == Source::VendorPage)
             .or_else(|| about().next())?;
@@ -81,10 +85,12 @@ fn band(band: &AccuracyBand) -> Option<Band> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use oaktwin_catalog::Catalog;
+    use oaktwin_catalog::{Catalog, DepthKind};
 
     fn bands(model: &str, kind: DepthKind) -> Option<Bands> {
-        Bands::of(Catalog::builtin().device(model).unwrap(), kind)
+        let device = Catalog::builtin().device(model).unwrap();
+        let sensor = device.depth_sensors.iter().find(|sensor| sensor.kind == kind);
+        Bands::of(device, sensor.unwrap())
     }
 
     fn percents(bands: &Bands, distance_m: f64) -> Vec<f64> {
@@ -113,5 +119,14 @@ mod tests {
         assert_eq!(percents(&tof, 5.0), [1.0, 2.0]);
         assert!(percents(&tof, 0.1).is_empty());
         assert_eq!(bands("oak-d-tof", DepthKind::Stereo), None);
+    }
+
+    #[test]
+    fn a_table_can_apply_to_one_of_several_pairs() {
+        let device = Catalog::builtin().device("oak-d-lr").unwrap();
+        let has: Vec<bool> = (device.depth_sensors.iter())
+            .map(|sensor| Bands::of(device, sensor).is_some())
+            .collect();
+        assert_eq!(has, [true, false, false]);
     }
 }

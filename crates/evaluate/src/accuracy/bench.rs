@@ -59,7 +59,7 @@ impl Bench {
             random: Stream::new(options.engine.seed, &depth.spec.prim),
             region,
         };
-        let published = Bands::of(&twin.device, depth.spec.kind);
+        let published = Bands::of(&twin.device, &depth.spec);
         let distances = match &options.distances_m {
             Some(distances) => distances.clone(),
             None => default_distances(&rig, &depth, published.as_ref()),

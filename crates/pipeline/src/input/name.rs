@@ -25,7 +25,7 @@ impl Name {
     #[must_use]
     pub fn of(path: &Path) -> Self {
         /// The maximum number of digits; they fit into a `u64`.
-        const MAX_DIGITS: usize = 18;
+        const MAX_DIGITS: usize = 19;
         let stem = path
             .file_stem()
             .map(|stem| stem.to_string_lossy().into_owned())

@@ -4,7 +4,7 @@ use super::{Pair, PairError, PairOptions};
 use crate::limits::check_size;
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Axes, Camera, Intrinsics, LensModel, OpenCv, PixelPoint, RigidTransform};
-use oaktwin_catalog::{self as catalog, Role, Twin};
+use oaktwin_catalog::{self as catalog, DepthKind, Role, Twin};
 use oaktwin_depth::ParameterError;
 use oaktwin_depth::dots::{Dots, Projector};
 use oaktwin_depth::imager::{Imager, Recorded};
@@ -190,6 +190,7 @@ fn eye(twin: &Twin, role: Role, options: &PairOptions) -> Result<StereoCamera, P
         return Err(PairError::NoCamera {
             device: device(),
             role: role.as_str(),
+            others: twin.device.models_with_depth(Some(DepthKind::Stereo)),
         });
     };
     let mut optics = twin.optics(camera, options.lens);

@@ -6,16 +6,18 @@ use oaktwin_depth::ParameterError;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PairError {
     /// The device has no left or right camera.
-    #[error("{device}: no {role} camera; choose a device with a stereo pair")]
+    #[error("{device}: no {role} camera; choose a model with a stereo pair: {others}")]
     NoCamera {
         /// The device.
         device: String,
         /// The role of the camera, such as `left`.
         role: &'static str,
+        /// The models with a stereo pair.
+        others: String,
     },
     /// The depth sensors to render have different pairs.
     #[error(
-        "{device}: {} have different stereo pairs; choose one of them by name",
+        "{device}: {} have different stereo pairs; choose one of them by its name",
         sensors.join(", ")
     )]
     SeveralPairs {

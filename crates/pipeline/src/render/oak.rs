@@ -19,7 +19,7 @@ const DEPTH: &str = "depth";
 #[derive(Clone, Copy, Debug, Default)]
 pub struct OakOptions<'a> {
     /// The cameras by role (`rgb`, `left`, `right`, `tof`), prim or depth sensor (`depth`, or `depth_stereo` and
-    /// `depth_tof`). If empty, the camera of every depth sensor, as in a stage.
+    /// `depth_tof`). If empty, the camera of every depth sensor, as in a stage, or all cameras of a device without one.
     pub cameras: &'a [String],
     /// The lens of the left and right cameras of the wide models.
     pub lens: LensChoice,
@@ -51,7 +51,12 @@ pub fn oak_cameras(
     let candidates = candidates(twin);
     let mut chosen: Vec<&Candidate<'_>> = Vec::new();
     if options.cameras.is_empty() {
-        chosen.extend(candidates.iter().filter(|candidate| candidate.is_depth));
+        let has_depth = candidates.iter().any(|candidate| candidate.is_depth);
+        chosen.extend(
+            candidates
+                .iter()
+                .filter(|candidate| candidate.is_depth || !has_depth),
+        );
     }
     for name in options.cameras {
         let wanted = fold_name(name);
@@ -255,6 +260,7 @@ mod tests {
             folders("OAK-D ToF"),
             ["Camera_pseudo_depth_stereo", "Camera_pseudo_depth_tof"]
         );
+        assert_eq!(folders("OAK-1"), ["Camera_rgb_imx378"]);
     }
 
     #[test]

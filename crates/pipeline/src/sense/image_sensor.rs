@@ -5,7 +5,7 @@ use super::{InputKind, SenseError, SenseOptions};
 use crate::limits::check_size;
 use crate::sensor::{self, EngineInput, OutputCamera, Sensor, Shot, depth_sensor, frame, needs_a_pair};
 use oaktwin_camera::ImageSize;
-use oaktwin_catalog::{DepthKind, Twin};
+use oaktwin_catalog::Twin;
 use oaktwin_diagnostic::Finding;
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Annotator;
@@ -39,7 +39,7 @@ impl ImageSensor {
     ) -> Result<(Self, Vec<Finding>), SenseError> {
         check_size(size).map_err(|error| SenseError::option(error.to_string()))?;
         check_engine(options)?;
-        let of_twin = depth_sensor(twin, options.kind.map(DepthKind::as_str))?;
+        let of_twin = depth_sensor(twin, options.depth_sensor.as_deref())?;
         let given = Given {
             size,
             kind: options.input_kind.unwrap_or(InputKind::Z),

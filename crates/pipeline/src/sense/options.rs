@@ -1,7 +1,7 @@
 use crate::input::InputKind;
 use crate::sensor::SensorOptions;
 use oaktwin_camera::{Camera, ImageSize};
-use oaktwin_catalog::{DepthKind, Role};
+use oaktwin_catalog::Role;
 use oaktwin_dataset::{CloudAxes, Extras};
 use oaktwin_depth::align::Fill;
 use oaktwin_image::annotation::Annotator;
@@ -37,8 +37,8 @@ pub struct AlignTo {
 pub struct SenseOptions {
     /// The engine and its settings; the image and the name are set for each input.
     pub sensor: SensorOptions,
-    /// The depth sensor; by default time of flight if the device has it.
-    pub kind: Option<DepthKind>,
+    /// The depth sensor by kind (`stereo`, `tof`) or prim; by default time of flight if the device has it.
+    pub depth_sensor: Option<String>,
     /// The kind of depth, if the files' names do not tell.
     pub input_kind: Option<InputKind>,
     /// The metres per integer depth unit.
@@ -65,7 +65,7 @@ impl Default for SenseOptions {
     fn default() -> Self {
         Self {
             sensor: SensorOptions::default(),
-            kind: None,
+            depth_sensor: None,
             input_kind: None,
             depth_scale: 0.001,
             field_of_view: FieldOfView::default(),

@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 use super::{Input, InputKind, SenseError, SenseOptions};
 use crate::input::name::Name;
 use crate::input::replicator;
-use oaktwin_catalog::{DepthKind, Twin, TwinDepthSensor};
+use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_dataset::InputName;
-use oaktwin_diagnostic::{Finding, Level, message, opt};
+use oaktwin_diagnostic::{Finding, Level, fold_name, message, opt};
 use oaktwin_files::FileError;
 
 /// The name of standard input in messages.
@@ -45,7 +45,7 @@ pub(super) fn sequences<'a>(
     options: &SenseOptions,
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Sequence<'a>>, SenseError> {
-    let chosen = depth_sensor(twin, options.kind.map(DepthKind::as_str))?;
+    let chosen = depth_sensor(twin, options.depth_sensor.as_deref())?;
     let mut sequences = Vec::new();
     let mut named: BTreeMap<(PathBuf, String, String), Vec<DepthFile>> = BTreeMap::new();
     for input in inputs {
@@ -116,7 +116,7 @@ pub(super) fn sequences<'a>(
     let is_used = sequences
         .iter()
         .any(|one| one.sensor == chosen && !one.is_of_model);
-    if is_used && options.kind.is_none() && twin.depth_sensors.len() > 1 {
+    if is_used && options.depth_sensor.is_none() && twin.depth_sensors.len() > 1 {
         findings.push(chosen_sensor(twin, chosen));
     }
     Ok(sequences)
@@ -146,7 +146,12 @@ fn folder<'a>(
 ) -> Result<(), SenseError> {
     let cameras = replicator::cameras(path)?;
     let of_model = |name: &Path| {
-        let is_wanted = |sensor: &&TwinDepthSensor| options.kind.is_none_or(|kind| sensor.spec.kind == kind);
+        let wanted = options.depth_sensor.as_deref().map(fold_name);
+        let is_wanted = |sensor: &&TwinDepthSensor| {
+            let own = [sensor.spec.kind.as_str(), &sensor.spec.prim];
+            let mut own = own.into_iter().map(fold_name);
+            wanted.as_ref().is_none_or(|wanted| own.any(|own| own == *wanted))
+        };
         twin.depth_sensors
             .iter()
             .filter(is_wanted)

@@ -22,11 +22,12 @@ pub fn depth_sensor<'a>(twin: &'a Twin, name: Option<&str>) -> Result<&'a TwinDe
     found.ok_or_else(|| {
         let model = &twin.device.name;
         let (what, remedy) = match name {
-            None => (
+            _ if sensors.is_empty() => (
                 format!("{model} has no depth sensor"),
-                "choose another model".to_owned(),
+                format!("choose a model with one: {}", twin.device.models_with_depth(None)),
             ),
-            Some(name) => {
+            name => {
+                let name = name.unwrap_or_default();
                 let names = sensors
                     .iter()
                     .flat_map(|sensor| [sensor.spec.kind.as_str(), sensor.spec.prim.as_str()]);

@@ -29,7 +29,7 @@ pub use options::{SensorOptions, default_engine};
 pub use parameter_file::ParameterFile;
 pub use parameters::{single_view_parameters, stereo_noise_parameters, time_of_flight_parameters};
 
-use oaktwin_catalog::{Twin, TwinDepthSensor};
+use oaktwin_catalog::{Source as DataSource, Twin, TwinDepthSensor};
 use oaktwin_depth::filter::{self, Chain};
 use oaktwin_depth::random::Stream;
 use oaktwin_diagnostic::{Finding, Level};
@@ -50,7 +50,31 @@ pub fn sensor(
 ) -> Result<(Sensor, Vec<Finding>), ParameterError> {
     let kind = options.engine.unwrap_or_else(|| default_engine(sensor.spec.kind));
     let source = Source::twin(twin, sensor, options);
-    create(kind, &source, options, &sensor.spec.prim)
+    let (made, mut findings) = create(kind, &source, options, &sensor.spec.prim)?;
+    findings.extend(foreign_processing(twin, kind, &sensor.spec.prim));
+    Ok((made, findings))
+}
+
+/// Returns a note if an engine models the processing of OAKs, and the device is of another maker.
+pub(crate) fn foreign_processing(twin: &Twin, kind: &EngineKind, place: &str) -> Option<Finding> {
+    let what = match kind.models? {
+        Technology::Stereo => "the stereo matcher of an OAK with RVC2",
+        Technology::TimeOfFlight => "the time-of-flight sensor of the OAK-D ToF",
+    };
+    let device = &twin.device;
+    let is_foreign = twin.platform().is_none() && device.source != DataSource::User;
+    is_foreign.then(|| {
+        Finding::new(
+            "foreign-processing",
+            Level::Note,
+            place,
+            format!(
+                "{} models {what}; the processing of {} is not published",
+                kind.name, device.manufacturer
+            ),
+            "",
+        )
+    })
 }
 
 /// Creates the sensor of a render product with NVIDIA's attributes, whose virtual camera has this name. The default engine

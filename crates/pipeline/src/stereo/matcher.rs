@@ -6,7 +6,8 @@ use super::StereoError;
 use crate::pair::{PairCameras, PairOptions};
 use crate::sense::FieldOfView;
 use crate::sensor::{
-    Capture, Input, OutputCamera, ParameterError, Sensor, SensorOptions, stereo_matching as sensor,
+    Capture, Input, OutputCamera, ParameterError, Sensor, SensorOptions, foreign_processing,
+    stereo_matching as sensor,
 };
 use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform, StereoGeometry};
 use oaktwin_catalog::Twin;
@@ -115,7 +116,10 @@ impl Matcher {
             }
         };
         let platform = platform.unwrap_or(Platform::Rvc2);
-        let (sensor, findings) = sensor(platform, stereo, size.width, place, options)?;
+        let (sensor, mut findings) = sensor(platform, stereo, size.width, place, options)?;
+        if let PairOf::Twin { twin, .. } = *of {
+            findings.extend(foreign_processing(twin, sensor.engine().kind(), place));
+        }
         Ok(Self {
             size,
             rectify,

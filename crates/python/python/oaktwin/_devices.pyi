@@ -23,7 +23,7 @@ __all__ = ["Device", "models", "parameters", "presets", "simulate_imu"]
 
 @final
 class Device:
-    """A digital twin of a Luxonis OAK: the nominal device of a model, or one unit by its calibration.
+    """A digital twin of a depth camera: the nominal device of a model, or one unit by its calibration.
 
     model: the name, such as "OAK4-D"; case, spaces, hyphens and underscores are ignored. See `models()`.
     lens: "pinhole" (default), or "fisheye" for the left and right cameras of the wide models.
@@ -82,11 +82,12 @@ class Device:
         """Returns the camera of a depth sensor's images: a pinhole with the depth sensor's clipping range. That of a calibrated
         stereo pair is the device's rectified left camera, as `StereoMatcher` has: rotated, and on RVC2 with the right camera's K.
 
-        sensor: "stereo" or "tof"; by default "tof" if the device has it.
+        sensor: "stereo", "tof" or a prim; by default "tof" if the device has it.
         """
     @property
     def depth_sensors(self) -> dict[str, dict[str, Any]]:
-        """The parameters of the depth sensors by kind ("stereo", "tof"), with the catalog's names, which include units."""
+        """The parameters of the depth sensors by kind ("stereo", "tof"; further stereo pairs by prim), with the catalog's names, which
+        include units."""
     def extrinsics(self, source: _Part, target: _Part) -> _Float64:
         """(4, 4) float64, target_from_source: takes points in the frame of one part to that of another, metres.
 
@@ -151,12 +152,19 @@ class Device:
     def report(self) -> dict[str, Any]:
         """Everything known about the device, each number with its source: what `oaktwin show --json` prints."""
 
-def models(*, catalog: str | PathLike[str] | None = None) -> list[str]:
+def models(
+    *,
+    maker: str | None = None,
+    depth: Literal["stereo", "tof", "none"] | None = None,
+    catalog: str | PathLike[str] | None = None,
+) -> list[str]:
     """Returns the names of all models for `Device`.
 
+    maker: only this manufacturer's, such as "Luxonis" or "Intel".
+    depth: only those with this kind of depth sensor: "stereo", "tof" or "none".
     catalog: a folder with more models, see `Device`.
 
-    Raises oaktwin.Error for an invalid folder or file.
+    Raises oaktwin.Error for an unknown maker or kind, and for an invalid folder or file.
     """
 
 def parameters(

@@ -33,7 +33,7 @@ class DepthSensor:
     """The depth sensor of a device: converts exact depth to the depth that the device would measure.
 
     device: the device.
-    sensor: its depth sensor, "stereo" or "tof"; by default time of flight if the device has it.
+    sensor: its depth sensor, "stereo", "tof" or a prim; by default time of flight if the device has it.
     fx: the focal length of the images at their width, px; or hfov_deg: their horizontal field of view, degrees. Their
         principal point is then in the centre. By default, images have the model's field of view, whatever their size.
     camera: the Camera of the images, with their size. Its focal length and principal point are used by time of flight,

@@ -54,7 +54,7 @@ _Preset = Literal[
 ]
 _Rectify = Literal["auto", "homography", "mesh", "full"]
 _Role = Literal["rgb", "left", "right", "tof"]
-_Sensor = Literal["stereo", "tof"]
+_Sensor = Literal["stereo", "tof"] | str
 _Target = Literal["isaac", "ovrtx"]
 _Up = Literal["z", "y"]
 # End of the generated part.

@@ -8,7 +8,6 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use oaktwin::camera::ImageSize;
-use oaktwin::catalog::DepthKind;
 use oaktwin::image::annotation::Frame;
 use oaktwin::image::{Image, ZDepth};
 use oaktwin::render::{Clip, sense_frame};
@@ -26,7 +25,7 @@ use units::Units;
 use crate::align::aligned;
 use crate::arguments::{Annotators, FrameNumber, Size};
 use crate::camera::Camera;
-use crate::choice::{maybe_named, named};
+use crate::choice::named;
 use crate::device::Device;
 use crate::error::{error, wrong};
 use crate::finding::{self, Finding, Notices};
@@ -43,7 +42,7 @@ use crate::threads;
 /// The depth sensor of a device: converts exact depth to the depth that the device would measure.
 ///
 /// device: the device.
-/// sensor: its depth sensor, "stereo" or "tof"; by default time of flight if the device has it.
+/// sensor: its depth sensor, "stereo", "tof" or a prim; by default time of flight if the device has it.
 /// fx: the focal length of the images at their width, px; or hfov_deg: their horizontal field of view, degrees. Their
 ///     principal point is then in the centre. By default, images have the model's field of view, whatever their size.
 /// camera: the Camera of the images, with their size. Its focal length and principal point are used by time of flight,
@@ -118,7 +117,6 @@ impl DepthSensor {
         };
         let (whole, device) = (device, device.get());
         let twin = &device.twin;
-        let sensor = maybe_named("sensor", sensor)?.map(DepthKind::as_str);
         let depth = depth_sensor(twin, sensor).map_err(error)?.clone();
         let camera = camera.map(|camera| camera.get().clone());
         if let Some(engine) = options.engine.filter(|kind| kind.input == EngineInput::Pair) {

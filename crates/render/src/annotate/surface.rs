@@ -28,7 +28,7 @@ impl Surface<'_> {
     /// Returns the barycentric coordinates where a ray of the camera meets the triangle's plane; NaN or infinite where it
     /// does not.
     #[inline]
-    fn weights_of(&self, ray_in_camera: DVec3) -> [f64; 3] {
+    pub(crate) fn weights_of(&self, ray_in_camera: DVec3) -> [f64; 3] {
         let [a, b, c] = &self.sides;
         let (a, b, c) = (
             ray_in_camera.dot(*a),

@@ -7,8 +7,9 @@ use oaktwin_image::Image;
 use rayon::prelude::*;
 
 use super::rig::luminance;
+use super::surfaces::Spot;
 use super::{ShadingContext, ShadingInput};
-use crate::annotate::Surface;
+use crate::annotate::{Surface, SurfaceFinder};
 use crate::ray::{Ray, RayCaster, Stack};
 
 /// The samples of a pixel in a row and in a column.
@@ -85,14 +86,14 @@ impl ShadingContext<'_> {
             (input.seen.z.0.pixels().par_chunks(row_length)).zip(hits.pixels().par_chunks(row_length));
         let rows = out.pixels_mut().par_chunks_mut(row_length);
         rows.zip(seen_rows).zip(0..height).for_each_init(
-            || self.workspace(),
-            |workspace, ((row, (depths, hits)), y)| {
+            || (SurfaceFinder::new(self.scene, self.view), Stack::new()),
+            |(finder, stack), ((row, (depths, hits)), y)| {
                 for (((pixel, z), hit), x) in row.iter_mut().zip(depths).zip(hits).zip(0..) {
                     let Some(ray) = input.rays.centre(x, y).filter(|_| !hit.is_miss()) else {
                         continue;
                     };
                     let next = input.rays.next(x, y, ray);
-                    let found = workspace.finder.find(*hit, ray, *z);
+                    let found = finder.find(*hit, ray, *z);
                     let lit = found
                         .as_ref()
                         .and_then(|surface| Some((surface, self.lit(surface, ray, next, beam)?)));
@@ -103,16 +104,12 @@ impl ShadingContext<'_> {
                     if beam
                         .pattern
                         .is_dark_around(middle.to_array(), lit.footprint.radius(middle))
-                        || is_shadowed(
-                            input,
-                            surface,
-                            beam.world_from_beam.translation,
-                            &mut workspace.stack,
-                        )
+                        || is_shadowed(input, surface, beam.world_from_beam.translation, stack)
                     {
                         continue;
                     }
-                    let finish = self.layer(surface, *hit, workspace).at(surface, || next);
+                    let paint = self.paint(surface.mesh, hit.triangle);
+                    let finish = paint.finish(surface.mesh, hit.triangle, &spot(surface, next), self.level);
                     let albedo = luminance(finish.color) * (1.0 - finish.metallic);
                     *pixel = mean(&lit.footprint, beam.pattern) * lit.strength * albedo;
                 }
@@ -160,6 +157,26 @@ impl ShadingContext<'_> {
             strength: (cosine / (distance * distance).max(NEAR_M * NEAR_M)) as f32,
             footprint,
         })
+    }
+}
+
+/// Returns the place on the triangle that a pixel sees; `next` are the rays of the pixels to the right and below.
+#[expect(clippy::cast_possible_truncation, reason = "shading is float32")]
+fn spot(surface: &Surface<'_>, next: [Option<DVec3>; 2]) -> Spot {
+    let [_, b, c] = surface.weights;
+    let [across, down] = next.map(|next| {
+        let [_, next_b, next_c] = next.map_or(surface.weights, |next| surface.weights_of(next));
+        let step = [next_b - b, next_c - c];
+        if step.iter().all(|step| step.is_finite()) {
+            step.map(|step| step as f32)
+        } else {
+            [0.0; 2]
+        }
+    });
+    Spot {
+        at: [b as f32, c as f32],
+        across,
+        down,
     }
 }
 

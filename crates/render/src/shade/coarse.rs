@@ -4,34 +4,33 @@
 
 use glam::{Vec3, Vec4};
 use oaktwin_image::Image;
-use oaktwin_scene::Scene;
+use oaktwin_simd::Level;
 use rayon::prelude::*;
 
 use super::lamp::Lamp;
 use super::occlusion::{LampSamples, Light, Occlusion, Place, Shares};
 use super::pattern::{PERIOD, Pattern};
-use crate::annotate::{Surface, SurfaceFinder};
+use super::surfaces::Packet;
 use crate::ray::Stack;
 use crate::rays::Rays;
 use crate::{View, Visibility};
 
-/// The surface and the light of a pixel.
+/// The surface that a pixel sees.
 #[derive(Clone, Copy, Debug)]
 struct Sample {
-    /// The point relative to the eye, metres.
-    point: Vec3,
-    /// Zero for a miss.
-    normal: Vec3,
-    /// The inverse of the distance from the plane within which another sample belongs to the same surface.
+    place: Place,
+    /// Zero for a miss; the inverse of the distance from the plane within which another sample belongs to the same surface.
     per_tolerance: f32,
-    light: Light,
 }
 
 const NOTHING: Sample = Sample {
-    point: Vec3::ZERO,
-    normal: Vec3::ZERO,
+    place: Place {
+        from_eye: Vec3::ZERO,
+        range: 0.0,
+        normal: Vec3::ZERO,
+        flat_normal: Vec3::ZERO,
+    },
     per_tolerance: 0.0,
-    light: Light::FULL,
 };
 
 /// The minimum total similarity for interpolation.
@@ -46,24 +45,11 @@ pub(super) struct Coarse {
     light: Image<Vec4>,
 }
 
-pub(super) fn place(surface: &Surface<'_>, view: &View) -> Place {
-    Place {
-        point: surface.point,
-        from_eye: (surface.point - view.world_from_camera.translation).as_vec3(),
-        normal: surface.normal,
-        flat_normal: surface.flat_normal,
-        range: surface.range,
-    }
-}
-
 impl Sample {
-    #[expect(clippy::cast_possible_truncation, reason = "shading is float32")]
     fn new(place: &Place) -> Self {
         Self {
-            point: place.from_eye,
-            normal: place.normal.as_vec3(),
-            per_tolerance: 1.0 / (place.range as f32 * 0.01).max(f32::MIN_POSITIVE),
-            light: Light::FULL,
+            place: *place,
+            per_tolerance: 100.0 / place.range.max(f32::MIN_POSITIVE),
         }
     }
 
@@ -71,140 +57,159 @@ impl Sample {
     /// plane.
     #[inline]
     fn similarity(&self, other: &Self) -> f32 {
-        let parallel = (self.normal.dot(other.normal) - 0.75) * 4.0;
-        let off = self.normal.dot(other.point - self.point).abs() * self.per_tolerance;
+        let (a, b) = (&self.place, &other.place);
+        let parallel = (a.normal.dot(b.normal) - 0.75) * 4.0;
+        let off = a.normal.dot(b.from_eye - a.from_eye).abs() * self.per_tolerance;
         parallel.max(0.0) * (1.0 - off).max(0.0)
     }
 }
 
-/// Finds the surfaces of a view's samples.
+/// Samples the light of a view.
 #[derive(Clone, Copy)]
 struct Sampler<'a> {
-    scene: &'a Scene,
     view: &'a View,
     rays: &'a Rays<'a>,
     seen: &'a Visibility,
     occlusion: &'a Occlusion<'a>,
+    level: Level,
 }
 
 impl<'a> Sampler<'a> {
-    fn workspace(&self) -> (SurfaceFinder<'a>, Stack) {
-        (SurfaceFinder::new(self.scene, self.view), Stack::new())
-    }
-
-    fn place(&self, finder: &mut SurfaceFinder<'_>, x: u32, y: u32) -> Option<Place> {
-        let hit = self.seen.hits.get(2 * x, 2 * y).filter(|hit| !hit.is_miss())?;
-        let (z, ray) = (self.seen.z.0.get(2 * x, 2 * y)?, self.rays.centre(2 * x, 2 * y)?);
-        finder
-            .find(*hit, ray, *z)
-            .map(|surface| place(&surface, self.view))
+    /// Finds the surfaces of every other pixel of every other row.
+    fn surfaces(&self, width: u32, height: u32) -> Image<Sample> {
+        let mut samples = Image::filled(width, height, NOTHING);
+        let rows = samples.pixels_mut().par_chunks_mut((width as usize).max(1));
+        rows.zip(0..height).for_each_init(
+            || Packet::new(self.occlusion.scene, self.view, self.rays, self.level),
+            |packet, (row, y)| {
+                for x in 0..width {
+                    let place = [2 * x, 2 * y];
+                    let (Some(hit), Some(z), Some(ray)) = (
+                        self.seen.hits.get(place[0], place[1]),
+                        self.seen.z.0.get(place[0], place[1]),
+                        packet.ray(place),
+                    ) else {
+                        continue;
+                    };
+                    if hit.is_miss() {
+                        continue;
+                    }
+                    if !packet.has_room_for(hit.instance) {
+                        put(packet, row);
+                    }
+                    packet.push(x as usize, place, ray, *hit, *z);
+                }
+                put(packet, row);
+            },
+        );
+        samples
     }
 
     /// Samples the lamps at even samples, and the surroundings at every other sample; the others get NaN.
-    fn sample(&self, width: u32, height: u32) -> (Image<Sample>, Image<LampSamples>) {
-        let mut samples = Image::filled(width, height, NOTHING);
+    fn sample(&self, samples: &Image<Sample>) -> (Image<Light>, Image<LampSamples>) {
+        let (width, height) = (samples.width(), samples.height());
         let row_length = (width as usize).max(1);
+        let mut light = Image::filled(width, height, Light::FULL);
         let mut lamp_samples = Image::filled(width.div_ceil(2), height.div_ceil(2), LampSamples::default());
-        // One row of lamp samples for two rows of samples.
-        let lamp_sample_rows = lamp_samples.pixels_mut().par_chunks_mut(row_length.div_ceil(2));
-        let rows = samples.pixels_mut().par_chunks_mut(2 * row_length);
-        rows.zip(lamp_sample_rows)
-            .zip(0..height.div_ceil(2))
-            .for_each_init(
-                || self.workspace(),
-                |(finder, stack), ((samples, lamp_samples), half_y)| {
-                    for (row, y) in samples.chunks_mut(row_length).zip(2 * half_y..) {
-                        for (sample, x) in row.iter_mut().zip(0..) {
-                            let Some(place) = self.place(finder, x, y) else {
-                                continue;
-                            };
-                            *sample = Sample::new(&place);
-                            let cell = Pattern::cell(x, y);
-                            if x % 2 == 0
-                                && y % 2 == 0
-                                && let Some(lamp_samples) = lamp_samples.get_mut(x as usize / 2)
-                            {
-                                (sample.light, *lamp_samples) =
-                                    self.occlusion.sample_lamps(&place, cell, stack);
-                            }
-                            (sample.light.ambient, sample.light.sky) = if (x + y) % 2 == 0 {
-                                self.occlusion.sample_surroundings(&place, cell, stack)
-                            } else {
-                                (f32::NAN, f32::NAN)
-                            };
-                        }
+        let strip = TILE as usize * row_length;
+        let rows = (light.pixels_mut().par_chunks_mut(strip)).zip(samples.pixels().par_chunks(strip));
+        let lamp_rows = TILE as usize / 2 * row_length.div_ceil(2);
+        rows.zip(lamp_samples.pixels_mut().par_chunks_mut(lamp_rows))
+            .for_each_init(Stack::new, |stack, ((light, samples), lamp_samples)| {
+                for (place, sample) in in_tiles(samples, row_length) {
+                    let [x, y] = place;
+                    let Some(light) = light.get_mut(y as usize * row_length + x as usize) else {
+                        continue;
+                    };
+                    let cell = Pattern::cell(x, y);
+                    let half = y as usize / 2 * row_length.div_ceil(2) + x as usize / 2;
+                    if x % 2 == 0
+                        && y % 2 == 0
+                        && let Some(lamp_samples) = lamp_samples.get_mut(half)
+                    {
+                        (*light, *lamp_samples) = self.occlusion.sample_lamps(&sample.place, cell, stack);
                     }
-                },
-            );
-        (samples, lamp_samples)
+                    (light.ambient, light.sky) = if (x + y) % 2 == 0 {
+                        self.occlusion.sample_surroundings(&sample.place, cell, stack)
+                    } else {
+                        (f32::NAN, f32::NAN)
+                    };
+                }
+            });
+        (light, lamp_samples)
     }
 
     /// Computes the light that [`sample`](Self::sample) left out.
-    fn complete(&self, samples: &mut Image<Sample>, lamp_samples: &Image<LampSamples>) {
-        let first = samples.clone();
+    fn complete(
+        &self,
+        samples: &Image<Sample>,
+        first: &Image<Light>,
+        lamp_samples: &Image<LampSamples>,
+    ) -> Image<Light> {
+        let mut complete = first.clone();
         let (row_length, height) = ((samples.width() as usize).max(1), samples.height());
-        let rows = samples.pixels_mut().par_chunks_mut(row_length);
-        rows.zip(0..height).for_each_init(
-            || self.workspace(),
-            |(finder, stack), (row, y)| {
-                for (sample, x) in row.iter_mut().zip(0..) {
+        let rows =
+            (complete.pixels_mut().par_chunks_mut(row_length)).zip(samples.pixels().par_chunks(row_length));
+        rows.zip(0..height)
+            .for_each_init(Stack::new, |stack, ((row, samples_of_row), y)| {
+                for ((light, sample), x) in row.iter_mut().zip(samples_of_row).zip(0..) {
                     if sample.per_tolerance == 0.0 {
                         continue;
                     }
                     let cell = Pattern::cell(x, y);
-                    let (ambient, sky) = (sample.light.ambient, sample.light.sky);
+                    let place = &sample.place;
+                    let (ambient, sky) = (light.ambient, light.sky);
                     // There is no shadow edge where all even neighbours see a lamp or none does.
                     if x % 2 != 0 || y % 2 != 0 {
-                        let around = Neighbours::new(&first, lamp_samples, sample, x, y);
+                        let around = Neighbours::new(samples, lamp_samples, sample, x, y);
                         let sees = |index: u32, lamp: &Lamp, spot: [f64; 2]| {
-                            around.all_see(index).unwrap_or_else(|| {
-                                self.place(finder, x, y)
-                                    .is_some_and(|place| self.occlusion.sees(&place, lamp, spot, stack))
-                            })
+                            around
+                                .all_see(index)
+                                .unwrap_or_else(|| self.occlusion.sees(place, lamp, spot, stack))
                         };
-                        (sample.light, _) = self.occlusion.lamplight(sample.point, sample.normal, cell, sees);
+                        (*light, _) = self.occlusion.lamplight(place.from_eye, place.normal, cell, sees);
                     }
-                    (sample.light.ambient, sample.light.sky) = (ambient, sky);
+                    (light.ambient, light.sky) = (ambient, sky);
                     // Every other sample takes the mean of its four neighbours.
                     if ambient.is_nan() {
-                        let found = mean_around(&first, sample, x, y).or_else(|| {
-                            let place = self.place(finder, x, y)?;
-                            Some(self.occlusion.sample_surroundings(&place, cell, stack))
-                        });
-                        (sample.light.ambient, sample.light.sky) = found.unwrap_or((1.0, 1.0));
+                        (light.ambient, light.sky) = mean_around(samples, first, sample, x, y)
+                            .unwrap_or_else(|| self.occlusion.sample_surroundings(place, cell, stack));
                     }
                 }
-            },
-        );
+            });
+        complete
     }
 }
 
 impl Coarse {
     pub(super) fn new(
-        scene: &Scene,
         view: &View,
         rays: &Rays<'_>,
         seen: &Visibility,
         occlusion: &Occlusion<'_>,
+        level: Level,
     ) -> Self {
         let sampler = Sampler {
-            scene,
             view,
             rays,
             seen,
             occlusion,
+            level,
         };
         let (width, height) = (seen.hits.width().div_ceil(2), seen.hits.height().div_ceil(2));
-        let (mut samples, lamp_samples) = sampler.sample(width, height);
-        sampler.complete(&mut samples, &lamp_samples);
-        samples = smoothed(&samples, [1, 0], Light::with_smooth);
-        samples = smoothed(&samples, [0, 1], Light::with_smooth);
+        let samples = sampler.surfaces(width, height);
+        let (first, lamp_samples) = sampler.sample(&samples);
+        let mut light = sampler.complete(&samples, &first, &lamp_samples);
+        for step in [[1, 0], [0, 1]] {
+            light = smoothed(&samples, &light, step, Light::with_smooth);
+        }
         if occlusion.rig.has_sky {
             let tile = PERIOD.cast_signed();
-            samples = smoothed(&samples, [tile, 0], Light::with_smooth_surroundings);
-            samples = smoothed(&samples, [0, tile], Light::with_smooth_surroundings);
+            for step in [[tile, 0], [0, tile]] {
+                light = smoothed(&samples, &light, step, Light::with_smooth_surroundings);
+            }
         }
-        let light = samples.map(|Sample { light, .. }| {
+        let light = light.map(|light| {
             let (some, all) = (
                 light.small.some + light.large.some,
                 light.small.all + light.large.all,
@@ -215,7 +220,7 @@ impl Coarse {
     }
 
     /// Returns the light at the point that pixel `(x, y)` sees; `None` where no neighbour sees the same surface.
-    pub(super) fn light(&self, x: u32, y: u32, place: &Place) -> Option<Shares> {
+    pub(super) fn light(&self, [x, y]: [u32; 2], place: &Place) -> Option<Shares> {
         let at = Sample::new(place);
         // Filtering over an even number of samples shifts them by half a sample, which is one pixel: pixels in odd columns
         // coincide with a sample and the others lie between two.
@@ -255,52 +260,107 @@ impl Coarse {
     }
 }
 
-/// The lamp samples of the even neighbours; `None` for a neighbour that may belong to another surface.
-struct Neighbours([Option<LampSamples>; 4]);
+/// The rows and columns of a tile, whose rays meet mostly the same surfaces: a multiple of the pattern's tiles.
+const TILE: u32 = 16;
 
-impl Neighbours {
-    fn new(samples: &Image<Sample>, lamp_samples: &Image<LampSamples>, at: &Sample, x: u32, y: u32) -> Self {
+/// Returns the samples of a strip of rows that see a surface, tile by tile, with their columns and rows in the strip.
+fn in_tiles(strip: &[Sample], row_length: usize) -> impl Iterator<Item = ([u32; 2], &Sample)> {
+    let tiles = (0..row_length).step_by(TILE as usize);
+    tiles.flat_map(move |left| {
+        (strip.chunks(row_length).zip(0..)).flat_map(move |(row, y)| {
+            let columns = row.iter().zip(0..).skip(left).take(TILE as usize);
+            columns
+                .filter(|(sample, _)| sample.per_tolerance != 0.0)
+                .map(move |(sample, x)| ([x, y], sample))
+        })
+    })
+}
+
+/// Stores the surfaces of a packet in a row of samples, and clears the packet.
+fn put(packet: &mut Packet<'_>, row: &mut [Sample]) {
+    if let Some(found) = packet.find() {
+        for lane in 0..found.count() {
+            if let Some(sample) = row.get_mut(found.tag(lane)) {
+                *sample = Sample::new(&Place::new(&found, lane));
+            }
+        }
+    }
+    packet.clear();
+}
+
+/// The even neighbours of a sample.
+struct Neighbours<'a> {
+    lamp_samples: &'a Image<LampSamples>,
+    columns: [u32; 2],
+    rows: [u32; 2],
+    /// Whether all of them belong to the sample's surface.
+    are_similar: bool,
+}
+
+impl<'a> Neighbours<'a> {
+    fn new(
+        samples: &Image<Sample>,
+        lamp_samples: &'a Image<LampSamples>,
+        at: &Sample,
+        x: u32,
+        y: u32,
+    ) -> Self {
         let (columns, rows) = ([x / 2, x.div_ceil(2)], [y / 2, y.div_ceil(2)]);
-        Self([0, 1, 2, 3].map(|i| {
-            let (column, row) = (columns[i % 2], rows[i / 2]);
-            let other = samples.get(2 * column, 2 * row)?;
-            let is_similar = at.similarity(other) >= 0.25;
-            lamp_samples.get(column, row).copied().filter(|_| is_similar)
-        }))
+        let mut are_similar = true;
+        for row in rows {
+            for column in columns {
+                let other = samples.get(2 * column, 2 * row);
+                are_similar &= other.is_some_and(|other| at.similarity(other) >= 0.25);
+            }
+        }
+        Self {
+            lamp_samples,
+            columns,
+            rows,
+            are_similar,
+        }
     }
 
-    /// Whether all of them see a lamp or none does; `None` where they disagree.
+    /// Whether all of them see a lamp or none does; `None` where they disagree or one belongs to another surface.
     fn all_see(&self, lamp: u32) -> Option<bool> {
+        if !self.are_similar {
+            return None;
+        }
         let mut all = None;
-        for lamp_samples in &self.0 {
-            let found = lamp_samples
-                .as_ref()?
-                .iter()
-                .flatten()
-                .find(|lamp_sample| lamp_sample.lamp == lamp)?;
-            if all.is_some_and(|all| all != found.is_seen) {
-                return None;
+        for row in self.rows {
+            for column in self.columns {
+                let samples = self.lamp_samples.get(column, row)?;
+                let found = samples.iter().flatten().find(|sample| sample.lamp == lamp)?;
+                if all.is_some_and(|all| all != found.is_seen) {
+                    return None;
+                }
+                all = Some(found.is_seen);
             }
-            all = Some(found.is_seen);
         }
         all
     }
 }
 
 /// The mean of the four neighbours' ambient light; `None` where too few belong to the same surface.
-fn mean_around(samples: &Image<Sample>, at: &Sample, x: u32, y: u32) -> Option<(f32, f32)> {
+fn mean_around(
+    samples: &Image<Sample>,
+    light: &Image<Light>,
+    at: &Sample,
+    x: u32,
+    y: u32,
+) -> Option<(f32, f32)> {
     let neighbours = [
-        (x.checked_sub(1), Some(y)),
-        (x.checked_add(1), Some(y)),
-        (Some(x), y.checked_sub(1)),
-        (Some(x), y.checked_add(1)),
+        (x.wrapping_sub(1), y),
+        (x + 1, y),
+        (x, y.wrapping_sub(1)),
+        (x, y + 1),
     ];
     let (mut ambient, mut sky, mut weights) = (0.0, 0.0, 0.0);
     for (x, y) in neighbours {
-        if let Some(other) = x.zip(y).and_then(|(x, y)| samples.get(x, y)) {
+        if let (Some(other), Some(light)) = (samples.get(x, y), light.get(x, y)) {
             let weight = at.similarity(other);
-            ambient += other.light.ambient * weight;
-            sky += other.light.sky * weight;
+            ambient += light.ambient * weight;
+            sky += light.sky * weight;
             weights += weight;
         }
     }
@@ -309,30 +369,35 @@ fn mean_around(samples: &Image<Sample>, at: &Sample, x: u32, y: u32) -> Option<(
 
 /// Filters over four samples of the same surface, `step` apart, from two before to one after. `take` combines the unfiltered and
 /// the filtered light.
-fn smoothed(samples: &Image<Sample>, step: [i32; 2], take: fn(Light, Light) -> Light) -> Image<Sample> {
-    let mut smooth = samples.clone();
+fn smoothed(
+    samples: &Image<Sample>,
+    light: &Image<Light>,
+    step: [i32; 2],
+    take: fn(Light, Light) -> Light,
+) -> Image<Light> {
+    let mut smooth = light.clone();
     let row_length = (samples.width() as usize).max(1);
-    let rows = smooth.pixels_mut().par_chunks_mut(row_length);
-    rows.zip(0..samples.height()).for_each(|(row, y)| {
-        for (sample, x) in row.iter_mut().zip(0u32..) {
-            if sample.per_tolerance == 0.0 {
-                continue;
-            }
-            let mut sum = Light::default();
-            let mut weights = 0.0;
-            let before = PERIOD.cast_signed() / 2;
-            for i in -before..PERIOD.cast_signed() - before {
-                let [dx, dy] = step.map(|step| step * i);
-                let other = (x.checked_add_signed(dx).zip(y.checked_add_signed(dy)))
-                    .and_then(|(x, y)| samples.get(x, y));
-                if let Some(other) = other {
-                    let weight = if i == 0 { 1.0 } else { sample.similarity(other) };
-                    sum = sum.plus(other.light, weight);
-                    weights += weight;
+    let rows = (smooth.pixels_mut().par_chunks_mut(row_length)).zip(samples.pixels().par_chunks(row_length));
+    rows.zip(0..samples.height())
+        .for_each(|((row, samples_of_row), y)| {
+            for ((out, sample), x) in row.iter_mut().zip(samples_of_row).zip(0u32..) {
+                if sample.per_tolerance == 0.0 {
+                    continue;
                 }
+                let mut sum = Light::default();
+                let mut weights = 0.0;
+                let before = PERIOD.cast_signed() / 2;
+                for i in -before..PERIOD.cast_signed() - before {
+                    let x = x.wrapping_add_signed(step[0] * i);
+                    let y = y.wrapping_add_signed(step[1] * i);
+                    if let (Some(other), Some(light)) = (samples.get(x, y), light.get(x, y)) {
+                        let weight = if i == 0 { 1.0 } else { sample.similarity(other) };
+                        sum = sum.plus(*light, weight);
+                        weights += weight;
+                    }
+                }
+                *out = take(*out, sum.times(1.0 / weights));
             }
-            sample.light = take(sample.light, sum.times(1.0 / weights));
-        }
-    });
+        });
     smooth
 }

@@ -5,8 +5,9 @@ use oaktwin_camera::{Intrinsics, Usd};
 use oaktwin_image::Image;
 use rayon::prelude::*;
 
+use super::ShadingContext;
 use super::film::Film;
-use super::{ShadingContext, Workspace};
+use super::tone::Encoder;
 use crate::rays::Rays;
 use crate::{Hit, View, Visibility};
 
@@ -40,9 +41,13 @@ pub(crate) fn corners_of(view: &View) -> View {
 
 /// Finds the pixels at outlines, row by row.
 pub(super) fn outlines_of(film: Film, seen: &Visibility, colors: &Image<[f32; 3]>) -> Vec<Vec<u32>> {
+    let developing = Developing {
+        film,
+        encoder: Encoder::new(),
+    };
     (0..colors.height())
         .into_par_iter()
-        .map(|y| outlines(film, seen, colors, y))
+        .map(|y| outlines(developing, seen, colors, y))
         .collect()
 }
 
@@ -57,61 +62,93 @@ pub(super) fn smooth<T: Send>(
     image: &mut Image<T>,
     put: impl Fn(&mut T, Vec3) + Sync,
 ) {
-    let (width, height) = (image.width(), image.height());
-    let row_length = (width as usize).max(1);
+    let row_length = (image.width() as usize).max(1);
+    let corner_rows = corner_rows(context, corners, seen, colors, outlines);
     let rows = image.pixels_mut().par_chunks_mut(row_length);
-    rows.zip(outlines).zip(0..height).for_each_init(
-        || context.workspace(),
-        |workspace, ((row, outlines), y)| {
-            // The corners on the right of one pixel are those on the left of the next.
-            let mut last: Option<(u32, [Vec3; 2])> = None;
+    rows.zip(outlines)
+        .zip(corner_rows.par_windows(2))
+        .zip(0..colors.height())
+        .for_each(|(((row, outlines), corner_rows), y)| {
+            let mut corner_rows = [corner_rows[0].as_slice(), corner_rows[1].as_slice()];
             for &x in outlines {
-                let mut at = |x, dy| corner(context, corners, seen, colors, [x, y + dy], workspace);
-                let left = match last {
-                    Some((column, colors)) if column == x => colors,
-                    _ => [at(x, 0), at(x, 1)],
-                };
-                let right = [at(x + 1, 0), at(x + 1, 1)];
-                last = Some((x + 1, right));
-                let around = left[0] + left[1] + right[0] + right[1];
+                let mut around = Vec3::ZERO;
+                for corners in &mut corner_rows {
+                    while corners.first().is_some_and(|(column, _)| *column < x) {
+                        *corners = &corners[1..];
+                    }
+                    around += corners.iter().take(2).map(|(_, color)| *color).sum::<Vec3>();
+                }
                 let centre = colors.get(x, y).copied().map_or(Vec3::ZERO, Vec3::from);
                 if let Some(pixel) = row.get_mut(x as usize) {
                     put(pixel, centre * 0.5 + around * 0.125);
                 }
             }
-        },
-    );
+        });
 }
 
-/// Returns the colour at a corner: that of an adjacent pixel that sees the same triangle, else its own.
-fn corner<'a>(
-    context: &'a ShadingContext<'_>,
+/// Returns the columns and colours of the corners of outlines, row by row: those of an adjacent pixel that sees the same triangle,
+/// else their own.
+fn corner_rows(
+    context: &ShadingContext<'_>,
     corners: &Corners<'_>,
     seen: &Visibility,
     colors: &Image<[f32; 3]>,
-    [x, y]: [u32; 2],
-    workspace: &mut Workspace<'a>,
-) -> Vec3 {
-    let hit = corners.seen.hits.get(x, y).copied().unwrap_or(Hit::MISS);
+    outlines: &[Vec<u32>],
+) -> Vec<Vec<(u32, Vec3)>> {
+    (0..=colors.height())
+        .into_par_iter()
+        .map_init(
+            || context.workspace(&corners.rays),
+            |workspace, y| {
+                let of_pixels = |row: u32| outlines.get(row as usize).map_or(&[][..], Vec::as_slice);
+                let above = y.checked_sub(1).map_or(&[][..], of_pixels);
+                let mut columns: Vec<u32> = (above.iter().chain(of_pixels(y)))
+                    .flat_map(|x| [*x, x + 1])
+                    .collect();
+                columns.sort_unstable();
+                columns.dedup();
+                let mut row: Vec<(u32, Vec3)> = columns.into_iter().map(|x| (x, Vec3::ZERO)).collect();
+                let mut own = Vec::new();
+                for (index, (x, color)) in row.iter_mut().enumerate() {
+                    let hit = corners.seen.hits.get(*x, y).copied().unwrap_or(Hit::MISS);
+                    if let Some(adjacent) = adjacent_color(seen, colors, hit, [*x, y]) {
+                        *color = adjacent;
+                    } else {
+                        let z = corners.seen.z.0.get(*x, y).copied().unwrap_or(f32::INFINITY);
+                        own.push((index, [*x, y], hit, z));
+                    }
+                }
+                own.sort_unstable_by_key(|(index, _, hit, _)| (hit.instance, *index));
+                context.colors(own.into_iter(), workspace, |index, color| {
+                    if let Some((_, corner)) = row.get_mut(index) {
+                        *corner = color;
+                    }
+                });
+                row
+            },
+        )
+        .collect()
+}
+
+/// Returns the colour of a pixel at a corner that sees the same triangle as the corner.
+fn adjacent_color(seen: &Visibility, colors: &Image<[f32; 3]>, hit: Hit, [x, y]: [u32; 2]) -> Option<Vec3> {
     let around = [
         [x, y],
         [x.wrapping_sub(1), y],
         [x, y.wrapping_sub(1)],
         [x.wrapping_sub(1), y.wrapping_sub(1)],
     ];
-    for [x, y] in around {
-        if seen.hits.get(x, y) == Some(&hit)
-            && let Some(color) = colors.get(x, y)
-        {
-            return Vec3::from(*color);
-        }
-    }
-    let Some(ray) = corners.rays.centre(x, y) else {
-        return Vec3::ZERO;
-    };
-    let next = || corners.rays.next(x, y, ray);
-    let z = corners.seen.z.0.get(x, y).copied().unwrap_or(f32::INFINITY);
-    context.color([x, y], hit, ray, next, z, workspace)
+    around
+        .into_iter()
+        .find(|[x, y]| seen.hits.get(*x, *y) == Some(&hit))
+        .and_then(|[x, y]| colors.get(x, y).copied().map(Vec3::from))
+}
+
+/// The conversion of film to sRGB.
+#[derive(Clone, Copy)]
+struct Developing {
+    film: Film,
+    encoder: Encoder,
 }
 
 /// A row of colours and visible surfaces.
@@ -144,8 +181,9 @@ impl<'a> Row<'a> {
     }
 
     /// Returns sRGB with coverage.
-    fn tone(&self, x: usize, film: Film) -> Option<[u8; 4]> {
-        let [r, g, b] = film.srgb(Vec3::from(*self.colors.get(x)?));
+    fn tone(&self, x: usize, developing: Developing) -> Option<[u8; 4]> {
+        let color = Vec3::from(*self.colors.get(x)?);
+        let [r, g, b] = developing.film.srgb(color, developing.encoder);
         let coverage = if self.hits.get(x)?.is_miss() { 0 } else { 255 };
         Some([r, g, b, coverage])
     }
@@ -158,7 +196,7 @@ struct Pixel {
 }
 
 /// Finds the pixels of a row at outlines and creases with enough contrast.
-fn outlines(film: Film, seen: &Visibility, colors: &Image<[f32; 3]>, y: u32) -> Vec<u32> {
+fn outlines(developing: Developing, seen: &Visibility, colors: &Image<[f32; 3]>, y: u32) -> Vec<u32> {
     let Some(row) = Row::new(seen, colors, y) else {
         return Vec::new();
     };
@@ -172,8 +210,8 @@ fn outlines(film: Film, seen: &Visibility, colors: &Image<[f32; 3]>, y: u32) -> 
             };
             // Colours are compared last because there are few edges.
             let differs = |row: Option<Row<'_>>, other: usize, mine: Row<'_>| {
-                let other = row.and_then(|row| row.tone(other, film));
-                mine.tone(x, film)
+                let other = row.and_then(|row| row.tone(other, developing));
+                mine.tone(x, developing)
                     .zip(other)
                     .is_some_and(|(a, b)| contrast(a, b) >= MIN_CONTRAST)
             };
@@ -192,9 +230,10 @@ impl Pixel {
     #[inline]
     fn is_edge_between(&self, before: Option<Self>, after: Option<Self>) -> bool {
         let is_other = |other: Self| other.instance != self.instance;
-        let bends = before
-            .zip(after)
-            .is_some_and(|(a, b)| (self.z / a.z + self.z / b.z - 2.0).abs() > MIN_BEND);
+        let bends = before.zip(after).is_some_and(|(a, b)| {
+            let product = a.z * b.z;
+            (self.z * (a.z + b.z) - 2.0 * product).abs() > MIN_BEND * product
+        });
         bends || before.is_some_and(is_other) || after.is_some_and(is_other)
     }
 }

@@ -29,22 +29,26 @@ impl Film {
 
     /// Returns the tone-mapped sRGB of a value on film.
     #[inline]
-    pub(super) fn srgb(self, color: Vec3) -> [u8; 3] {
+    pub(super) fn srgb(self, color: Vec3, encoder: Encoder) -> [u8; 3] {
         let color = match self {
             Self::Tones => color,
             Self::Linear => toned(color),
         };
-        let encoder = Encoder::new();
-        color.to_array().map(|value| encoder.srgb(value))
+        [
+            encoder.srgb(color.x),
+            encoder.srgb(color.y),
+            encoder.srgb(color.z),
+        ]
     }
 }
 
 fn toned(radiance: Vec3) -> Vec3 {
-    Vec3::from(radiance.to_array().map(tone))
+    Vec3::new(tone(radiance.x), tone(radiance.y), tone(radiance.z))
 }
 
 /// Returns sRGB with coverage: 255, or 0 for a miss.
 pub(super) fn developed(film: Film, colors: &Image<[f32; 3]>, seen: &Visibility) -> Image<[u8; 4]> {
+    let encoder = Encoder::new();
     let mut rgb = Image::filled(colors.width(), colors.height(), [0; 4]);
     rgb.pixels_mut()
         .par_iter_mut()
@@ -52,7 +56,7 @@ pub(super) fn developed(film: Film, colors: &Image<[f32; 3]>, seen: &Visibility)
         .zip(colors.pixels())
         .zip(seen.hits.pixels())
         .for_each(|((pixel, color), hit)| {
-            let [r, g, b] = film.srgb(Vec3::from(*color));
+            let [r, g, b] = film.srgb(Vec3::from(*color), encoder);
             *pixel = [r, g, b, if hit.is_miss() { 0 } else { 255 }];
         });
     rgb

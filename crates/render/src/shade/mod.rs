@@ -9,6 +9,7 @@ mod coarse;
 mod dome;
 mod edges;
 mod film;
+mod filter;
 mod harmonics;
 mod lamp;
 mod occlusion;
@@ -17,6 +18,7 @@ mod pattern;
 mod pyramid;
 mod reflect;
 mod rig;
+mod surfaces;
 #[cfg(test)]
 mod tests;
 mod textures;
@@ -25,7 +27,6 @@ mod tone;
 use std::sync::Arc;
 
 use glam::Vec3;
-use oaktwin_camera::math::DVec3;
 use oaktwin_diagnostic::Finding;
 use oaktwin_image::Image;
 use oaktwin_image::srgb::srgb_from_linear;
@@ -34,17 +35,19 @@ use oaktwin_simd::{Level, run_lanes_at};
 use rayon::prelude::*;
 
 pub use self::beam::{Beam, BeamPattern};
-use self::coarse::{Coarse, place};
+use self::coarse::Coarse;
 pub(crate) use self::edges::{Corners, corners_of};
 use self::film::Film;
 use self::lamp::Emitter;
 use self::occlusion::Occlusion;
-use self::paint::{Layer, Paint, paints};
+use self::occlusion::Place;
+use self::paint::{Finish, Paint, finishes, paints};
 use self::pattern::Pattern;
 use self::reflect::{Facet, Facets, Radiance};
 use self::rig::{LightRig, WHITE, luminance};
+use self::surfaces::{Found, Packet, lane_of};
 use self::textures::Textures;
-use crate::annotate::{Surface, SurfaceFinder};
+use self::tone::Encoder;
 use crate::ray::{RayCaster, Stack};
 use crate::rays::Rays;
 use crate::{Hit, View, Visibility};
@@ -139,6 +142,7 @@ impl Shader {
             let mut rgb = film::developed(context.film, &colors, input.seen);
             if let Some(corners) = corners {
                 let outlines = edges::outlines_of(context.film, input.seen, &colors);
+                let encoder = Encoder::new();
                 edges::smooth(
                     context,
                     corners,
@@ -147,7 +151,7 @@ impl Shader {
                     &outlines,
                     &mut rgb,
                     |pixel, color| {
-                        let [r, g, b] = Film::Tones.srgb(color);
+                        let [r, g, b] = Film::Tones.srgb(color, encoder);
                         *pixel = [r, g, b, pixel[3]];
                     },
                 );
@@ -214,12 +218,13 @@ impl Shader {
             pattern: &self.assets.pattern,
             eye: view.world_from_camera.translation,
         };
-        let coarse = Coarse::new(scene, view, rays, seen, &occlusion);
+        let level = Level::detect();
+        let coarse = Coarse::new(view, rays, seen, &occlusion, level);
         let context = ShadingContext {
             scene,
             view,
             rig: &self.rig,
-            level: Level::detect(),
+            level,
             paints: paints(scene, &self.assets.textures),
             occlusion,
             coarse,
@@ -266,27 +271,31 @@ impl Shader {
     }
 }
 
-/// The reused memory of a thread.
-struct Workspace<'a> {
-    finder: SurfaceFinder<'a>,
-    stack: Stack,
-    /// The layer of the last triangle.
-    layer: Option<(Hit, Layer<'a>)>,
+/// The rows and columns of a tile. Its pixels see mostly the same surfaces, which therefore stay in the cache.
+const TILE: u32 = 16;
+
+/// Returns the columns and rows of some rows, tile by tile.
+fn in_tiles(width: u32, rows: impl Iterator<Item = u32> + Clone) -> impl Iterator<Item = [u32; 2]> {
+    (0..width).step_by(TILE as usize).flat_map(move |left| {
+        let columns = left..(left + TILE).min(width);
+        rows.clone()
+            .flat_map(move |y| columns.clone().map(move |x| [x, y]))
+    })
 }
 
-/// The target of a ray.
-enum Visible {
-    /// The exposed colour of the sky.
-    Sky(Vec3),
-    Facet(Facet),
+/// The reused memory of a thread.
+struct Workspace<'a> {
+    packet: Packet<'a>,
+    facets: Facets,
+    stack: Stack,
 }
 
 impl ShadingContext<'_> {
-    fn workspace(&self) -> Workspace<'_> {
+    fn workspace<'a>(&'a self, rays: &'a Rays<'a>) -> Workspace<'a> {
         Workspace {
-            finder: SurfaceFinder::new(self.scene, self.view),
+            packet: Packet::new(self.scene, self.view, rays, self.level),
+            facets: Facets::default(),
             stack: Stack::new(),
-            layer: None,
         }
     }
 
@@ -295,136 +304,102 @@ impl ShadingContext<'_> {
         let (width, height) = (seen.hits.width(), seen.hits.height());
         let mut colors = Image::filled(width, height, [0.0; 3]);
         let row_length = (width as usize).max(1);
-        let rows = colors.pixels_mut().par_chunks_mut(row_length);
-        let seen_rows =
-            (seen.z.0.pixels().par_chunks(row_length)).zip(seen.hits.pixels().par_chunks(row_length));
-        rows.zip(seen_rows).zip(0..height).for_each_init(
-            || (self.workspace(), Facets::default()),
-            |(workspace, facets), ((row, (depths, hits)), y)| {
-                let (mut places, mut count) = ([0; 8], 0);
-                for ((z, hit), x) in depths.iter().zip(hits).zip(0..) {
-                    let Some(ray) = rays.centre(x, y) else {
-                        continue;
-                    };
-                    let next = || rays.next(x, y, ray);
-                    match self.seen([x, y], *hit, ray, next, *z, workspace) {
-                        Visible::Sky(color) => {
-                            if let Some(pixel) = row.get_mut(x as usize) {
-                                *pixel = self.film.exposed(color).to_array();
-                            }
+        let strip = TILE as usize * row_length;
+        let strips = colors.pixels_mut().par_chunks_mut(strip);
+        let seen_strips = (seen.z.0.pixels().par_chunks(strip)).zip(seen.hits.pixels().par_chunks(strip));
+        strips
+            .zip(seen_strips)
+            .zip(0..height.div_ceil(TILE))
+            .for_each_init(
+                || self.workspace(rays),
+                |workspace, ((colors, (depths, hits)), strip)| {
+                    let places = in_tiles(width, (TILE * strip..height).take(TILE as usize));
+                    let targets = places.filter_map(|[x, y]| {
+                        let index = (y - TILE * strip) as usize * row_length + x as usize;
+                        Some((index, [x, y], *hits.get(index)?, *depths.get(index)?))
+                    });
+                    self.colors(targets, workspace, |index, color| {
+                        if let Some(pixel) = colors.get_mut(index) {
+                            *pixel = color.to_array();
                         }
-                        Visible::Facet(facet) => {
-                            facets.set(count, &facet);
-                            places[count] = x as usize;
-                            count += 1;
-                        }
-                    }
-                    if count == places.len() {
-                        self.expose(facets, &places, row);
-                        count = 0;
-                    }
-                }
-                self.expose(facets, &places[..count], row);
-            },
-        );
+                    });
+                },
+            );
         colors
     }
 
-    /// Writes the colours of the first facets into their pixels of a row.
-    fn expose(&self, facets: &Facets, places: &[usize], row: &mut [[f32; 3]]) {
-        if places.is_empty() {
-            return;
-        }
-        let radiance = self.radiance(facets);
-        for (lane, place) in places.iter().enumerate() {
-            if let Some(pixel) = row.get_mut(*place) {
-                let color = Vec3::from(radiance.map(|channel| channel[lane & 7]));
-                *pixel = self.film.exposed(color).to_array();
+    /// Computes the colours, on film, of the workspace's rays through pixels: a tag, the pixel, the visible triangle and its
+    /// z-depth. `put` receives the tags and the colours. Rays that the lens does not have are left out.
+    fn colors(
+        &self,
+        targets: impl Iterator<Item = (usize, [u32; 2], Hit, f32)>,
+        workspace: &mut Workspace<'_>,
+        mut put: impl FnMut(usize, Vec3),
+    ) {
+        for (tag, place, hit, z) in targets {
+            let Some(ray) = workspace.packet.ray(place) else {
+                continue;
+            };
+            if hit.is_miss() {
+                let direction = (self.view.world_from_camera.rotation * ray).normalize_or_zero();
+                put(tag, self.film.exposed(self.rig.background(direction)));
+                continue;
             }
+            if !workspace.packet.has_room_for(hit.instance) {
+                self.expose(workspace, &mut put);
+            }
+            workspace.packet.push(tag, place, ray, hit, z);
         }
+        self.expose(workspace, &mut put);
     }
 
-    fn radiance(&self, facets: &Facets) -> [[f32; 8]; 3] {
-        let kernel = Radiance {
+    /// Computes the colours of a packet and clears it.
+    fn expose(&self, workspace: &mut Workspace<'_>, put: &mut impl FnMut(usize, Vec3)) {
+        let Workspace {
+            packet,
             facets,
-            emitters: self.occlusion.emitters,
-            rig: self.rig,
-        };
-        run_lanes_at(self.level, kernel)
-    }
-
-    /// Returns the colour, on film, along one ray; see [`seen`](Self::seen).
-    fn color<'a>(
-        &'a self,
-        at: [u32; 2],
-        hit: Hit,
-        ray: DVec3,
-        next: impl Fn() -> [Option<DVec3>; 2],
-        z: f32,
-        workspace: &mut Workspace<'a>,
-    ) -> Vec3 {
-        let color = match self.seen(at, hit, ray, next, z, workspace) {
-            Visible::Sky(color) => color,
-            Visible::Facet(facet) => {
-                let mut facets = Facets::default();
-                facets.set(0, &facet);
-                Vec3::from(self.radiance(&facets).map(|channel| channel[0]))
+            stack,
+        } = workspace;
+        if let Some(found) = packet.find() {
+            let finishes = finishes(&self.paints, &found, self.level);
+            for (lane, finish) in finishes.into_iter().enumerate().take(found.count()) {
+                facets.set(lane, &self.facet(&found, lane, finish, stack));
             }
-        };
-        self.film.exposed(color)
+            let kernel = Radiance {
+                facets,
+                emitters: self.occlusion.emitters,
+                rig: self.rig,
+                film: self.film,
+            };
+            let colors = run_lanes_at(self.level, kernel);
+            for lane in 0..found.count() {
+                put(found.tag(lane), lane_of(&colors, lane));
+            }
+        }
+        packet.clear();
     }
 
-    /// Returns the target of a ray through pixel `(x, y)`; `next` returns the rays of the pixels to the right and below.
     #[inline]
-    fn seen<'a>(
-        &'a self,
-        [x, y]: [u32; 2],
-        hit: Hit,
-        ray: DVec3,
-        next: impl Fn() -> [Option<DVec3>; 2],
-        z: f32,
-        workspace: &mut Workspace<'a>,
-    ) -> Visible {
-        let surface = if hit.is_miss() {
-            None
-        } else {
-            workspace.finder.find(hit, ray, z)
-        };
-        let Some(surface) = surface else {
-            let direction = (self.view.world_from_camera.rotation * ray).normalize_or_zero();
-            return Visible::Sky(self.rig.background(direction));
-        };
-        let place = place(&surface, self.view);
+    fn facet(&self, found: &Found<'_, '_>, lane: usize, finish: Finish, stack: &mut Stack) -> Facet {
+        let place = Place::new(found, lane);
         let light = self
             .coarse
-            .light(x, y, &place)
-            .unwrap_or_else(|| self.occlusion.sample_alone(&place, &mut workspace.stack).shares());
-        Visible::Facet(Facet {
+            .light(found.place(lane), &place)
+            .unwrap_or_else(|| self.occlusion.sample_alone(&place, stack).shares());
+        Facet {
             point: place.from_eye,
-            normal: surface.normal.as_vec3(),
-            finish: self.layer(&surface, hit, workspace).at(&surface, next),
+            normal: place.normal,
+            finish,
             direct: light.direct,
             ambient: light.ambient,
             sky: light.sky,
-        })
+        }
     }
 
-    /// Returns the layer of a triangle.
     #[inline]
-    fn layer<'a, 'd>(
-        &'a self,
-        surface: &Surface<'_>,
-        hit: Hit,
-        workspace: &'d mut Workspace<'a>,
-    ) -> &'d Layer<'a> {
-        if workspace.layer.as_ref().is_some_and(|(last, _)| *last != hit) {
-            workspace.layer = None;
-        }
-        let (_, layer) = workspace.layer.get_or_insert_with(|| {
-            let material = surface.mesh.material(hit.triangle);
-            let paint = material.and_then(|index| self.paints.get(index as usize));
-            (hit, paint.unwrap_or(&Paint::BARE).layer(surface, hit.triangle))
-        });
-        layer
+    fn paint(&self, mesh: &Mesh, triangle: u32) -> &Paint<'_> {
+        let material = mesh.material(triangle);
+        let paint = material.and_then(|index| self.paints.get(index as usize));
+        paint.unwrap_or(&Paint::BARE)
     }
 }

@@ -7,6 +7,7 @@ use oaktwin_scene::Scene;
 use super::lamp::{Emitter, Lamp};
 use super::pattern::{DIRECTIONS_PER_PLACE, Pattern, PatternCell};
 use super::rig::{LightRig, luminance};
+use super::surfaces::{Found, lane_of};
 use crate::ray::{Ray, RayCaster, Stack};
 
 /// The number of lamps, those that contribute most, for which shadow rays are cast; the others get the same shadow.
@@ -106,20 +107,32 @@ pub(super) struct Shares {
 /// A point on a surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
-    /// The point in the world, metres.
-    pub(super) point: DVec3,
-    /// The point relative to the eye.
+    /// The point relative to the eye, metres.
     pub(super) from_eye: Vec3,
-    pub(super) normal: DVec3,
-    pub(super) flat_normal: DVec3,
     /// The distance from the eye, metres.
-    pub(super) range: f64,
+    pub(super) range: f32,
+    /// The interpolated unit normal, on the visible side.
+    pub(super) normal: Vec3,
+    /// The triangle's unit normal, on the visible side.
+    pub(super) flat_normal: Vec3,
 }
 
 impl Place {
-    /// Returns the point offset from the surface by its rounding error.
+    #[inline]
+    pub(super) fn new(found: &Found<'_, '_>, lane: usize) -> Self {
+        let surfaces = found.surfaces;
+        Self {
+            from_eye: lane_of(&surfaces.point, lane),
+            range: surfaces.range[lane & 7],
+            normal: lane_of(&surfaces.normal, lane),
+            flat_normal: lane_of(&surfaces.flat_normal, lane),
+        }
+    }
+
+    /// Returns the point relative to the eye, offset from the surface by its rounding error.
     fn above(&self) -> DVec3 {
-        self.point + self.flat_normal * (2e-5 + self.range * 1e-4)
+        let offset = 2e-5 + self.range * 1e-4;
+        (self.from_eye + self.flat_normal * offset).as_dvec3()
     }
 }
 
@@ -188,7 +201,7 @@ impl Occlusion<'_> {
         cell: PatternCell,
         stack: &mut Stack,
     ) -> (Light, LampSamples) {
-        self.lamplight(place.from_eye, place.normal.as_vec3(), cell, |_, lamp, spot| {
+        self.lamplight(place.from_eye, place.normal, cell, |_, lamp, spot| {
             self.sees(place, lamp, spot, stack)
         })
     }
@@ -225,12 +238,13 @@ impl Occlusion<'_> {
         let of_tile = if self.rig.has_sky { cell.of_tile } else { 7 };
         let cell = PatternCell { of_tile, ..cell };
         let (mut ambient, mut sky) = (0.0, 0.0);
-        for direction in self.pattern.directions(cell, place.normal) {
-            if direction.dot(place.flat_normal) <= 0.0 {
+        let flat_normal = place.flat_normal.as_dvec3();
+        for direction in self.pattern.directions(cell, place.normal.as_dvec3()) {
+            if direction.dot(flat_normal) <= 0.0 {
                 continue;
             }
             let near = Ray {
-                origin: place.above(),
+                origin: self.eye + place.above(),
                 direction,
                 near: 0.0,
                 far: self.rig.reach,
@@ -259,7 +273,7 @@ impl Occlusion<'_> {
 
     /// Tests whether a spot on a lamp, −1 to 1 across it, is visible from a point.
     pub(super) fn sees(&self, place: &Place, lamp: &Lamp, spot: [f64; 2], stack: &mut Stack) -> bool {
-        let origin = place.above();
+        let origin = self.eye + place.above();
         let (direction, ends) = lamp.shape.towards(origin, spot);
         let ray = Ray {
             origin,
@@ -268,7 +282,7 @@ impl Occlusion<'_> {
             // The ray ends just before the lamp, which may have a mesh of its own.
             far: if ends { 0.999 } else { f64::INFINITY },
         };
-        direction.dot(place.flat_normal) > 0.0 && !self.caster.is_occluded(self.scene, ray, stack)
+        direction.dot(place.flat_normal.as_dvec3()) > 0.0 && !self.caster.is_occluded(self.scene, ray, stack)
     }
 
     /// Returns the lamps that contribute most, with their luminance.

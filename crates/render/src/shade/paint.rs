@@ -1,12 +1,13 @@
 //! Materials and textures at a point of a surface.
 
-use glam::{DVec2, Vec2, Vec3};
-use oaktwin_camera::math::DVec3;
+use glam::{DVec2, DVec3, Vec3};
 use oaktwin_scene::{Material, Mesh, Scene, TextureUse};
+use oaktwin_simd::Level;
 
-use super::pyramid::{Pyramid, Wraps};
+use super::filter::{Footprints, Wraps};
+use super::pyramid::Pyramid;
+use super::surfaces::{Columns, Found, Spot, corners_of, lane_of};
 use super::textures::Textures;
-use crate::annotate::Surface;
 
 /// The linear colour of surfaces without one: a perceptual middle grey.
 const GREY: Vec3 = Vec3::splat(0.4);
@@ -54,182 +55,29 @@ impl<'a> Paint<'a> {
             }
         };
         Self {
-            base_color: material.base_color.map(sane),
+            base_color: material.base_color.map(|color| sane(color.into())),
             texture,
             is_texture_missing: material.base_color_texture.is_some() && texture.is_none(),
-            emissive: sane(material.emissive),
+            emissive: sane(material.emissive.into()),
             metallic: number(material.metallic),
             roughness: number(material.roughness),
         }
     }
 
-    /// Returns the layer of a visible triangle.
-    pub(super) fn layer(&self, surface: &Surface<'_>, triangle: u32) -> Layer<'a> {
-        Layer {
-            fill: self.fill(surface, triangle),
-            emissive: self.emissive,
-            metallic: self.metallic,
-            roughness: self.roughness,
-        }
-    }
-
-    /// Returns the mean linear colour of a triangle: that of its whole texture, or that of its corners.
-    pub(super) fn flat(&self, mesh: &Mesh, triangle: usize) -> Vec3 {
-        let factor = self.base_color.unwrap_or(Vec3::ONE);
-        if let Some((used, pyramid)) = self.texture {
-            return self.mean_of(&used, pyramid);
-        }
-        let vertices = mesh.triangles.get(triangle).copied();
-        let colors = vertices.and_then(|vertices| mesh.colors.as_ref()?.corners(triangle, vertices));
-        match colors.filter(|_| !self.is_texture_missing) {
-            Some(corners) => factor * corners.map(sane).into_iter().sum::<Vec3>() / 3.0,
-            None => self
-                .base_color
-                .filter(|_| !self.is_texture_missing)
-                .unwrap_or(factor * GREY),
-        }
-    }
-
-    fn mean_of(&self, used: &TextureUse, pyramid: &Pyramid) -> Vec3 {
-        let factor = self.base_color.unwrap_or(Vec3::ONE);
-        let (scale, bias) = (Vec3::from(used.scale), Vec3::from(used.bias));
-        sane(((Vec3::from(pyramid.mean()) * scale + bias) * factor).to_array())
-    }
-
-    fn fill(&self, surface: &Surface<'_>, triangle: u32) -> Fill<'a> {
-        let mesh = surface.mesh;
-        let triangle = triangle as usize;
-        let factor = self.base_color.unwrap_or(Vec3::ONE);
-        let Some(vertices) = mesh.triangles.get(triangle).copied() else {
-            return Fill::Plain(factor * GREY);
-        };
-        if let Some((used, pyramid)) = self.texture {
-            let uvs = mesh.uvs.as_ref();
-            let scale = Vec3::from(used.scale);
-            let bias = Vec3::from(used.bias);
-            // Without texture coordinates the mean of the texture is used.
-            return match uvs.and_then(|uvs| uvs.corners(triangle, vertices)) {
-                Some(corners) => Fill::Texture(Picture {
-                    pyramid,
-                    wraps: Wraps {
-                        s: used.wrap_s,
-                        t: used.wrap_t,
-                    },
-                    corners: Corners::new(&used, corners, surface.sides),
-                    scale,
-                    bias,
-                    factor,
-                }),
-                None => Fill::Plain(self.mean_of(&used, pyramid)),
-            };
-        }
-        if self.is_texture_missing {
-            return Fill::Plain(factor * GREY);
-        }
-        let colors = mesh.colors.as_ref();
-        match colors.and_then(|colors| colors.corners(triangle, vertices)) {
-            Some(corners) => Fill::Corners { corners, factor },
-            None => Fill::Plain(self.base_color.unwrap_or(GREY)),
-        }
-    }
-}
-
-/// The paint of one triangle.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Layer<'a> {
-    fill: Fill<'a>,
-    emissive: Vec3,
-    metallic: f32,
-    roughness: f32,
-}
-
-#[derive(Clone, Copy, Debug)]
-enum Fill<'a> {
-    Plain(Vec3),
-    /// Interpolated colours of the corners.
-    Corners {
-        corners: [[f32; 3]; 3],
-        factor: Vec3,
-    },
-    Texture(Picture<'a>),
-}
-
-/// The texture of a triangle.
-#[derive(Clone, Copy, Debug)]
-struct Picture<'a> {
-    pyramid: &'a Pyramid,
-    wraps: Wraps,
-    corners: Corners,
-    scale: Vec3,
-    bias: Vec3,
-    factor: Vec3,
-}
-
-/// The texture coordinates of a triangle's corners, relative to the first one so that large coordinates keep their fractions.
-#[derive(Clone, Copy, Debug)]
-struct Corners {
-    first: DVec2,
-    edges: [DVec2; 2],
-    /// The homogeneous transform from a camera ray to texture coordinates.
-    from_ray: [DVec3; 3],
-}
-
-impl Corners {
-    fn new(used: &TextureUse, corners: [[f32; 2]; 3], [a_side, b_side, c_side]: [DVec3; 3]) -> Self {
-        let [a, b, c] = corners.map(|uv| image_from_uv(used, uv));
-        let (ab, ac) = (b - a, c - a);
-        Self {
-            first: a,
-            edges: [ab, ac],
-            from_ray: [
-                b_side * ab.x + c_side * ac.x,
-                b_side * ab.y + c_side * ac.y,
-                a_side + b_side + c_side,
-            ],
-        }
-    }
-
-    /// Returns the offset from the first corner at barycentric coordinates.
-    #[inline]
-    fn offset(&self, weights: [f64; 3]) -> DVec2 {
-        self.edges[0] * weights[1] + self.edges[1] * weights[2]
-    }
-
-    /// Returns the offset where a ray meets the triangle's plane; NaN or infinite where it does not.
-    #[inline]
-    fn offset_of(&self, ray: DVec3) -> DVec2 {
-        let [u, v, whole] = &self.from_ray;
-        DVec2::new(ray.dot(*u), ray.dot(*v)) * (1.0 / ray.dot(*whole))
-    }
-
-    /// Returns the difference to the point where a neighbour's ray meets the plane; 0 where it does not.
-    #[inline]
-    fn step(&self, here: DVec2, ray: Option<DVec3>) -> Vec2 {
-        if let Some(ray) = ray {
-            let step = self.offset_of(ray) - here;
-            if step.is_finite() {
-                return step.as_vec2();
+    /// Returns the properties at a place on a visible triangle.
+    pub(super) fn finish(&self, mesh: &Mesh, triangle: u32, spot: &Spot, level: Level) -> Finish {
+        let color = match self.fill(mesh, triangle, spot) {
+            Fill::Color(color) => color,
+            Fill::Texture([at, across, down]) => {
+                let mut footprints = Footprints::default();
+                footprints.set(0, at, across, down);
+                self.tinted(lane_of(&self.filtered(&footprints, 1, level), 0))
             }
-        }
-        Vec2::ZERO
-    }
-}
-
-impl Layer<'_> {
-    /// Returns the properties at a point; `next` returns the rays, in the camera frame, of the pixels to the right and below.
-    #[inline]
-    pub(super) fn at(&self, surface: &Surface<'_>, next: impl Fn() -> [Option<DVec3>; 2]) -> Finish {
-        let color = match &self.fill {
-            Fill::Plain(color) => *color,
-            Fill::Corners { corners, factor } => {
-                let [r, g, b] = surface.interpolated(*corners);
-                #[expect(clippy::cast_possible_truncation, reason = "colours are float32")]
-                {
-                    sane([r as f32, g as f32, b as f32]) * *factor
-                }
-            }
-            Fill::Texture(picture) => picture.at(surface, next()),
         };
+        self.with_color(color)
+    }
+
+    fn with_color(&self, color: Vec3) -> Finish {
         Finish {
             color,
             emissive: self.emissive,
@@ -237,35 +85,161 @@ impl Layer<'_> {
             roughness: self.roughness,
         }
     }
-}
 
-impl Picture<'_> {
     #[inline]
-    fn at(&self, surface: &Surface<'_>, next: [Option<DVec3>; 2]) -> Vec3 {
-        let here = self.corners.offset(surface.weights);
-        let [right, below] = next;
-        let (across, down) = (self.corners.step(here, right), self.corners.step(here, below));
-        let at = (self.corners.first + here).as_vec2();
-        let read = self.pyramid.filtered(at, across, down, self.wraps);
-        sane(((Vec3::from(read) * self.scale + self.bias) * self.factor).to_array())
+    fn fill(&self, mesh: &Mesh, triangle: u32, spot: &Spot) -> Fill {
+        let factor = self.base_color.unwrap_or(Vec3::ONE);
+        if let Some((used, pyramid)) = &self.texture {
+            // Without texture coordinates the mean of the texture is used.
+            return match corners_of(mesh.uvs.as_ref(), mesh, triangle) {
+                Some(corners) => Fill::Texture(footprint(used, corners, spot)),
+                None => Fill::Color(self.tinted(pyramid.mean().into())),
+            };
+        }
+        if self.is_texture_missing {
+            return Fill::Color(factor * GREY);
+        }
+        Fill::Color(match corners_of(mesh.colors.as_ref(), mesh, triangle) {
+            Some([a, b, c]) => {
+                let (a, b, c) = (Vec3::from(a), Vec3::from(b), Vec3::from(c));
+                let color = a + (b - a) * spot.at[0] + (c - a) * spot.at[1];
+                sane(color) * factor
+            }
+            None => self.base_color.unwrap_or(GREY),
+        })
+    }
+
+    /// Filters the texture over the footprints of the lanes with a bit in `used`.
+    fn filtered(&self, footprints: &Footprints, used: u32, level: Level) -> Columns {
+        self.texture
+            .as_ref()
+            .map_or(Columns::default(), |(texture, pyramid)| {
+                let wraps = Wraps {
+                    s: texture.wrap_s,
+                    t: texture.wrap_t,
+                };
+                pyramid.filtered(level, footprints, wraps, used)
+            })
+    }
+
+    /// Returns the colour of a texture's value.
+    #[inline]
+    fn tinted(&self, read: Vec3) -> Vec3 {
+        let (scale, bias) = self
+            .texture
+            .as_ref()
+            .map_or((Vec3::ONE, Vec3::ZERO), |(used, _)| {
+                (Vec3::from(used.scale), Vec3::from(used.bias))
+            });
+        sane((read * scale + bias) * self.base_color.unwrap_or(Vec3::ONE))
+    }
+
+    /// Returns the mean linear colour of a triangle: that of its whole texture, or that of its corners.
+    pub(super) fn flat(&self, mesh: &Mesh, triangle: usize) -> Vec3 {
+        let factor = self.base_color.unwrap_or(Vec3::ONE);
+        if let Some((_, pyramid)) = self.texture {
+            return self.tinted(pyramid.mean().into());
+        }
+        let vertices = mesh.triangles.get(triangle).copied();
+        let colors = vertices.and_then(|vertices| mesh.colors.as_ref()?.corners(triangle, vertices));
+        match colors.filter(|_| !self.is_texture_missing) {
+            Some(corners) => factor * corners.map(|color| sane(color.into())).into_iter().sum::<Vec3>() / 3.0,
+            None => self
+                .base_color
+                .filter(|_| !self.is_texture_missing)
+                .unwrap_or(factor * GREY),
+        }
     }
 }
 
-fn image_from_uv(used: &TextureUse, [u, v]: [f32; 2]) -> DVec2 {
-    let (u, v) = (f64::from(u), f64::from(v));
-    let [x, y] = (used.image_from_uv).map(|[a, b, c]| f64::from(a) * u + f64::from(b) * v + f64::from(c));
-    DVec2::new(x, y)
+/// The colour of a place, or the place's footprint in the texture: the coordinates and their differences to the pixels to the
+/// right and below.
+enum Fill {
+    Color(Vec3),
+    Texture([[f32; 2]; 3]),
+}
+
+/// Returns the properties at the surfaces of a packet.
+#[inline]
+pub(super) fn finishes(paints: &[Paint<'_>], found: &Found<'_, '_>, level: Level) -> [Finish; 8] {
+    let mut finishes = [Paint::BARE.with_color(Vec3::ZERO); 8];
+    let mut materials = [u32::MAX; 8];
+    let mut footprints = Footprints::default();
+    let mut textured = 0u32;
+    for lane in 0..found.count() {
+        let triangle = found.triangle(lane);
+        let material = found.mesh.material(triangle).unwrap_or(u32::MAX);
+        materials[lane & 7] = material;
+        let paint = paints.get(material as usize).unwrap_or(&Paint::BARE);
+        let color = match paint.fill(found.mesh, triangle, &found.spot(lane)) {
+            Fill::Color(color) => color,
+            Fill::Texture([at, across, down]) => {
+                footprints.set(lane, at, across, down);
+                textured |= 1 << lane;
+                Vec3::ZERO
+            }
+        };
+        finishes[lane & 7] = paint.with_color(color);
+    }
+    // One material at a time.
+    while textured != 0 {
+        let material = materials[textured.trailing_zeros() as usize & 7];
+        let mut used = 0;
+        for (lane, other) in materials.iter().enumerate() {
+            used |= u32::from(*other == material) << lane;
+        }
+        used &= textured;
+        textured &= !used;
+        let Some(paint) = paints.get(material as usize) else {
+            continue;
+        };
+        let read = paint.filtered(&footprints, used, level);
+        for (lane, finish) in finishes.iter_mut().enumerate() {
+            if (used >> lane) & 1 != 0 {
+                finish.color = paint.tinted(lane_of(&read, lane));
+            }
+        }
+    }
+    finishes
+}
+
+/// Returns the texture coordinates of a place, and their differences to the pixels to the right and below.
+#[inline]
+#[expect(clippy::cast_possible_truncation, reason = "texture coordinates are float32")]
+fn footprint(used: &TextureUse, [a, b, c]: [[f32; 2]; 3], spot: &Spot) -> [[f32; 2]; 3] {
+    let [a, b, c] = [wide(a), wide(b), wide(c)];
+    // Relative to the first corner, so that large coordinates keep their fractions.
+    let (ab, ac) = (b - a, c - a);
+    let along = |[b, c]: [f32; 2]| ab * f64::from(b) + ac * f64::from(c);
+    let [x, y] = used.image_from_uv;
+    let (x, y) = (DVec3::from(x.map(f64::from)), DVec3::from(y.map(f64::from)));
+    let turned = |uv: DVec2, w: f64| {
+        let uv = uv.extend(w);
+        [x.dot(uv) as f32, y.dot(uv) as f32]
+    };
+    [
+        turned(a + along(spot.at), 1.0),
+        turned(along(spot.across), 0.0),
+        turned(along(spot.down), 0.0),
+    ]
+}
+
+#[inline]
+fn wide([u, v]: [f32; 2]) -> DVec2 {
+    DVec2::new(f64::from(u), f64::from(v))
 }
 
 /// Clamps a colour to 0 to 1e4; NaN and infinity become 0.
-fn sane(color: [f32; 3]) -> Vec3 {
-    Vec3::from(color.map(|value| {
+#[inline]
+fn sane(color: Vec3) -> Vec3 {
+    let sane = |value: f32| {
         if value.is_finite() {
             value.clamp(0.0, 1e4)
         } else {
             0.0
         }
-    }))
+    };
+    Vec3::new(sane(color.x), sane(color.y), sane(color.z))
 }
 
 /// Returns the paints of a scene's materials.

@@ -76,7 +76,9 @@ impl Pattern {
 
     /// Returns the directions of a cell in the hemisphere around `normal`.
     pub(super) fn directions(&self, cell: PatternCell, normal: DVec3) -> [DVec3; DIRECTIONS_PER_PLACE] {
-        let (u, v) = normal.any_orthonormal_pair();
+        // The pair jumps where z changes its sign, which rounding errors must not decide for upright surfaces.
+        let upright = normal.with_z(if normal.z.abs() < 1e-6 { 0.0 } else { normal.z });
+        let (u, v) = upright.any_orthonormal_pair();
         std::array::from_fn(|i| {
             // Only places on the black fields of a chessboard sample their surroundings; they have the first eight cells.
             let at = cell.of_tile * OF_TILE + cell.of_place * 2 % 16 + cell.of_place / 8 + i * 16;

@@ -3,10 +3,12 @@
 use glam::Vec3;
 use oaktwin_simd::{I32Lanes, LaneKernel, Lanes};
 
+use super::film::Film;
 use super::harmonics::Harmonics;
 use super::lamp::Emitter;
 use super::paint::Finish;
 use super::rig::LightRig;
+use super::tone::tone_lanes;
 use crate::ray::Vector;
 
 /// The reflectance of dielectrics at normal incidence.
@@ -70,12 +72,13 @@ impl Facets {
     }
 }
 
-/// The exposed radiance towards the eye, by channel: a diffuse part, and a glossy part with the distribution of Trowbridge and
+/// The exposed radiance towards the eye on film, by channel: a diffuse part, and a glossy part with the distribution of Trowbridge and
 /// Reitz ("GGX") and Schlick's Fresnel term. Emission is not exposed: 1 is white.
 pub(super) struct Radiance<'a> {
     pub(super) facets: &'a Facets,
     pub(super) emitters: &'a [Emitter],
     pub(super) rig: &'a LightRig,
+    pub(super) film: Film,
 }
 
 impl LaneKernel for Radiance<'_> {
@@ -87,6 +90,7 @@ impl LaneKernel for Radiance<'_> {
             facets,
             emitters,
             rig,
+            film,
         } = self;
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         let point = load::<L>(&facets.point);
@@ -135,8 +139,24 @@ impl LaneKernel for Radiance<'_> {
                 * L::splat(rig.exposure)
                 + load(&facets.emissive);
         let mut out = [[0.0; 8]; 3];
-        sent.store(&mut out);
+        exposed(film, sent).store(&mut out);
         out
+    }
+}
+
+/// [`Film::exposed`].
+#[inline(always)]
+fn exposed<L: Lanes>(film: Film, radiance: Vector<L>) -> Vector<L> {
+    let zero = L::splat(0.0);
+    // NaN becomes 0.
+    let (x, y, z) = (radiance.x.max(zero), radiance.y.max(zero), radiance.z.max(zero));
+    match film {
+        Film::Tones => Vector {
+            x: tone_lanes(x),
+            y: tone_lanes(y),
+            z: tone_lanes(z),
+        },
+        Film::Linear => Vector { x, y, z },
     }
 }
 

@@ -3,6 +3,7 @@
 use std::sync::LazyLock;
 
 use oaktwin_image::srgb::srgb_from_linear;
+use oaktwin_simd::Lanes;
 
 /// The value up to which the tone curve is the identity.
 const SHOULDER: f32 = 0.6;
@@ -22,6 +23,15 @@ pub(super) fn tone(x: f32) -> f32 {
     let rest = 1.0 - SHOULDER;
     // This form also handles infinity.
     1.0 - rest / (1.0 + (x - SHOULDER) / rest)
+}
+
+/// [`tone`] of numbers of at least 0.
+#[inline(always)]
+pub(super) fn tone_lanes<L: Lanes>(x: L) -> L {
+    let (shoulder, one) = (L::splat(SHOULDER), L::splat(1.0));
+    let rest = L::splat(1.0 - SHOULDER);
+    let bright = one - rest / (one + (x - shoulder) / rest);
+    L::select(x.le(shoulder), x, bright)
 }
 
 /// The sRGB values at the bounds of each bucket.
@@ -60,6 +70,8 @@ impl Encoder {
 
 #[cfg(test)]
 mod tests {
+    use oaktwin_simd::{LaneKernel, Level, run_lanes_at};
+
     use super::*;
 
     #[test]
@@ -77,6 +89,23 @@ mod tests {
         assert_eq!(tone(f32::INFINITY), 1.0);
         assert_eq!(tone(f32::NAN), 0.0);
         assert_eq!(tone(-1.0), 0.0);
+    }
+
+    #[test]
+    fn lanes_have_the_same_curve() {
+        struct Tones([f32; 8]);
+        impl LaneKernel for Tones {
+            type Output = [f32; 8];
+
+            #[inline(always)]
+            fn run<L: Lanes>(self) -> [f32; 8] {
+                tone_lanes(L::load(&self.0)).to_array()
+            }
+        }
+        let values = [0.0, 0.3, 0.6, 0.600_001, 0.9, 2.0, 1e9, f32::INFINITY];
+        for level in Level::available() {
+            assert_eq!(run_lanes_at(level, Tones(values)), values.map(tone));
+        }
     }
 
     #[test]

@@ -49,6 +49,10 @@ impl<W: Wide> Lanes for F32<W> {
     fn from_i32(values: I32) -> Self {
         Self::new(intrinsic!(_mm256_cvtepi32_ps(values.0)))
     }
+    #[inline(always)]
+    fn trunc(self) -> I32 {
+        I32(intrinsic!(_mm256_cvttps_epi32(self.0)))
+    }
 
     #[inline(always)]
     fn widen(self) -> W {

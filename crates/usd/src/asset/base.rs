@@ -17,11 +17,7 @@ impl<'a> OverrideBase<'a> {
             what,
         };
         for names in [PrimNames::Document, PrimNames::Isaac] {
-            let wanted: Vec<&str> = twin
-                .depth_sensors
-                .iter()
-                .map(|sensor| names.of(&sensor.spec.prim))
-                .collect();
+            let wanted: Vec<&str> = prims(twin).into_iter().map(|prim| names.of(prim)).collect();
             let has = |name: &&str| stage.cameras.iter().any(|camera| camera.prim.name() == *name);
             if !wanted.iter().all(has) {
                 continue;
@@ -49,11 +45,19 @@ impl<'a> OverrideBase<'a> {
                 },
             });
         }
-        let wanted: Vec<&str> = twin
-            .depth_sensors
+        Err(not_found(format!("no camera prim {}", prims(twin).join(" and "))))
+    }
+}
+
+/// Returns the prims of the depth sensors, or those of the cameras of a device without one.
+fn prims(twin: &Twin) -> Vec<&str> {
+    let depth = twin.depth_sensors.iter().map(|sensor| sensor.spec.prim.as_str());
+    if twin.depth_sensors.is_empty() {
+        twin.cameras
             .iter()
-            .map(|sensor| sensor.spec.prim.as_str())
-            .collect();
-        Err(not_found(format!("no camera prim {}", wanted.join(" and "))))
+            .map(|camera| camera.spec.prim.as_str())
+            .collect()
+    } else {
+        depth.collect()
     }
 }

@@ -1,6 +1,6 @@
 //! The documentation strings of an asset: the sources of its numbers, its frames and units, its estimates.
 
-use oaktwin_catalog::{DepthKind, Imu, Origin, Source, Sources, Twin, TwinCamera, TwinDepthSensor};
+use oaktwin_catalog::{DepthKind, Imu, Origin, Role, Source, Sources, Twin, TwinCamera, TwinDepthSensor};
 
 use super::{AssetOptions, Target, lens};
 
@@ -19,8 +19,7 @@ pub(super) fn layer(twin: &Twin, options: &AssetOptions, assumed_names: &str) ->
     let mut text = format!(
         "{} {}: a digital twin written by oaktwin {}.\n\
          Numbers: {}.\n\
-         Frames: z up, metres; x forward, y left, z up; the origin lies midway between the left and right optical \
-         centres. Cameras look along their -z axis, y up.\n\
+         Frames: z up, metres; x forward, y left, z up; the origin {}. Cameras look along their -z axis, y up.\n\
          Units: focalLength, apertures and aperture offsets are millimetres, as in the vendor's assets (OpenUSD \
          defines them as tenths of a stage unit). Projection depends on their ratios alone, and fStop 0 switches off \
          the depth of field that does not.",
@@ -28,6 +27,7 @@ pub(super) fn layer(twin: &Twin, options: &AssetOptions, assumed_names: &str) ->
         device.name,
         env!("CARGO_PKG_VERSION"),
         origin(twin),
+        body_origin(twin),
     );
     let estimates = estimates(twin);
     if !estimates.is_empty() {
@@ -144,9 +144,21 @@ pub(super) fn overrides(twin: &Twin, base: &str) -> String {
     )
 }
 
+/// Describes the place of the body's origin.
+fn body_origin(twin: &Twin) -> &'static str {
+    if twin.device.stereo_baseline_mm.is_some() {
+        "lies midway between the left and right optical centres"
+    } else if twin.camera(Role::Tof).is_some() {
+        "is the optical centre of the time-of-flight camera"
+    } else {
+        "is the optical centre of the camera"
+    }
+}
+
 fn origin(twin: &Twin) -> String {
     match &twin.origin {
-        Origin::Nominal => format!("nominal, from {SHEET}"),
+        Origin::Nominal if twin.device.source == Source::Document => format!("nominal, from {SHEET}"),
+        Origin::Nominal => "nominal, from oaktwin's catalog, which states the source of each".to_owned(),
         Origin::Calibration {
             product_name,
             file_name,

@@ -134,9 +134,11 @@ pub fn asset(twin: &Twin, options: &AssetOptions) -> Result<Asset, AssetError> {
             physics::add_rigid_body(&mut device_prim, device, body.collider);
         }
     }
-    device_prim
-        .children
-        .push(depth::products(twin, options, &device_path)?);
+    if !twin.depth_sensors.is_empty() {
+        device_prim
+            .children
+            .push(depth::products(twin, options, &device_path)?);
+    }
 
     let assumed_names = twin
         .depth_sensors

@@ -6,14 +6,10 @@ use oaktwin_camera::{
 };
 use oaktwin_catalog::{Catalog, Origin, Twin};
 
-/// Returns the five nominal twins, in the sheet's order.
+/// Returns the five nominal twins of the sheet, in its order.
 pub(crate) fn nominal() -> Vec<Twin> {
     let catalog = Catalog::builtin();
-    catalog
-        .devices()
-        .iter()
-        .map(|device| catalog.nominal(device))
-        .collect()
+    catalog.sheet().map(|device| catalog.nominal(device)).collect()
 }
 
 /// Returns the nominal twin of one model.

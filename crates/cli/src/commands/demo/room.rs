@@ -40,7 +40,7 @@ pub(super) fn open(output: &Path) -> Result<Renderer> {
 pub(super) fn render(
     renderer: &Renderer,
     output: &Path,
-    devices: &[Device],
+    devices: &[&Device],
     twins: &[Twin],
 ) -> Result<Vec<u8>> {
     let folder = output.join(FOLDER);

@@ -39,7 +39,7 @@ impl Sensors {
         let in_file = |error| format!("{}: {error}", args.scene.display());
         let (own, mut findings) = render::depth_sensors(cameras, &options).map_err(in_file)?;
         if sweep.is_some() || !request::everything(args) {
-            findings.extend(without_sensor(args, cameras, &own)?);
+            findings.extend(without_sensor(args, oak, cameras, &own)?);
         }
         let swept = sweep
             .map(|sweep| SweptSensors::new(sweep, cameras, &options))
@@ -97,6 +97,7 @@ pub(super) fn pair(
 /// Notes about cameras without a depth sensor; an error if none has one.
 fn without_sensor(
     args: &RenderArgs,
+    oak: Option<&Oak>,
     cameras: &[PlacedCamera],
     sensors: &[Option<Sensor>],
 ) -> Result<Vec<Finding>> {
@@ -105,10 +106,15 @@ fn without_sensor(
         .filter(|(_, sensor)| sensor.is_none())
         .map(|(camera, _)| camera);
     if let (true, Some(first)) = (sensors.iter().all(Option::is_none), cameras.first()) {
-        let remedy = if args.model.is_some() {
-            "choose --camera depth"
-        } else {
-            "choose a render product with OmniSensorDepthSensorSingleViewAPI, or place an OAK in the scene with --model"
+        let remedy = match oak.map(|oak| &oak.twin) {
+            Some(twin) if twin.depth_sensors.is_empty() => {
+                format!("choose a model with one: {}", twin.device.models_with_depth(None))
+            }
+            Some(_) => "choose --camera depth".to_owned(),
+            None => {
+                "choose a render product with OmniSensorDepthSensorSingleViewAPI, or place an OAK in the scene with --model"
+                    .to_owned()
+            }
         };
         let more = if cameras.len() > 1 {
             " and the other cameras have"

@@ -15,7 +15,7 @@ pub(super) fn options(args: &SenseArgs) -> Result<SenseOptions> {
     let size = size::parse("--align-size", args.align_size.as_deref())?;
     Ok(SenseOptions {
         sensor: args.engine.options()?,
-        kind: args.sensor,
+        depth_sensor: args.sensor.clone(),
         input_kind: args.input_kind,
         depth_scale: args.depth_scale,
         field_of_view: match (args.fx, args.hfov) {
