@@ -10,6 +10,7 @@ pub(crate) mod choice;
 mod coverage;
 mod export;
 mod fit;
+mod imu;
 mod limit;
 mod outputs;
 mod pair;
@@ -42,6 +43,7 @@ pub(crate) use calibration::{
 pub(crate) use coverage::CoverageArgs;
 pub(crate) use export::ExportArgs;
 pub(crate) use fit::{Also, FitArgs};
+pub(crate) use imu::ImuArgs;
 pub(crate) use outputs::OutputArgs;
 pub(crate) use pair::PairArgs;
 pub(crate) use place::PlaceArgs;

@@ -4,7 +4,10 @@ use oaktwin_diagnostic::opt;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RobotError {
     /// A name that formats would not accept.
-    #[error("{}: {name:?} {problem}; use letters, digits and underscores, beginning with a letter", opt(option))]
+    #[error(
+        "{}: {name:?} {problem}; use letters, digits and underscores, beginning with a letter",
+        opt(option)
+    )]
     Name {
         /// The option.
         option: &'static str,

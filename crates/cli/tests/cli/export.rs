@@ -1,5 +1,7 @@
 //! `export`: the files of each format, and bad inputs. What other programs make of the files is tested in `tests/oracles`.
 
+use oaktwin::catalog::Catalog;
+
 use crate::program::Program;
 
 const FORMATS: [&str; 5] = ["urdf", "sdf", "mjcf", "webots", "blender"];
@@ -8,23 +10,28 @@ const FORMATS: [&str; 5] = ["urdf", "sdf", "mjcf", "webots", "blender"];
 fn every_format_of_every_model() {
     let program = Program::new();
     for format in FORMATS {
-        for model in ["OAK-D Pro PoE", "OAK4-D Wide", "OAK-D ToF"] {
-            let out = program.good(&["export", model, "--to", format, "-o", "out"]);
-            assert!(!out.is_empty(), "{format} {model}");
+        for device in Catalog::builtin().devices() {
+            let out = program.good(&["export", &device.id, "--to", format, "-o", &device.id]);
+            assert!(!out.is_empty(), "{format} {}", device.id);
         }
     }
-    let text = program.read("out/model.sdf");
-    assert!(text.contains("<sensor name=\"oak_tof_depth\" type=\"rgbd_camera\">"), "{text}");
+    let text = std::fs::read_to_string(program.path("oak_d_tof/model.sdf")).unwrap();
+    assert!(
+        text.contains("<sensor name=\"oak_tof_depth\" type=\"rgbd_camera\">"),
+        "{text}"
+    );
 }
 
 #[test]
 fn the_urdf_of_a_mounted_oak() {
     let program = Program::new();
-    let mount = ["--parent", "wrist", "--mount", "back", "--xyz", "0", "0", "0.1", "--rpy", "0", "0.5", "0"];
+    let mount = [
+        "--parent", "wrist", "--mount", "back", "--xyz", "0", "0", "0.1", "--rpy", "0", "0.5", "0",
+    ];
     let mut command = vec!["export", "OAK4-D", "--to", "urdf", "-o", "out"];
     command.extend(mount);
     insta::assert_snapshot!(program.good(&command));
-    let text = program.read("out/oak.urdf");
+    let text = std::fs::read_to_string(program.path("out/oak.urdf")).unwrap();
     let start = text.find("<joint name=\"oak_center_joint\"").unwrap();
     insta::assert_snapshot!(&text[start..start + 260]);
 }
@@ -32,15 +39,21 @@ fn the_urdf_of_a_mounted_oak() {
 #[test]
 fn a_calibration_finds_its_model() {
     let program = Program::new();
-    program.put("unit.json", &program.good(&["calibration", "export", "OAK-D Pro PoE", "--to", "depthai"]));
+    program.put(
+        "unit.json",
+        &program.good(&["calibration", "export", "OAK-D Pro PoE", "--to", "depthai"]),
+    );
     let out = program.good(&["export", "unit.json", "--to", "mjcf", "-o", "out", "--json"]);
-    assert!(out.contains("\"model\": \"OAK-D Pro PoE\"") && out.contains("oak.xml"), "{out}");
+    assert!(
+        out.contains("\"model\": \"OAK-D Pro PoE\"") && out.contains("oak.xml"),
+        "{out}"
+    );
     let mut text = String::new();
     for command in [
         "export unit.json --to mjcf -o out --calibration unit.json",
         "export OAK4-D --to mjcf -o out --calibration unit.json",
     ] {
-        text += &program.bad(&command.split(' ').collect::<Vec<_>>());
+        text += &program.refused(&command.split(' ').collect::<Vec<_>>());
     }
     insta::assert_snapshot!(text);
 }
@@ -62,7 +75,7 @@ fn bad_input() {
         "export file --to urdf -o out",
         "export nothing.json --to urdf -o out",
     ] {
-        text += &program.bad(&command.split(' ').collect::<Vec<_>>());
+        text += &program.refused(&command.split(' ').collect::<Vec<_>>());
         text += "\n";
     }
     insta::assert_snapshot!(text);
