@@ -147,7 +147,7 @@ impl Description {
                 return Err(RobotError::Name {
                     option: "parent",
                     name: parent.clone(),
-                    problem: "is the name of the device",
+                    problem: "is the name of the device; choose another",
                 });
             }
         }
@@ -180,11 +180,11 @@ impl Description {
 
 fn check_name(option: &'static str, name: &str) -> Result<(), RobotError> {
     let problem = if name.is_empty() {
-        "is empty"
+        "is empty; use letters, digits and underscores"
     } else if !name.starts_with(|c: char| c.is_ascii_alphabetic()) {
-        "does not begin with a letter"
+        "does not begin with a letter; use letters, digits and underscores"
     } else if !name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') {
-        "is not an identifier"
+        "is not an identifier; use letters, digits and underscores"
     } else {
         return Ok(());
     };

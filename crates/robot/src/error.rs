@@ -1,4 +1,4 @@
-use oaktwin_diagnostic::opt;
+use oaktwin_diagnostic::{message, opt};
 
 /// The reason why a description cannot be written.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -17,7 +17,7 @@ pub enum RobotError {
         problem: &'static str,
     },
     /// A number of a pose that is not finite.
-    #[error("{}: must be finite (got {value})", opt(name))]
+    #[error("{}: must be finite (got {value})", message![opt(name)])]
     NotFinite {
         /// The option.
         name: &'static str,
