@@ -9,6 +9,7 @@ mod calibration;
 pub(crate) mod choice;
 mod coverage;
 mod fit;
+mod imu;
 mod limit;
 mod outputs;
 mod pair;
@@ -40,6 +41,7 @@ pub(crate) use calibration::{
 };
 pub(crate) use coverage::CoverageArgs;
 pub(crate) use fit::{Also, FitArgs};
+pub(crate) use imu::ImuArgs;
 pub(crate) use outputs::OutputArgs;
 pub(crate) use pair::PairArgs;
 pub(crate) use place::PlaceArgs;

@@ -34,6 +34,6 @@ pub use oaktwin_evaluate::{accuracy, coverage, figure, fit, measure};
 pub use oaktwin_files as files;
 pub use oaktwin_image as image;
 pub use oaktwin_memory as memory;
-pub use oaktwin_pipeline::{pair, progress, recording, render, report, sense, sensor, stereo, unit};
+pub use oaktwin_pipeline::{imu, pair, progress, recording, render, report, sense, sensor, stereo, unit};
 pub use oaktwin_scene as scene;
 pub use oaktwin_usd as usd;

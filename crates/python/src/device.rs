@@ -5,7 +5,7 @@ use std::sync::Arc;
 use numpy::PyArray2;
 use oaktwin::calibration::{Calibration, Raw, nominal_calibration};
 use oaktwin::camera::RigidTransform;
-use oaktwin::catalog::{self, Catalog, DepthFilter, Origin, Role, Twin};
+use oaktwin::catalog::{DepthFilter, Origin, Role, Twin};
 use oaktwin::diagnostic::{self, suggest};
 use oaktwin::render::{OakOptions, check_lens, oak_cameras};
 use oaktwin::report::DeviceReport;
@@ -22,6 +22,7 @@ use crate::error::{error, reading, writing, wrong};
 use crate::export::export;
 use crate::finding::{self, Finding};
 use crate::json;
+use crate::models::Models;
 use crate::pose::rows;
 use crate::rectification::Rectification;
 
@@ -47,37 +48,6 @@ pub(crate) fn models(
     Ok(chosen.into_iter().map(|device| device.name.clone()).collect())
 }
 
-/// The built-in catalog, optionally with a user's folder.
-#[derive(Clone, Debug)]
-struct Models(Option<(PathBuf, Arc<Catalog>)>);
-
-impl Models {
-    fn open(folder: Option<PathBuf>) -> PyResult<Self> {
-        let open = |folder: PathBuf| {
-            let catalog = Catalog::with_dir(&folder).map_err(error)?;
-            // The absolute path, for pickles of the device.
-            let folder = std::path::absolute(&folder).unwrap_or(folder);
-            Ok::<_, PyErr>((folder, Arc::new(catalog)))
-        };
-        Ok(Self(folder.map(open).transpose()?))
-    }
-
-    fn get(&self) -> &Catalog {
-        match &self.0 {
-            Some((_, own)) => own,
-            None => Catalog::builtin(),
-        }
-    }
-
-    fn folder(&self) -> Option<&PathBuf> {
-        self.0.as_ref().map(|(folder, _)| folder)
-    }
-
-    fn entry(&self, name: &str) -> PyResult<&catalog::Device> {
-        self.get().device(name).map_err(error)
-    }
-}
-
 /// A digital twin of a depth camera: the nominal device of a model, or one unit by its calibration.
 ///
 /// model: the name, such as "OAK4-D"; case, spaces, hyphens and underscores are ignored. See `models()`.
@@ -94,7 +64,7 @@ pub(crate) struct Device {
     pub(crate) twin: Arc<Twin>,
     pub(crate) lens: LensChoice,
     pub(crate) findings: Vec<diagnostic::Finding>,
-    models: Models,
+    pub(crate) models: Models,
     calibration: Option<Calibrated>,
 }
 
@@ -217,12 +187,13 @@ impl Device {
         py: Python<'py>,
         format: oaktwin::calibration::export::Format,
     ) -> PyResult<Bound<'py, PyDict>> {
+        let part = self.models.get().inertial_part_of(&self.twin.device);
         if let Some(own) = &self.calibration {
-            return export(py, &own.raw, &own.calibration, format);
+            return export(py, &own.raw, &own.calibration, format, part);
         }
         let raw = nominal_calibration(&self.twin);
         let (calibration, _) = Calibration::from_raw(&raw).map_err(error)?;
-        export(py, &raw, &calibration, format)
+        export(py, &raw, &calibration, format, part)
     }
 }
 
@@ -426,7 +397,7 @@ impl Device {
         self.exported(py, oaktwin::calibration::export::Format::OpenCv)
     }
 
-    /// Returns Kalibr's camchain: a mapping from a file name to its text.
+    /// Returns Kalibr's camchain, and imu.yaml of the inertial sensor: a mapping from file names to texts.
     ///
     /// Warns with oaktwin.FindingWarning about information that the format cannot represent.
     fn to_kalibr<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {

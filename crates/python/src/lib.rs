@@ -24,9 +24,11 @@ mod fit;
 mod frames;
 mod grey;
 mod images;
+mod imu;
 mod json;
 mod memory;
 mod mesh;
+mod models;
 mod pair;
 mod parameters;
 mod pose;
@@ -62,6 +64,8 @@ mod _oaktwin {
     use super::finding::{_finding, Finding};
     #[pymodule_export]
     use super::images::_read_from;
+    #[pymodule_export]
+    use super::imu::simulate_imu;
     #[pymodule_export]
     use super::main;
     #[pymodule_export]

@@ -16,6 +16,7 @@ mod params;
 mod program;
 mod render;
 mod render_bad_input;
+mod render_imu;
 mod render_interrupted;
 mod render_outputs;
 mod render_pair;

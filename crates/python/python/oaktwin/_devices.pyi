@@ -1,11 +1,25 @@
 from os import PathLike
 from typing import Any, Literal, final
 
+import numpy.typing as npt
+
 from ._cameras import Camera, Rectification
 from ._findings import Finding
-from ._types import _Float64, _Intrinsics, _Isaac, _Lens, _Offsets, _Parameters, _Part, _Platform, _Sensor, _Target
+from ._types import (
+    _Float64,
+    _Intrinsics,
+    _Isaac,
+    _Lens,
+    _Offsets,
+    _Parameters,
+    _Part,
+    _Platform,
+    _Sensor,
+    _Target,
+    _Up,
+)
 
-__all__ = ["Device", "models", "parameters", "presets"]
+__all__ = ["Device", "models", "parameters", "presets", "simulate_imu"]
 
 @final
 class Device:
@@ -129,7 +143,7 @@ class Device:
     def to_opencv(self) -> dict[str, str]:
         """Returns OpenCV's FileStorage YAML: a mapping from file names to texts, one per camera and "stereo.yml"."""
     def to_kalibr(self) -> dict[str, str]:
-        """Returns Kalibr's camchain: a mapping from a file name to its text.
+        """Returns Kalibr's camchain, and imu.yaml of the inertial sensor: a mapping from file names to texts.
 
         Warns with oaktwin.FindingWarning about information that the format cannot represent.
         """
@@ -177,3 +191,28 @@ def _device(
     catalog: str | PathLike[str] | None,
     calibration: tuple[str, str, bool] | None,
 ) -> Device: ...
+
+def simulate_imu(
+    device: Device,
+    times: npt.ArrayLike,
+    poses: npt.ArrayLike,
+    *,
+    rate: float | None = None,
+    part: str | None = None,
+    seed: int = 0,
+    up: _Up = "z",
+) -> dict[str, npt.NDArray[Any]]:
+    """Simulates the inertial sensor of a device along a trajectory, as `oaktwin render --imu` does.
+
+    times: (N,) the times of the poses in seconds, increasing; at least two.
+    poses: (N, 4, 4) world_from_body: the poses of the device's body, metres.
+    rate: the samples per second; by default 400, or what the part reports if that is less.
+    part: the inertial part, such as "BMI270"; by default the device's.
+    seed: the noise seed.
+    up: the vertical axis of the world, "z" or "y".
+
+    Returns a mapping: "timestamp" (M,) int64 nanoseconds, "angular_velocity" (M, 3) float64 rad/s and "linear_acceleration"
+    (M, 3) float64 m/s², which is +9.81 upwards at rest; both in the frame of the sensor, `device.extrinsics("imu", "body")`.
+
+    Warns with oaktwin.FindingWarning. Raises oaktwin.Error for invalid input, and for a device without an inertial sensor.
+    """
