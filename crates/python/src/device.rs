@@ -5,7 +5,7 @@ use std::sync::Arc;
 use numpy::PyArray2;
 use oaktwin::calibration::{Calibration, Raw, nominal_calibration};
 use oaktwin::camera::RigidTransform;
-use oaktwin::catalog::{DepthFilter, Origin, Role, Twin};
+use oaktwin::catalog::{Origin, Role, Twin};
 use oaktwin::diagnostic::{self, suggest};
 use oaktwin::render::{OakOptions, check_lens, oak_cameras};
 use oaktwin::report::DeviceReport;
@@ -26,28 +26,6 @@ use crate::json;
 use crate::models::Models;
 use crate::pose::rows;
 use crate::rectification::Rectification;
-
-/// Returns the names of all models for `Device`.
-///
-/// maker: only this manufacturer's, such as "Luxonis" or "Intel".
-/// depth: only those with this kind of depth sensor: "stereo", "tof" or "none".
-/// catalog: a folder with more models, see `Device`.
-///
-/// Raises oaktwin.Error for an unknown maker or kind, and for an invalid folder or file.
-#[pyfunction]
-#[pyo3(signature = (*, maker = None, depth = None, catalog = None))]
-pub(crate) fn models(
-    maker: Option<&str>,
-    depth: Option<&str>,
-    catalog: Option<PathBuf>,
-) -> PyResult<Vec<String>> {
-    let catalog = Models::open(catalog)?;
-    let depth = depth
-        .map(|depth| named::<DepthFilter>("depth", depth))
-        .transpose()?;
-    let chosen = catalog.get().chosen(maker, depth).map_err(error)?;
-    Ok(chosen.into_iter().map(|device| device.name.clone()).collect())
-}
 
 /// A digital twin of a depth camera: the nominal device of a model, or one unit by its calibration.
 ///

@@ -55,7 +55,7 @@ mod _oaktwin {
     #[pymodule_export]
     use super::camera::{_camera, Camera};
     #[pymodule_export]
-    use super::device::{_device, Device, models};
+    use super::device::{_device, Device};
     #[pymodule_export]
     use super::error::{Error, FindingWarning};
     #[pymodule_export]
@@ -72,6 +72,8 @@ mod _oaktwin {
     use super::memory::set_memory_limit;
     #[pymodule_export]
     use super::mesh::Mesh;
+    #[pymodule_export]
+    use super::models::models;
     #[pymodule_export]
     use super::pose::look_at;
     #[pymodule_export]
