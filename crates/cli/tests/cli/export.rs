@@ -50,8 +50,21 @@ fn a_calibration_finds_its_model() {
     );
     let twice = "export unit.json --to mjcf -o out --calibration unit.json";
     insta::assert_snapshot!(program.refused(&twice.split(' ').collect::<Vec<_>>()));
-    let other = program.run(&["export", "OAK4-D", "--to", "mjcf", "-o", "out", "--calibration", "unit.json"]);
-    assert!(other.code == 0 && other.stderr.contains("not for an OAK4-D"), "{}", other.stderr);
+    let other = program.run(&[
+        "export",
+        "OAK4-D",
+        "--to",
+        "mjcf",
+        "-o",
+        "out",
+        "--calibration",
+        "unit.json",
+    ]);
+    assert!(
+        other.code == 0 && other.stderr.contains("not for an OAK4-D"),
+        "{}",
+        other.stderr
+    );
 }
 
 #[test]
@@ -72,7 +85,12 @@ fn bad_input() {
         "export nothing.json --to urdf -o out",
     ] {
         let ended = program.run(&command.split(' ').collect::<Vec<_>>());
-        assert_eq!((ended.code, ended.stdout.as_str()), (2, ""), "{command}: {}", ended.stderr);
+        assert_eq!(
+            (ended.code, ended.stdout.as_str()),
+            (2, ""),
+            "{command}: {}",
+            ended.stderr
+        );
         text += &format!("$ {command}\n{}\n", ended.stderr);
     }
     insta::assert_snapshot!(text);
