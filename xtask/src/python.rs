@@ -36,9 +36,14 @@ pub(crate) const CURRENT: Environment = Environment {
     tests: ORACLES,
 };
 
-/// The newest OpenUSD, and the generation of Isaac Sim 5.1.
-pub(crate) const ENVIRONMENTS: [Environment; 2] = [
+/// The newest OpenUSD, the generation of Isaac Sim 5.1, and the readers of robot descriptions.
+pub(crate) const ENVIRONMENTS: [Environment; 3] = [
     CURRENT,
+    Environment {
+        name: "robot",
+        versions: ((3, 11), Some((3, 13))),
+        tests: "tests/oracles/test_robot.py",
+    },
     Environment {
         name: "usd-24.5",
         versions: ((3, 10), Some((3, 11))),
@@ -295,7 +300,7 @@ mod tests {
     #[test]
     fn chooses_the_first_suitable_interpreter() {
         let found = [interpreter((3, 13)), interpreter((3, 10)), interpreter((3, 11))];
-        let [current, old] = &ENVIRONMENTS;
+        let [current, _, old] = &ENVIRONMENTS;
         assert_eq!(current.choose(&found).unwrap().version, (3, 13));
         assert_eq!(old.choose(&found).unwrap().version, (3, 10));
         let reason = old.choose(&found[..1]).unwrap_err();

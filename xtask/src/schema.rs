@@ -1,4 +1,4 @@
-//! `cargo xtask schema`: regenerates the JSON schemas, and the manual page and the Python types of the parameters.
+//! `cargo xtask schema`: regenerates the JSON schemas, the manual page of models, and the manual page and the Python types of the parameters.
 
 use crate::workspace;
 
@@ -10,8 +10,12 @@ pub(crate) fn run() -> Result<(), String> {
         command.args(["run", "--quiet", "--package", package, "--example", example, "--"]);
         command
     };
-    workspace::check(example("oaktwin-catalog", "schema").arg(&folder))?;
+    let page = workspace::root().join("docs/manual/reference/models.md");
+    workspace::check(example("oaktwin-catalog", "schema").arg(&folder).arg(page))?;
     workspace::check(&mut example("oaktwin-pipeline", "reference"))?;
-    println!("wrote {} and the reference of the parameters", folder.display());
+    println!(
+        "wrote {} the page of models, and the reference of the parameters",
+        folder.display()
+    );
     Ok(())
 }

@@ -27,6 +27,7 @@ mod folder;
 mod model;
 mod nominal;
 mod optics;
+mod page;
 mod schema;
 mod source;
 mod twin;
@@ -41,6 +42,7 @@ pub use model::{
     Sensor,
 };
 pub use optics::LensChoice;
+pub use page::models_page;
 pub use schema::{device_schema, inertial_part_schema, schema_files, sensor_schema};
 pub use source::{Source, Sourced, Sources};
 pub use twin::{Origin, Twin, TwinCamera, TwinDepthSensor};

@@ -17,6 +17,16 @@ fn the_files_are_current() {
     }
 }
 
+#[test]
+fn the_page_of_models_is_current() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/manual/reference/models.md");
+    let kept = std::fs::read_to_string(page).unwrap_or_default();
+    assert!(
+        kept == oaktwin_catalog::models_page(),
+        "docs/manual/reference/models.md is out of date; run `cargo xtask schema`"
+    );
+}
+
 /// Every key of the file is in the schema, and every key that the schema requires is in the file.
 #[test]
 fn the_builtin_files_fit() {

@@ -8,7 +8,9 @@ mod bridge;
 mod calibration;
 pub(crate) mod choice;
 mod coverage;
+mod export;
 mod fit;
+mod imu;
 mod limit;
 mod outputs;
 mod pair;
@@ -39,7 +41,9 @@ pub(crate) use calibration::{
     CalibrationArgs, CalibrationCommand, CalibrationExportArgs, CalibrationShowArgs,
 };
 pub(crate) use coverage::CoverageArgs;
+pub(crate) use export::ExportArgs;
 pub(crate) use fit::{Also, FitArgs};
+pub(crate) use imu::ImuArgs;
 pub(crate) use outputs::OutputArgs;
 pub(crate) use pair::PairArgs;
 pub(crate) use place::PlaceArgs;
@@ -93,6 +97,8 @@ pub(crate) enum Command {
     Calibration(CalibrationArgs),
     /// Write a model as a USD asset
     Asset(AssetArgs),
+    /// Describe a model for robots and simulators: URDF, SDF, MJCF, Webots, Blender
+    Export(ExportArgs),
     /// Render a scene: depth, colour, normals, labels and the output of depth sensors
     Render(Box<RenderArgs>),
     /// Simulate a model's depth sensor on existing depth images

@@ -15,6 +15,7 @@ pub(crate) mod manual;
 pub(crate) mod models;
 pub(crate) mod params;
 pub(crate) mod render;
+pub(crate) mod robot;
 pub(crate) mod sense;
 pub(crate) mod show;
 pub(crate) mod stereo;

@@ -89,6 +89,12 @@ impl Channel {
         measured
     }
 
+    /// Returns the standard deviation of the white noise of a sample.
+    #[must_use]
+    pub const fn white_deviation(&self) -> DVec3 {
+        self.white
+    }
+
     /// Returns the bias of the next sample.
     #[must_use]
     pub const fn bias(&self) -> DVec3 {

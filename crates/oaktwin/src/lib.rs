@@ -15,7 +15,6 @@
 //!
 //! let left = twin.camera(Role::Left).ok_or("no left camera")?;
 //! assert_eq!(left.intrinsics.fx.round(), 805.0);
-// Poses are in metres in the body frame: x forward, y left, z up.
 //! // Places are metres in the body frame: x forward, y left, z up.
 //! assert_eq!(left.body_from_camera.translation, DVec3::new(0.0, 0.0375, 0.0));
 //!
@@ -34,6 +33,7 @@ pub use oaktwin_evaluate::{accuracy, coverage, figure, fit, measure};
 pub use oaktwin_files as files;
 pub use oaktwin_image as image;
 pub use oaktwin_memory as memory;
-pub use oaktwin_pipeline::{pair, progress, recording, render, report, sense, sensor, stereo, unit};
+pub use oaktwin_pipeline::{imu, pair, progress, recording, render, report, sense, sensor, stereo, unit};
+pub use oaktwin_robot as robot;
 pub use oaktwin_scene as scene;
 pub use oaktwin_usd as usd;

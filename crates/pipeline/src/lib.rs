@@ -3,6 +3,7 @@
 //! * [`render`] opens a scene, places cameras in it and writes what they see;
 //! * [`sense`] runs a depth sensor on existing depth images;
 //! * [`stereo`] matches existing pairs of images, and [`pair`] renders such pairs;
+//! * [`imu`] simulates the inertial sensor of a twin along a trajectory;
 //! * [`sensor`] configures the depth sensor of a twin;
 //! * [`mod@unit`] opens one unit's calibration as a twin, and [`report`] describes a twin;
 //! * [`input`] reads depth images from files and folders;
@@ -10,6 +11,7 @@
 //! * [`progress`] reports the progress of all of them, and interrupts them.
 
 mod geometry;
+pub mod imu;
 pub mod input;
 mod limits;
 pub mod pair;

@@ -9,11 +9,12 @@ use std::path::{Path, PathBuf};
 #[cfg(feature = "rerun")]
 use oaktwin_dataset::recording::Rrd;
 pub use oaktwin_dataset::recording::{
-    Body, CameraId, DepthView, MeasuredCamera, Moment, RecordedCamera, RecordingError, Time,
+    Body, CameraId, DepthView, MeasuredCamera, Moment, RecordedCamera, RecordedImu, RecordingError, Time,
 };
 use oaktwin_dataset::recording::{Mcap, Recorder, ros_lens_loss};
 
 use oaktwin_camera::LensModel;
+use oaktwin_dataset::ImuSample;
 use oaktwin_files::{AtomicFile, FileError};
 use oaktwin_scene::Up;
 
@@ -117,6 +118,16 @@ impl RecordingFile {
         })
     }
 
+    /// Returns the format.
+    #[must_use]
+    pub const fn format(&self) -> Format {
+        match &self.recorder {
+            Kind::Mcap(_) => Format::Mcap,
+            #[cfg(feature = "rerun")]
+            Kind::Rrd(_) => Format::Rrd,
+        }
+    }
+
     /// Adds a camera, before its first moment.
     ///
     /// # Errors
@@ -139,6 +150,28 @@ impl RecordingFile {
             Kind::Mcap(mcap) => mcap.record(camera, moment),
             #[cfg(feature = "rerun")]
             Kind::Rrd(rrd) => rrd.record(camera, moment),
+        };
+        recorded.map_err(|error| failed(&self.path, error))
+    }
+
+    /// Sets the inertial sensor, whose samples only [`Format::Mcap`] can hold.
+    pub fn set_imu(&mut self, imu: &RecordedImu) {
+        match &mut self.recorder {
+            Kind::Mcap(mcap) => mcap.set_imu(imu),
+            #[cfg(feature = "rerun")]
+            Kind::Rrd(_) => {}
+        }
+    }
+
+    /// Records a sample of the inertial sensor.
+    ///
+    /// # Errors
+    /// Returns an error if the file cannot be written.
+    pub fn record_imu(&mut self, sample: &ImuSample) -> Result<(), RecordingFileError> {
+        let recorded = match &mut self.recorder {
+            Kind::Mcap(mcap) => mcap.record_imu(sample),
+            #[cfg(feature = "rerun")]
+            Kind::Rrd(_) => Ok(()),
         };
         recorded.map_err(|error| failed(&self.path, error))
     }

@@ -5,10 +5,11 @@ use std::sync::Arc;
 use numpy::PyArray2;
 use oaktwin::calibration::{Calibration, Raw, nominal_calibration};
 use oaktwin::camera::RigidTransform;
-use oaktwin::catalog::{self, Catalog, DepthFilter, Origin, Role, Twin};
+use oaktwin::catalog::{Origin, Role, Twin};
 use oaktwin::diagnostic::{self, suggest};
 use oaktwin::render::{OakOptions, check_lens, oak_cameras};
 use oaktwin::report::DeviceReport;
+use oaktwin::robot::Attachment;
 use oaktwin::sensor::depth_sensor;
 use oaktwin::unit;
 use oaktwin::usd::asset::LensChoice;
@@ -22,61 +23,9 @@ use crate::error::{error, reading, writing, wrong};
 use crate::export::export;
 use crate::finding::{self, Finding};
 use crate::json;
+use crate::models::Models;
 use crate::pose::rows;
 use crate::rectification::Rectification;
-
-/// Returns the names of all models for `Device`.
-///
-/// maker: only this manufacturer's, such as "Luxonis" or "Intel".
-/// depth: only those with this kind of depth sensor: "stereo", "tof" or "none".
-/// catalog: a folder with more models, see `Device`.
-///
-/// Raises oaktwin.Error for an unknown maker or kind, and for an invalid folder or file.
-#[pyfunction]
-#[pyo3(signature = (*, maker = None, depth = None, catalog = None))]
-pub(crate) fn models(
-    maker: Option<&str>,
-    depth: Option<&str>,
-    catalog: Option<PathBuf>,
-) -> PyResult<Vec<String>> {
-    let catalog = Models::open(catalog)?;
-    let depth = depth
-        .map(|depth| named::<DepthFilter>("depth", depth))
-        .transpose()?;
-    let chosen = catalog.get().chosen(maker, depth).map_err(error)?;
-    Ok(chosen.into_iter().map(|device| device.name.clone()).collect())
-}
-
-/// The built-in catalog, optionally with a user's folder.
-#[derive(Clone, Debug)]
-struct Models(Option<(PathBuf, Arc<Catalog>)>);
-
-impl Models {
-    fn open(folder: Option<PathBuf>) -> PyResult<Self> {
-        let open = |folder: PathBuf| {
-            let catalog = Catalog::with_dir(&folder).map_err(error)?;
-            // The absolute path, for pickles of the device.
-            let folder = std::path::absolute(&folder).unwrap_or(folder);
-            Ok::<_, PyErr>((folder, Arc::new(catalog)))
-        };
-        Ok(Self(folder.map(open).transpose()?))
-    }
-
-    fn get(&self) -> &Catalog {
-        match &self.0 {
-            Some((_, own)) => own,
-            None => Catalog::builtin(),
-        }
-    }
-
-    fn folder(&self) -> Option<&PathBuf> {
-        self.0.as_ref().map(|(folder, _)| folder)
-    }
-
-    fn entry(&self, name: &str) -> PyResult<&catalog::Device> {
-        self.get().device(name).map_err(error)
-    }
-}
 
 /// A digital twin of a depth camera: the nominal device of a model, or one unit by its calibration.
 ///
@@ -94,7 +43,7 @@ pub(crate) struct Device {
     pub(crate) twin: Arc<Twin>,
     pub(crate) lens: LensChoice,
     pub(crate) findings: Vec<diagnostic::Finding>,
-    models: Models,
+    pub(crate) models: Models,
     calibration: Option<Calibrated>,
 }
 
@@ -217,12 +166,13 @@ impl Device {
         py: Python<'py>,
         format: oaktwin::calibration::export::Format,
     ) -> PyResult<Bound<'py, PyDict>> {
+        let part = self.models.get().inertial_part_of(&self.twin.device);
         if let Some(own) = &self.calibration {
-            return export(py, &own.raw, &own.calibration, format);
+            return export(py, &own.raw, &own.calibration, format, part);
         }
         let raw = nominal_calibration(&self.twin);
         let (calibration, _) = Calibration::from_raw(&raw).map_err(error)?;
-        export(py, &raw, &calibration, format)
+        export(py, &raw, &calibration, format, part)
     }
 }
 
@@ -414,6 +364,49 @@ impl Device {
         finding::warn(py, &findings)
     }
 
+    /// Writes a description for robots and simulators, and returns the paths of its files.
+    ///
+    /// folder: the folder for the files, which is created.
+    /// format: "urdf", "sdf", "mjcf", "webots" or "blender".
+    /// name: the name of the device, which begins the names of its frames.
+    /// parent: the link of a robot that carries the device.
+    /// mount: the point of the device that is placed: "cameras" (midway between the left and the right optical centre), or the centre of
+    ///     the housing's face "front", "back", "bottom" or "top".
+    /// xyz: the position of that point in the parent's frame in metres.
+    /// rpy: roll, pitch and yaw of the device in the parent's frame in radians.
+    ///
+    /// Warns with oaktwin.FindingWarning about what the format cannot represent. Raises oaktwin.Error for an unknown format or an invalid
+    /// name, OSError for files that cannot be written.
+    #[pyo3(signature = (folder, format, *, name = "oak", parent = None, mount = "cameras", xyz = [0.0; 3], rpy = [0.0; 3]))]
+    #[expect(clippy::too_many_arguments, reason = "options of Python")]
+    #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
+    fn export(
+        &self,
+        py: Python<'_>,
+        folder: PathBuf,
+        format: &str,
+        name: &str,
+        parent: Option<String>,
+        mount: &str,
+        xyz: [f64; 3],
+        rpy: [f64; 3],
+    ) -> PyResult<Vec<PathBuf>> {
+        let format = named("format", format)?;
+        let attachment = Attachment {
+            name: name.to_owned(),
+            parent,
+            mount: named("mount", mount)?,
+            parent_from_mount: Attachment::pose(xyz, rpy).map_err(error)?,
+        };
+        let made =
+            oaktwin::robot::export(self.models.get(), &self.twin, &attachment, format).map_err(error)?;
+        let written = py
+            .detach(|| made.write(&folder))
+            .map_err(|error| writing(&folder, &error))?;
+        finding::warn(py, &made.findings)?;
+        Ok(written)
+    }
+
     /// Returns ROS's camera_info YAML: a mapping from file names to texts, one per camera.
     ///
     /// Warns with oaktwin.FindingWarning about information that the format cannot represent.
@@ -426,7 +419,7 @@ impl Device {
         self.exported(py, oaktwin::calibration::export::Format::OpenCv)
     }
 
-    /// Returns Kalibr's camchain: a mapping from a file name to its text.
+    /// Returns Kalibr's camchain, and imu.yaml of the inertial sensor: a mapping from file names to texts.
     ///
     /// Warns with oaktwin.FindingWarning about information that the format cannot represent.
     fn to_kalibr<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {

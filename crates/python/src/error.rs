@@ -26,13 +26,15 @@ pyo3::create_exception!(
 );
 
 /// The arguments whose names differ from those of the program's options.
-const ARGUMENTS: [(&str, &str); 8] = [
+const ARGUMENTS: [(&str, &str); 10] = [
     ("align", "to"),
     ("align-size", "size"),
     ("filter", "filters"),
     ("force", "force=True"),
     ("from", "measured_from"),
     ("hfov", "hfov_deg"),
+    ("imu-part", "part"),
+    ("imu-rate", "rate"),
     ("memory-limit", "the limit of set_memory_limit()"),
     ("stereo-width", "width_px"),
 ];

@@ -24,9 +24,11 @@ mod fit;
 mod frames;
 mod grey;
 mod images;
+mod imu;
 mod json;
 mod memory;
 mod mesh;
+mod models;
 mod pair;
 mod parameters;
 mod pose;
@@ -53,7 +55,7 @@ mod _oaktwin {
     #[pymodule_export]
     use super::camera::{_camera, Camera};
     #[pymodule_export]
-    use super::device::{_device, Device, models};
+    use super::device::{_device, Device};
     #[pymodule_export]
     use super::error::{Error, FindingWarning};
     #[pymodule_export]
@@ -63,11 +65,15 @@ mod _oaktwin {
     #[pymodule_export]
     use super::images::_read_from;
     #[pymodule_export]
+    use super::imu::simulate_imu;
+    #[pymodule_export]
     use super::main;
     #[pymodule_export]
     use super::memory::set_memory_limit;
     #[pymodule_export]
     use super::mesh::Mesh;
+    #[pymodule_export]
+    use super::models::models;
     #[pymodule_export]
     use super::pose::look_at;
     #[pymodule_export]

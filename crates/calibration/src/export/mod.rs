@@ -3,6 +3,7 @@
 //! Each exporter returns complete files as text, and findings about information that the format cannot represent. Models of the
 //! catalog are exported through [`crate::nominal_calibration`].
 
+mod imu;
 mod kalibr;
 mod opencv;
 mod ros;
@@ -11,6 +12,8 @@ mod text;
 
 use oaktwin_diagnostic::{Finding, Level, fold_name};
 use oaktwin_parameter::choice;
+
+pub use imu::kalibr_imu;
 
 use crate::{Calibration, CalibrationError, Raw, Socket, StereoPair};
 
@@ -21,7 +24,7 @@ choice! {
         Ros = "ros",
         /// OpenCV's `FileStorage` YAML, one file per camera, and `stereo.yml` with the keys of OpenCV's stereo sample.
         OpenCv = "opencv",
-        /// Kalibr's `camchain.yaml`.
+        /// Kalibr's `camchain.yaml`, and `imu.yaml` of a known model.
         Kalibr = "kalibr",
         /// `DepthAI`'s JSON in the layout of its own writer.
         DepthAi = "depthai",
@@ -35,6 +38,14 @@ pub struct Export {
     pub files: Vec<(String, String)>,
     /// The information that the format cannot represent.
     pub findings: Vec<Finding>,
+}
+
+impl Export {
+    /// Adds the files and findings of another export.
+    pub fn extend(&mut self, other: Self) {
+        self.files.extend(other.files);
+        self.findings.extend(other.findings);
+    }
 }
 
 /// Exports a calibration. `raw` is the document that `calibration` was read from.

@@ -40,7 +40,7 @@ pub(crate) struct CalibrationExportArgs {
     #[arg(value_name = "FILE|MODEL", value_hint = ValueHint::FilePath)]
     pub(crate) from: String,
 
-    /// Format: ROS camera info, OpenCV FileStorage, Kalibr camchain or DepthAI JSON
+    /// Format: ROS camera info, OpenCV FileStorage, Kalibr camchain and imu, or DepthAI JSON
     #[arg(long, value_parser = parser::<Format>())]
     pub(crate) to: Format,
 

@@ -8,7 +8,7 @@ use oaktwin::usd::optics::Projection;
 
 use super::annotators::annotators;
 use super::choice::parser;
-use super::{OutputArgs, PairArgs, PlaceArgs, SceneArgs, SensorArgs, ThreadArgs, UnitArgs};
+use super::{ImuArgs, OutputArgs, PairArgs, PlaceArgs, SceneArgs, SensorArgs, ThreadArgs, UnitArgs};
 
 fn after_help() -> String {
     format!(
@@ -109,6 +109,9 @@ pub(crate) struct RenderArgs {
         help_heading = "Scene and trajectory"
     )]
     pub(crate) trajectory: Option<PathBuf>,
+
+    #[command(flatten, next_help_heading = "Inertial sensor")]
+    pub(crate) imu: ImuArgs,
 
     #[command(flatten, next_help_heading = "Scene and trajectory")]
     pub(crate) scene_options: SceneArgs,

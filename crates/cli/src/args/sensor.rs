@@ -27,6 +27,13 @@ impl SensorArgs {
         Some(format!("--{}", option.flag))
     }
 
+    /// The first option but the noise seed that was given, with hyphens.
+    pub(crate) fn given_but_seed(&self) -> Option<String> {
+        let mut options = self.0.0.iter().map(|(option, _)| option);
+        let option = options.find(|option| option.name != "seed")?;
+        Some(format!("--{}", option.flag))
+    }
+
     /// The files that options name.
     pub(crate) fn files(&self) -> impl Iterator<Item = &Path> {
         let files = self

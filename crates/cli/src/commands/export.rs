@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use oaktwin::calibration::export::{self, Export};
+use oaktwin::calibration::export::{self, Export, Format};
 use oaktwin::calibration::{Calibration, Raw, nominal_calibration};
 use oaktwin::diagnostic::Finding;
 use oaktwin::{files, unit};
@@ -12,10 +12,16 @@ use crate::{destination, output};
 pub(crate) fn run(context: &Context, args: &CalibrationExportArgs) -> Result<Exit> {
     let file = Path::new(&args.from);
     let (raw, calibration, mut findings) = open(context, file, args)?;
+    let mut made = export::export(&raw, &calibration, args.to)?;
+    // A single file or standard output has room for one.
+    let is_folder = args.output.as_deref().is_some_and(destination::names_folder);
+    if args.to == Format::Kalibr && is_folder {
+        made.extend(imu(context, &args.from, &calibration));
+    }
     let Export {
         files,
         findings: losses,
-    } = export::export(&raw, &calibration, args.to)?;
+    } = made;
     findings.extend(losses);
     output::say_findings(file, &findings);
     match &args.output {
@@ -51,6 +57,16 @@ fn open(
     let (raw, calibration, mut findings) = unit::read_calibration(file)?;
     unit::accept(file, &mut findings, args.force)?;
     Ok((raw, calibration, findings))
+}
+
+/// Returns the file of the model's inertial sensor: of the named model, or of that of the calibration's product name.
+fn imu(context: &Context, name: &str, calibration: &Calibration) -> Export {
+    let catalog = &context.catalog;
+    let device = catalog
+        .device(name)
+        .or_else(|_| catalog.device(&calibration.board.product_name));
+    let part = device.ok().and_then(|device| catalog.inertial_part_of(device));
+    part.map(export::kalibr_imu).unwrap_or_default()
 }
 
 fn put(path: &Path, input: &Path, text: &str) -> Result<()> {

@@ -1,6 +1,9 @@
+mod imu;
 mod report;
 mod request;
 mod sensors;
+
+use std::ops::ControlFlow;
 
 use oaktwin::camera::ImageSize;
 use oaktwin::dataset::{self, LAYOUTS, Writer};
@@ -41,24 +44,27 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     };
     findings.extend(more);
     let pair = sensors::pair(args, &mut cameras, oak.as_ref(), size)?;
-    let pair = pair.map(|(pair, more)| {
-        findings.extend(more);
-        pair
-    });
+    let pair = noted(pair, &mut findings);
+    let twin = oak.as_ref().map(|oak| &oak.twin);
+    let samples = imu::simulation(context, args, twin, &path, scene.scene.up)?;
+    let samples = noted(samples, &mut findings);
     let mut sensors = Sensors::new(args, &annotators, &cameras, oak.as_ref())?;
     findings.append(&mut sensors.findings);
     let (up, is_alone) = (scene.scene.up, output.is_none());
     let record =
         |file| render::FrameRecorder::create(file, up, &cameras, &sensors.own, &path, &annotators, is_alone);
     let recorder = args.record.as_deref().map(record).transpose()?;
-    let recorder = recorder.map(|(recorder, more)| {
-        findings.extend(more);
-        recorder
-    });
+    let mut recorder = noted(recorder, &mut findings);
+    if let (Some(recorder), Some(samples)) = (&mut recorder, &samples) {
+        findings.extend(recorder.add_imu(samples));
+    }
     if args.strict {
         reject_warnings(args, &findings)?;
     }
     check_memory(&cameras, &annotators, &sensors, recorder.is_some())?;
+    let ControlFlow::Continue(imu_report) = imu::write(samples, args)? else {
+        return Ok(Exit::Interrupted);
+    };
     let mut files = output.as_deref().map(OutputFiles::in_folder).transpose()?;
     let mut writer = writer(args)?;
     let outputs = render::Outputs {
@@ -86,7 +92,11 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         (args, output.as_deref()),
         &annotators,
         (&cameras, &sensors.own),
-        (written, files.as_ref().map(|files| files.files().to_vec())),
+        (
+            written,
+            files.as_ref().map(|files| files.files().to_vec()),
+            imu_report,
+        ),
         frames,
         findings,
         calibration_findings,
@@ -96,6 +106,14 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         Exit::Interrupted
     } else {
         Exit::Success
+    })
+}
+
+/// Takes the findings out of a result.
+fn noted<T>(made: Option<(T, Vec<Finding>)>, findings: &mut Vec<Finding>) -> Option<T> {
+    made.map(|(made, more)| {
+        findings.extend(more);
+        made
     })
 }
 

@@ -153,6 +153,7 @@ fn accuracy_text(out: &mut String, report: &DeviceReport) {
 
 fn camera_text(out: &mut String, camera: &CameraReport, provenance: bool) {
     let usd = &camera.usd;
+    let camera_mark = |key| mark_key(camera.source, &camera.sources, key);
     let _ = writeln!(out, "\n{} ({}, {})", camera.prim, camera.sensor, camera.size);
     for line in &camera.calculation {
         let _ = writeln!(out, "  {line}");
@@ -169,7 +170,8 @@ fn camera_text(out: &mut String, camera: &CameraReport, provenance: bool) {
         out,
         "field of view",
         &format!(
-            "{h:.2}° × {v:.2}°, diagonal {d:.2}°{}",
+            "{h:.2}° × {v:.2}°, diagonal {d:.2}°{}{}",
+            camera_mark("hfov_deg"),
             usd.max_fov_deg
                 .map_or_else(String::new, |max| format!(" (maxFOV {max}°)"))
         ),
@@ -201,8 +203,9 @@ fn camera_text(out: &mut String, camera: &CameraReport, provenance: bool) {
         out,
         "pose",
         &format!(
-            "{} mm, yaw {:.2}°, pitch {:.2}°",
+            "{} mm{}, yaw {:.2}°, pitch {:.2}°",
             triple(camera.position_mm),
+            camera_mark("position_mm"),
             camera.yaw_pitch_deg[0] + 0.0,
             camera.yaw_pitch_deg[1] + 0.0
         ),
@@ -252,7 +255,12 @@ fn depth_text(out: &mut String, sensor: &DepthReport, provenance: bool) {
     field(
         out,
         "ideal range",
-        &format!("{}–{} m", sensor.ideal_range_m.0, sensor.ideal_range_m.1),
+        &format!(
+            "{}–{} m{}",
+            sensor.ideal_range_m.0,
+            sensor.ideal_range_m.1,
+            mark_key(sensor.source, &sensor.sources, "ideal_range_m")
+        ),
     );
     for at in &sensor.at {
         let step = |s: Option<f64>| s.map_or_else(|| "n/a".to_owned(), |s| format!("{:.1} mm", s * 1e3));
@@ -279,6 +287,14 @@ fn field(out: &mut String, label: &str, value: &str) {
 /// Marks estimates, also without `--provenance`.
 fn mark(table: &impl Sourced, key: &str) -> &'static str {
     match table.source_of(key) {
+        Source::Estimate => " (estimate)",
+        _ => "",
+    }
+}
+
+/// Marks estimates of a table whose sources are known.
+fn mark_key(source: Source, others: &Sources, key: &str) -> &'static str {
+    match others.get(key).copied().unwrap_or(source) {
         Source::Estimate => " (estimate)",
         _ => "",
     }

@@ -1,6 +1,6 @@
 //! Every command with every model of the catalog.
 
-use oaktwin::catalog::{Catalog, DepthKind, Device};
+use oaktwin::catalog::{Catalog, DepthKind, Device, Source, Sourced};
 use oaktwin::image::{Image, png};
 
 use crate::program::Program;
@@ -50,6 +50,14 @@ fn shows_compares_and_writes_assets() {
         for note in &device.notes {
             assert!(shown.contains(&note.text), "{id}: {}", note.topic);
         }
+        let is_assumed = device
+            .cameras
+            .iter()
+            .any(|camera| camera.source_of("hfov_deg") == Source::Estimate);
+        let marks = shown
+            .lines()
+            .filter(|line| line.starts_with("  field of view") && line.contains("(estimate)"));
+        assert_eq!(marks.count() > 0, is_assumed, "{shown}");
         program.good(&["show", id, "--json"]);
         assert!(program.good(&["compare", id, "oak4-d"]).contains(&device.name));
         let checked = program.good(&["check", &format!("assets/{id}.usdz")]);

@@ -16,9 +16,10 @@ use super::lens::distortion;
 use super::message::{self, Header, Transform};
 use super::schema::Schema;
 use super::{
-    CameraId, Moment, RecordedCamera, Recorder, RecordingError, Time, check_camera, check_moment, cloud,
-    names,
+    CameraId, Moment, RecordedCamera, RecordedImu, Recorder, RecordingError, Time, check_camera,
+    check_moment, cloud, names,
 };
+use crate::ImuSample;
 
 /// The size of a chunk of messages, which are compressed together, bytes. Longer messages are chunks of their own.
 const CHUNK: u64 = 4 << 20;
@@ -35,6 +36,7 @@ const WORLD: &str = "world";
 /// | `/NAME/camera_info` | `sensor_msgs/msg/CameraInfo` |
 /// | `/NAME/measured_camera_info` | `sensor_msgs/msg/CameraInfo` of the depth sensor's output, if it is an image of another camera |
 /// | `/NAME/depth_points`, `/NAME/measured_points` | `sensor_msgs/msg/PointCloud2`, one point per pixel, NaN if invalid |
+/// | `/NAME/data_raw` | `sensor_msgs/msg/Imu` of an inertial sensor, in the frame `NAME_frame` |
 /// | `/tf`, `/tf_static` | `tf2_msgs/msg/TFMessage` |
 ///
 /// Frames are `world` → the body → `NAME` → `NAME_optical_frame`, the frame of images and point clouds. A depth
@@ -47,6 +49,7 @@ pub struct Mcap<W: Write> {
     names: BTreeSet<String>,
     cameras: Vec<Station>,
     bodies: Vec<Carrier>,
+    imu: Option<InertialStation>,
     channels: BTreeMap<String, Channel>,
     /// Whether a camera was added since the static transforms were last written.
     statics_are_due: bool,
@@ -65,6 +68,14 @@ struct Station {
     /// The rays of the pixels of exact and measured depth, computed for the first point cloud.
     rays: [Option<Image<[f32; 2]>>; 2],
     last: Option<(Time, RigidTransform)>,
+}
+
+/// The inertial sensor and its messages' names.
+struct InertialStation {
+    imu: RecordedImu,
+    frame: String,
+    topic: String,
+    carrier: usize,
 }
 
 /// A body with cameras.
@@ -102,8 +113,54 @@ impl<W: Write> Mcap<W> {
             names: BTreeSet::from([WORLD.to_owned()]),
             cameras: Vec::new(),
             bodies: Vec::new(),
+            imu: None,
             channels: BTreeMap::new(),
             statics_are_due: false,
+        })
+    }
+
+    /// Sets the inertial sensor of the recording, before its first sample. There is one at most; a second replaces it.
+    pub fn set_imu(&mut self, imu: &RecordedImu) {
+        let carrier = self.carrier(&imu.body);
+        let name = names::unique(&imu.name, &mut self.names);
+        self.imu = Some(InertialStation {
+            imu: imu.clone(),
+            frame: names::unique(&format!("{name}_frame"), &mut self.names),
+            topic: format!("/{name}/data_raw"),
+            carrier,
+        });
+        self.statics_are_due = true;
+    }
+
+    /// Records a sample of the inertial sensor.
+    ///
+    /// # Errors
+    /// Returns an error if the output cannot be written, or if there is no inertial sensor.
+    pub fn record_imu(&mut self, sample: &ImuSample) -> Result<(), RecordingError> {
+        if std::mem::take(&mut self.statics_are_due) {
+            self.put_statics(sample.time)?;
+        }
+        let station = self.imu.take().ok_or(RecordingError::NoImu)?;
+        let head = Header {
+            time: sample.time,
+            frame: &station.frame,
+        };
+        message::imu(&mut self.cdr, head, sample, &station.imu);
+        let written = self.put(&station.topic, Schema::Imu, sample.time);
+        self.imu = Some(station);
+        written
+    }
+
+    /// Returns the index of the body with a name, which is added if it is new.
+    fn carrier(&mut self, name: &str) -> usize {
+        let known = self.bodies.iter().position(|carrier| carrier.name == name);
+        known.unwrap_or_else(|| {
+            self.bodies.push(Carrier {
+                name: name.to_owned(),
+                frame: names::unique(name, &mut self.names),
+                last: None,
+            });
+            self.bodies.len() - 1
         })
     }
 
@@ -161,6 +218,15 @@ impl<W: Write> Mcap<W> {
                     parent_from_child: station.camera.measured().camera_from_measured,
                 });
             }
+        }
+        if let Some(station) = &self.imu
+            && let Some(carrier) = self.bodies.get(station.carrier)
+        {
+            all.push(Transform {
+                header: header(&carrier.frame),
+                child: &station.frame,
+                parent_from_child: station.imu.body_from_imu,
+            });
         }
         message::transforms(&mut self.cdr, all.into_iter());
         self.put("/tf_static", Schema::Tf, time)
@@ -254,17 +320,7 @@ impl<W: Write> Recorder for Mcap<W> {
 
     fn add_camera(&mut self, camera: &RecordedCamera) -> Result<CameraId, RecordingError> {
         check_camera(camera)?;
-        let carrier = camera.body.as_ref().map(|body| {
-            let known = self.bodies.iter().position(|carrier| carrier.name == body.name);
-            known.unwrap_or_else(|| {
-                self.bodies.push(Carrier {
-                    name: body.name.clone(),
-                    frame: names::unique(&body.name, &mut self.names),
-                    last: None,
-                });
-                self.bodies.len() - 1
-            })
-        });
+        let carrier = camera.body.as_ref().map(|body| self.carrier(&body.name));
         let frame = names::unique(&camera.name, &mut self.names);
         let optical_frame = names::unique(&format!("{frame}_optical_frame"), &mut self.names);
         let is_moved = camera.measured().camera_from_measured != RigidTransform::IDENTITY;

@@ -5,7 +5,8 @@ use oaktwin_image::{Image, ImageView};
 
 use super::cdr::Cdr;
 use super::lens::Distortion;
-use super::{DepthView, Time, cloud};
+use super::{DepthView, RecordedImu, Time, cloud};
+use crate::ImuSample;
 
 /// `sensor_msgs/PointField.FLOAT32`.
 const FLOAT32: u8 = 7;
@@ -120,6 +121,22 @@ pub(super) fn points(
     cdr.bool(is_dense);
 }
 
+/// Writes a `sensor_msgs/Imu` without orientation, which REP-145 marks with a covariance of -1, with the variances of the axes.
+pub(super) fn imu(cdr: &mut Cdr, head: Header<'_>, sample: &ImuSample, imu: &RecordedImu) {
+    header(cdr.begin(), head);
+    cdr.f64s(&[0.0, 0.0, 0.0, 1.0]);
+    cdr.f64s(&[-1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+    let channels = [
+        (sample.angular_velocity, imu.angular_velocity_deviation),
+        (sample.linear_acceleration, imu.linear_acceleration_deviation),
+    ];
+    for (value, deviation) in channels {
+        let [x, y, z] = (deviation * deviation).to_array();
+        cdr.f64s(&value.to_array());
+        cdr.f64s(&[x, 0.0, 0.0, 0.0, y, 0.0, 0.0, 0.0, z]);
+    }
+}
+
 /// Writes a `tf2_msgs/TFMessage`.
 pub(super) fn transforms<'a>(cdr: &mut Cdr, transforms: impl ExactSizeIterator<Item = Transform<'a>>) {
     cdr.begin().length(transforms.len());
@@ -227,6 +244,36 @@ mod tests {
             &[0, 0, 0, 0],
             &[i, o, o].concat(),
             &[o, o, i, o].concat(),
+        ];
+        assert_eq!(cdr.bytes(), expected.concat());
+    }
+
+    #[test]
+    fn bytes_of_an_inertial_sample() {
+        let imu = RecordedImu {
+            name: "imu".to_owned(),
+            body: "b".to_owned(),
+            body_from_imu: RigidTransform::IDENTITY,
+            angular_velocity_deviation: DVec3::new(2.0, 0.0, 0.0),
+            linear_acceleration_deviation: DVec3::new(0.0, 0.0, 0.5),
+        };
+        let sample = ImuSample {
+            time: head().time,
+            angular_velocity: DVec3::new(1.0, 0.0, 0.0),
+            linear_acceleration: DVec3::new(0.0, 1.0, 0.0),
+        };
+        let mut cdr = Cdr::default();
+        super::imu(&mut cdr, head(), &sample, &imu);
+        let [i, o, none, four, quarter] = [1.0, 0.0, -1.0, 4.0, 0.25].map(f64::to_le_bytes);
+        let expected = [
+            HEAD,
+            &[0, 0], // at 18, to 16 behind the header
+            &[o, o, o, i].concat(),
+            &[none, o, o, o, o, o, o, o, o].concat(),
+            &[i, o, o].concat(),
+            &[four, o, o, o, o, o, o, o, o].concat(),
+            &[o, i, o].concat(),
+            &[o, o, o, o, o, o, o, o, quarter].concat(),
         ];
         assert_eq!(cdr.bytes(), expected.concat());
     }

@@ -54,6 +54,7 @@ mod time;
 
 use std::io;
 
+use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Camera, ImageSize, RigidTransform};
 use oaktwin_image::ImageView;
 
@@ -132,6 +133,21 @@ pub struct Body {
     pub name: String,
     /// The pose of the camera's optical frame on the body, metres.
     pub body_from_camera: RigidTransform,
+}
+
+/// An inertial sensor to record.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecordedImu {
+    /// The name, which is the first part of the names of its topic and frame.
+    pub name: String,
+    /// The name of the body that carries it, as in [`Body::name`].
+    pub body: String,
+    /// The pose of the sensor on the body, metres.
+    pub body_from_imu: RigidTransform,
+    /// The standard deviation of the white noise of a sample's angular velocity, rad/s.
+    pub angular_velocity_deviation: DVec3,
+    /// The standard deviation of the white noise of a sample's acceleration, m/s².
+    pub linear_acceleration_deviation: DVec3,
 }
 
 /// The data of a camera at one time. Images have the camera's size; measured ones that of their own camera.
@@ -221,6 +237,9 @@ pub enum RecordingError {
     /// The camera belongs to another recorder.
     #[error("the camera does not belong to this recording; add it first")]
     NoCamera,
+    /// The recording has no inertial sensor.
+    #[error("the recording has no inertial sensor; set it first")]
+    NoImu,
     /// The output cannot be written.
     #[error("cannot be written ({0})")]
     Io(#[from] io::Error),

@@ -6,6 +6,7 @@ pub(super) enum Schema {
     Image,
     CameraInfo,
     PointCloud2,
+    Imu,
     Tf,
 }
 
@@ -67,6 +68,7 @@ impl Schema {
             Self::Image => "sensor_msgs/msg/Image",
             Self::CameraInfo => "sensor_msgs/msg/CameraInfo",
             Self::PointCloud2 => "sensor_msgs/msg/PointCloud2",
+            Self::Imu => "sensor_msgs/msg/Imu",
             Self::Tf => "tf2_msgs/msg/TFMessage",
         }
     }
@@ -116,6 +118,18 @@ impl Schema {
                 ],
                 &[HEADER, TIME, POINT_FIELD],
             ),
+            Self::Imu => (
+                &[
+                    "std_msgs/Header header",
+                    "geometry_msgs/Quaternion orientation",
+                    "float64[9] orientation_covariance",
+                    "geometry_msgs/Vector3 angular_velocity",
+                    "float64[9] angular_velocity_covariance",
+                    "geometry_msgs/Vector3 linear_acceleration",
+                    "float64[9] linear_acceleration_covariance",
+                ],
+                &[HEADER, TIME, QUATERNION, VECTOR],
+            ),
             Self::Tf => (
                 &["geometry_msgs/TransformStamped[] transforms"],
                 &[TRANSFORM_STAMPED, HEADER, TIME, TRANSFORM, VECTOR, QUATERNION],
@@ -140,7 +154,13 @@ mod tests {
 
     #[test]
     fn all_types_are_defined() {
-        for schema in [Schema::Image, Schema::CameraInfo, Schema::PointCloud2, Schema::Tf] {
+        for schema in [
+            Schema::Image,
+            Schema::CameraInfo,
+            Schema::PointCloud2,
+            Schema::Imu,
+            Schema::Tf,
+        ] {
             let text = schema.text();
             for line in text.lines().filter(|line| !line.starts_with('=')) {
                 let Some((kind, _)) = line.split_once(' ') else {

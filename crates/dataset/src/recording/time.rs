@@ -47,6 +47,20 @@ impl Time {
         Self::from_seconds(seconds)
     }
 
+    /// Returns the time this number of seconds later, rounded to the nearest nanosecond.
+    ///
+    /// # Errors
+    /// Returns an error for negative seconds, and for times from 2³¹ s.
+    pub fn plus(self, seconds: f64) -> Result<Self, RecordingError> {
+        let nanoseconds = self.nanoseconds + Self::from_seconds(seconds)?.nanoseconds;
+        if nanoseconds >= (1 << 31) * SECOND {
+            return Err(RecordingError::Time {
+                seconds: nanoseconds as f64 / 1e9,
+            });
+        }
+        Ok(Self { nanoseconds })
+    }
+
     /// Returns the nanoseconds since the epoch of the clock.
     #[must_use]
     pub fn nanoseconds(self) -> u64 {
@@ -77,6 +91,12 @@ mod tests {
         for none in [-1e-9, f64::NAN, f64::INFINITY, 2_147_483_648.0] {
             assert_eq!(stamp(none), None, "{none}");
         }
+        let start = Time::from_seconds(1_700_000_000.25).unwrap();
+        assert_eq!(
+            start.plus(0.002_5).unwrap().nanoseconds(),
+            1_700_000_000_252_500_000
+        );
+        assert!(start.plus(-1.0).is_err() && start.plus(5e8).is_err());
         assert_eq!(Time::of_frame(1, 30.0).unwrap().nanoseconds(), 33_333_333);
     }
 }

@@ -30,6 +30,8 @@ pub enum Stage {
     Correlation = 5,
     /// The constant errors of a time-of-flight sensor's pixels.
     FixedPattern = 6,
+    /// The errors of an inertial sensor.
+    Inertial = 7,
     /// The positions of a projector's dots.
     Dots = 16,
 }

@@ -12,6 +12,7 @@ use oaktwin_depth::rectify::Method;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_pipeline::sensor::{OptionValue, SENSOR_OPTIONS, SensorOption, SensorOptions};
 use oaktwin_render::Backend;
+use oaktwin_robot::{Format, Mount};
 use oaktwin_scene::Up;
 use oaktwin_usd::asset::{IsaacVersion, LensChoice, Target};
 
@@ -99,11 +100,13 @@ fn names() -> String {
         ("Isaac", IsaacVersion::NAMES),
         ("Lens", LensChoice::NAMES),
         ("LensModel", &lenses),
+        ("Mount", Mount::NAMES),
         ("Offsets", oaktwin_camera::ApertureOffsets::NAMES),
         ("Parameters", &groups),
         ("Platform", Platform::NAMES),
         ("Preset", &presets),
         ("Rectify", Method::NAMES),
+        ("Robot", Format::NAMES),
         ("Role", Role::NAMES),
         ("Sensor", DepthKind::NAMES),
         ("Target", Target::NAMES),

@@ -1,9 +1,11 @@
 //! Recordings of rendered frames.
 
+use std::iter::Peekable;
 use std::path::{Path, PathBuf};
 
 use super::camera::PlacedCamera;
 use super::trajectory::TimedPose;
+use crate::imu::ImuSimulation;
 use crate::recording::{
     Body, CameraId, DepthView, Format, MeasuredCamera, Moment, RecordedCamera, RecordingError, RecordingFile,
     RecordingFileError, Time,
@@ -44,6 +46,8 @@ pub struct FrameRecorder {
     cameras: Vec<CameraId>,
     times: Vec<Time>,
     depth_points: bool,
+    /// The samples of the inertial sensor that are not recorded yet.
+    imu: Option<Peekable<ImuSimulation>>,
     written: Option<WrittenFile>,
 }
 
@@ -96,9 +100,40 @@ impl FrameRecorder {
             cameras,
             times,
             depth_points: annotators.contains(&Annotator::Pointcloud),
+            imu: None,
             written: None,
         };
         Ok((recorder, findings))
+    }
+
+    /// Adds the samples of the OAK's inertial sensor, each before the frames that follow it. Returns a finding if the format
+    /// cannot hold them.
+    pub fn add_imu(&mut self, samples: &ImuSimulation) -> Option<Finding> {
+        let file = self.file.as_mut()?;
+        if file.format() != Format::Mcap {
+            let message = "the samples of the inertial sensor are not recorded in this format";
+            return Some(Finding::new(
+                "imu-not-recorded",
+                Level::Warning,
+                "recording",
+                message,
+                "record into a .mcap file",
+            ));
+        }
+        file.set_imu(&samples.recorded("imu", BODY));
+        self.imu = Some(samples.clone().peekable());
+        None
+    }
+
+    /// Records the inertial samples until a time, or all that are left.
+    fn record_imu(&mut self, until: Option<Time>) -> Result<(), WriteError> {
+        let (Some(file), Some(samples)) = (&mut self.file, &mut self.imu) else {
+            return Ok(());
+        };
+        while let Some(sample) = samples.next_if(|sample| until.is_none_or(|time| sample.time <= time)) {
+            file.record_imu(&sample).map_err(other)?;
+        }
+        Ok(())
     }
 
     /// The recording, if it is complete.
@@ -111,8 +146,11 @@ impl Writer for FrameRecorder {
     fn write(&mut self, shot: &Shot, _output: &mut OutputFiles) -> Result<(), WriteError> {
         let time = usize::try_from(shot.number)
             .ok()
-            .and_then(|number| self.times.get(number));
-        let (Some(file), Some(&camera), Some(&time)) = (&mut self.file, self.cameras.get(shot.camera), time)
+            .and_then(|number| self.times.get(number).copied());
+        if let Some(time) = time {
+            self.record_imu(Some(time))?;
+        }
+        let (Some(file), Some(&camera), Some(time)) = (&mut self.file, self.cameras.get(shot.camera), time)
         else {
             return Ok(());
         };
@@ -129,6 +167,7 @@ impl Writer for FrameRecorder {
     }
 
     fn finish(&mut self, _output: &mut OutputFiles) -> Result<(), WriteError> {
+        self.record_imu(None)?;
         if let Some(file) = self.file.take() {
             let (path, bytes) = file.finish().map_err(other)?;
             self.written = Some(WrittenFile { path, bytes });

@@ -19,7 +19,7 @@ from . import filters
 from ._accuracy import Accuracy, accuracy
 from ._cameras import Camera, Rectification, look_at
 from ._coverage import Coverage, coverage
-from ._devices import Device, models, parameters, presets
+from ._devices import Device, models, parameters, presets, simulate_imu
 from ._findings import Error, Finding, FindingWarning
 from ._fit import Fit, fit
 from ._oaktwin import __version__, set_memory_limit
@@ -54,4 +54,5 @@ __all__ = [
     "parameters",
     "presets",
     "set_memory_limit",
+    "simulate_imu",
 ]

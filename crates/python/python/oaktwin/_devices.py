@@ -1,5 +1,5 @@
 """Devices and the names of their parameters."""
 
-from ._oaktwin import Device, _device, models, parameters, presets
+from ._oaktwin import Device, _device, models, parameters, presets, simulate_imu
 
-__all__ = ["Device", "models", "parameters", "presets"]
+__all__ = ["Device", "models", "parameters", "presets", "simulate_imu"]

@@ -1,11 +1,29 @@
+from collections.abc import Sequence
 from os import PathLike
+from pathlib import Path
 from typing import Any, Literal, final
+
+import numpy.typing as npt
 
 from ._cameras import Camera, Rectification
 from ._findings import Finding
-from ._types import _Float64, _Intrinsics, _Isaac, _Lens, _Offsets, _Parameters, _Part, _Platform, _Sensor, _Target
+from ._types import (
+    _Float64,
+    _Intrinsics,
+    _Isaac,
+    _Lens,
+    _Mount,
+    _Offsets,
+    _Parameters,
+    _Part,
+    _Platform,
+    _Robot,
+    _Sensor,
+    _Target,
+    _Up,
+)
 
-__all__ = ["Device", "models", "parameters", "presets"]
+__all__ = ["Device", "models", "parameters", "presets", "simulate_imu"]
 
 @final
 class Device:
@@ -121,6 +139,31 @@ class Device:
         Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an option that the model does not support or an unknown
         extension, OSError for files that cannot be written; incomplete files are removed.
         """
+    def export(
+        self,
+        folder: str | PathLike[str],
+        format: _Robot,
+        *,
+        name: str = "oak",
+        parent: str | None = None,
+        mount: _Mount = "cameras",
+        xyz: Sequence[float] = (0.0, 0.0, 0.0),
+        rpy: Sequence[float] = (0.0, 0.0, 0.0),
+    ) -> list[Path]:
+        """Writes a description for robots and simulators, and returns the paths of its files.
+
+        folder: the folder for the files, which is created.
+        format: "urdf", "sdf", "mjcf", "webots" or "blender".
+        name: the name of the device, which begins the names of its frames.
+        parent: the link of a robot that carries the device.
+        mount: the point of the device that is placed: "cameras" (midway between the left and the right optical centre), or the centre of
+            the housing's face "front", "back", "bottom" or "top".
+        xyz: the position of that point in the parent's frame in metres.
+        rpy: roll, pitch and yaw of the device in the parent's frame in radians.
+
+        Warns with oaktwin.FindingWarning about what the format cannot represent. Raises oaktwin.Error for an unknown format or an invalid
+        name, OSError for files that cannot be written.
+        """
     def to_ros(self) -> dict[str, str]:
         """Returns ROS's camera_info YAML: a mapping from file names to texts, one per camera.
 
@@ -129,7 +172,7 @@ class Device:
     def to_opencv(self) -> dict[str, str]:
         """Returns OpenCV's FileStorage YAML: a mapping from file names to texts, one per camera and "stereo.yml"."""
     def to_kalibr(self) -> dict[str, str]:
-        """Returns Kalibr's camchain: a mapping from a file name to its text.
+        """Returns Kalibr's camchain, and imu.yaml of the inertial sensor: a mapping from file names to texts.
 
         Warns with oaktwin.FindingWarning about information that the format cannot represent.
         """
@@ -177,3 +220,28 @@ def _device(
     catalog: str | PathLike[str] | None,
     calibration: tuple[str, str, bool] | None,
 ) -> Device: ...
+
+def simulate_imu(
+    device: Device,
+    times: npt.ArrayLike,
+    poses: npt.ArrayLike,
+    *,
+    rate: float | None = None,
+    part: str | None = None,
+    seed: int = 0,
+    up: _Up = "z",
+) -> dict[str, npt.NDArray[Any]]:
+    """Simulates the inertial sensor of a device along a trajectory, as `oaktwin render --imu` does.
+
+    times: (N,) the times of the poses in seconds, increasing; at least two.
+    poses: (N, 4, 4) world_from_body: the poses of the device's body, metres.
+    rate: the samples per second; by default 400, or what the part reports if that is less.
+    part: the inertial part, such as "BMI270"; by default the device's.
+    seed: the noise seed.
+    up: the vertical axis of the world, "z" or "y".
+
+    Returns a mapping: "timestamp" (M,) int64 nanoseconds, "angular_velocity" (M, 3) float64 rad/s and "linear_acceleration"
+    (M, 3) float64 m/s², which is +9.81 upwards at rest; both in the frame of the sensor, `device.extrinsics("imu", "body")`.
+
+    Warns with oaktwin.FindingWarning. Raises oaktwin.Error for invalid input, and for a device without an inertial sensor.
+    """

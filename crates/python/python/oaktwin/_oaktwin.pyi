@@ -12,6 +12,7 @@ from ._devices import (
     models as models,
     parameters as parameters,
     presets as presets,
+    simulate_imu as simulate_imu,
 )
 from ._findings import Error as Error, Finding as Finding, FindingWarning as FindingWarning, _finding as _finding
 from ._scenes import Mesh as Mesh, Recording as Recording, Scene as Scene, annotators as annotators
@@ -47,6 +48,7 @@ __all__ = [
     "parameters",
     "presets",
     "set_memory_limit",
+    "simulate_imu",
 ]
 
 __version__: Final[str]

@@ -34,6 +34,7 @@ _Intrinsics = Literal["zero-disparity", "free-disparity", "left-camera", "right-
 _Isaac = Literal["5.1", "6"]
 _Lens = Literal["pinhole", "fisheye"]
 _LensModel = Literal["pinhole", "opencv", "fisheye"]
+_Mount = Literal["cameras", "front", "back", "bottom", "top"]
 _Offsets = Literal["openusd", "document", "zero"]
 _Parameters = Literal["stereo-noise", "stereo-matching", "time-of-flight", "single-view", "imager", "filters"]
 _Platform = Literal["rvc2", "rvc4"]
@@ -53,6 +54,7 @@ _Preset = Literal[
     "tof-mid-range",
 ]
 _Rectify = Literal["auto", "homography", "mesh", "full"]
+_Robot = Literal["urdf", "sdf", "mjcf", "webots", "blender"]
 _Role = Literal["rgb", "left", "right", "tof"]
 _Sensor = Literal["stereo", "tof"] | str
 _Target = Literal["isaac", "ovrtx"]

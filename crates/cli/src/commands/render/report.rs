@@ -9,6 +9,7 @@ use oaktwin::render::{PlacedCamera, Written};
 use oaktwin::sensor::Sensor;
 use serde::Serialize;
 
+use super::imu::ImuReport;
 use crate::args::RenderArgs;
 use crate::context::Result;
 use crate::output;
@@ -21,6 +22,9 @@ pub(super) struct Report<'a> {
     output: Option<&'a Path>,
     /// The recording, if it is complete.
     recording: Option<WrittenFile>,
+    /// The samples of the inertial sensor, if they are requested.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    imu: Option<ImuReport>,
     /// The number of complete frames.
     frames: usize,
     #[serde(skip)]
@@ -64,7 +68,7 @@ impl<'a> Report<'a> {
         (args, output): (&'a RenderArgs, Option<&'a Path>),
         annotators: &[Annotator],
         (cameras, sensors): (&'a [PlacedCamera], &[Option<Sensor>]),
-        (written, files): (Written, Option<Vec<WrittenFile>>),
+        (written, files, imu): (Written, Option<Vec<WrittenFile>>, Option<ImuReport>),
         wanted_frames: usize,
         findings: Vec<Finding>,
         calibration_findings: Vec<Finding>,
@@ -74,6 +78,7 @@ impl<'a> Report<'a> {
             scene: &args.scene,
             output,
             recording: written.recording,
+            imu,
             frames: written.frames,
             wanted_frames,
             is_interrupted: written.is_interrupted,
@@ -128,6 +133,15 @@ impl<'a> Report<'a> {
         }
         if let Some(recording) = &self.recording {
             text += &format!("{}  {} bytes\n", recording.path.display(), recording.bytes);
+        }
+        if let Some(imu) = &self.imu {
+            text += &format!(
+                "{}  {} samples of the {} at {} Hz\n",
+                imu.file.path.display(),
+                imu.samples,
+                imu.part,
+                imu.rate_hz
+            );
         }
         output::print(&text)
     }

@@ -70,13 +70,21 @@ pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
 
 /// Whether sensor outputs are implied by other options. A sweep has its own sheet.
 fn senses(args: &RenderArgs) -> bool {
-    let is_set = args.outputs.annotators.is_empty() && args.sweep.is_empty() && args.sensor.given().is_some();
+    let is_set = args.outputs.annotators.is_empty() && args.sweep.is_empty() && given(args).is_some();
     is_set || args.writes_pair
+}
+
+/// The first option of the depth sensor that was given. The seed may be that of the inertial sensor.
+fn given(args: &RenderArgs) -> Option<String> {
+    match args.imu.imu {
+        Some(_) => args.sensor.given_but_seed(),
+        None => args.sensor.given(),
+    }
 }
 
 /// A warning about a depth sensor option without effect.
 pub(super) fn unused(args: &RenderArgs, annotators: &[Annotator]) -> Option<Finding> {
-    let option = args.sensor.given().filter(|_| args.sweep.is_empty())?;
+    let option = given(args).filter(|_| args.sweep.is_empty())?;
     let is_used = annotators.iter().any(|one| one.is_depth_sensor());
     (!is_used).then(|| {
         Finding::new(

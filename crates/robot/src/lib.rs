@@ -1,0 +1,95 @@
+//! Descriptions of an OAK for robots and simulators: URDF, SDF, MJCF, a Webots PROTO and a Blender script.
+//!
+//! A [`Description`] is what all formats share: the housing with its mass, and a frame for each camera, depth sensor and the
+//! inertial unit. A format is one module that turns it into files.
+
+mod blender;
+mod description;
+mod error;
+mod mesh;
+mod mjcf;
+mod mount;
+mod sdf;
+mod urdf;
+mod webots;
+mod xml;
+
+use std::path::{Path, PathBuf};
+
+use oaktwin_catalog::{Catalog, Twin};
+use oaktwin_diagnostic::Finding;
+use oaktwin_files::{self as files, FileError};
+use oaktwin_parameter::choice;
+
+pub use description::{CameraFrame, DepthFrame, Description, Housing, ImuFrame, Visual};
+pub use error::RobotError;
+pub use mesh::Mesh;
+pub use mount::{Attachment, Mount};
+
+choice! {
+    /// A format of robots and simulators.
+    Format {
+        /// URDF, plain and as a xacro macro, with the frames of the vendor's ROS package.
+        Urdf = "urdf",
+        /// `SDFormat` 1.9 for Gazebo.
+        Sdf = "sdf",
+        /// MJCF for `MuJoCo`.
+        Mjcf = "mjcf",
+        /// A PROTO for Webots R2023b.
+        Webots = "webots",
+        /// A Python script for Blender.
+        Blender = "blender",
+    }
+}
+
+/// Files and their findings.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Export {
+    /// The paths relative to the output folder, with `/`, and the contents.
+    pub files: Vec<(String, Vec<u8>)>,
+    /// The information that the format cannot represent.
+    pub findings: Vec<Finding>,
+}
+
+impl Export {
+    /// Writes the files into a folder, which is created, and returns their paths.
+    ///
+    /// # Errors
+    /// Returns an error if a file cannot be written.
+    pub fn write(&self, folder: &Path) -> Result<Vec<PathBuf>, FileError> {
+        let mut written = Vec::new();
+        for (name, bytes) in &self.files {
+            let path = folder.join(name);
+            files::make_folder(path.parent().unwrap_or(folder))?;
+            files::write(&path, bytes)?;
+            written.push(path);
+        }
+        Ok(written)
+    }
+
+    fn text(&mut self, path: impl Into<String>, text: String) {
+        self.files.push((path.into(), text.into_bytes()));
+    }
+}
+
+/// Describes a twin in a format. The catalog provides the noise of the inertial parts.
+///
+/// # Errors
+/// Returns an error if a name is not valid in the format.
+pub fn export(
+    catalog: &Catalog,
+    twin: &Twin,
+    attachment: &Attachment,
+    format: Format,
+) -> Result<Export, RobotError> {
+    let description = Description::new(catalog, twin, attachment)?;
+    let mut export = match format {
+        Format::Urdf => urdf::export(&description),
+        Format::Sdf => sdf::export(&description),
+        Format::Mjcf => mjcf::export(&description),
+        Format::Webots => webots::export(&description),
+        Format::Blender => blender::export(&description),
+    };
+    export.findings.splice(0..0, description.findings);
+    Ok(export)
+}

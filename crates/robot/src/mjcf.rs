@@ -1,0 +1,176 @@
+//! MJCF for `MuJoCo`: a body to attach to a robot.
+//!
+//! `principalpixel` has the sign of `MuJoCo` 4's renderer: "20 0" moves the optical axis 20 pixels to the left of the centre, so the
+//! principal point (cx, cy) from the upper left border is written as (W/2 − cx, H/2 − cy).
+
+use oaktwin_camera::RigidTransform;
+use oaktwin_camera::math::{DMat3, DQuat, DVec3};
+use oaktwin_imu::ChannelNoise;
+
+use crate::description::{CameraFrame, Description};
+use crate::xml::{Element, number, numbers};
+use crate::{Export, Housing};
+
+/// The axes of `MuJoCo`'s cameras (x right, y up, z backward) in an optical frame.
+pub(crate) const OPTICAL_FROM_OPENGL: DMat3 = DMat3::from_cols(DVec3::X, DVec3::NEG_Y, DVec3::NEG_Z);
+
+/// The rate for which the noise of samples is written, Hz.
+const IMU_RATE: f64 = 200.0;
+
+pub(crate) fn export(of: &Description) -> Export {
+    let mut export = Export::default();
+    for visual in &of.housing.visuals {
+        export.files.push((
+            format!("meshes/{}_{}.obj", of.id, visual.name),
+            visual.mesh.to_obj(),
+        ));
+    }
+    let collider = of.housing.collider.to_stl();
+    export
+        .files
+        .push((format!("meshes/{}_collider.stl", of.id), collider));
+    export.text(format!("{}.xml", of.name), model(of).document());
+    export
+}
+
+fn model(of: &Description) -> Element {
+    let mut assets = Element::new("asset");
+    for visual in &of.housing.visuals {
+        let [r, g, b] = visual.color.map(f64::from);
+        assets = assets
+            .with(
+                Element::new("mesh")
+                    .set("name", format!("{}_{}", of.name, visual.name))
+                    .set("file", format!("{}_{}.obj", of.id, visual.name))
+                    // The housing is a shell of closed parts that overlap.
+                    .set("inertia", "shell"),
+            )
+            .with(
+                Element::new("material")
+                    .set("name", format!("{}_{}", of.name, visual.name))
+                    .set("rgba", numbers([r, g, b, 1.0])),
+            );
+    }
+    let assets = assets.with(
+        Element::new("mesh")
+            .set("name", format!("{}_collider", of.name))
+            .set("file", format!("{}_collider.stl", of.id)),
+    );
+    let mut sensors = Element::new("sensor");
+    let site = format!("{}_imu", of.name);
+    if let Some(imu) = &of.imu {
+        sensors = sensors
+            .with(inertial_sensor(
+                "accelerometer",
+                "accel",
+                &site,
+                imu.accelerometer.as_ref(),
+            ))
+            .with(inertial_sensor("gyro", "gyro", &site, imu.gyroscope.as_ref()));
+    }
+    let model = Element::new("mujoco")
+        .set("model", &of.name)
+        .commented(&of.title)
+        .with(
+            Element::new("compiler")
+                .set("meshdir", "meshes")
+                .set("angle", "radian"),
+        )
+        .with(assets)
+        .with(Element::new("worldbody").with(body(of, &site)));
+    if of.imu.is_some() {
+        model.with(sensors)
+    } else {
+        model
+    }
+}
+
+fn body(of: &Description, imu_site: &str) -> Element {
+    let Housing {
+        visuals,
+        centre,
+        mass,
+        inertia,
+        ..
+    } = &of.housing;
+    let depths = of.depth_sensors.iter().map(|sensor| &sensor.camera);
+    let geom = |name: &str| {
+        Element::new("geom")
+            .set("type", "mesh")
+            .set("mesh", format!("{}_{name}", of.name))
+    };
+    let body = placed(Element::new("body").set("name", &of.name), &of.parent_from_body)
+        .with(
+            Element::new("inertial")
+                .commented("A solid cuboid with the dimensions and the mass of the device.")
+                .set("pos", numbers(centre.to_array()))
+                .set("mass", number(*mass))
+                .set(
+                    "diaginertia",
+                    inertia.to_array().map(|x| format!("{x:e}")).join(" "),
+                ),
+        )
+        .with_all(visuals.iter().map(|visual| {
+            geom(visual.name)
+                .set("material", format!("{}_{}", of.name, visual.name))
+                .set("contype", "0")
+                .set("conaffinity", "0")
+                .set("group", "2")
+        }))
+        .with(geom("collider").set("group", "3"))
+        .with_all(
+            of.cameras
+                .iter()
+                .chain(depths)
+                .map(|camera| self::camera(of, camera)),
+        );
+    match &of.imu {
+        Some(imu) => body.with(placed(
+            Element::new("site").set("name", imu_site).set("size", "0.001"),
+            &imu.body_from_imu,
+        )),
+        None => body,
+    }
+}
+
+fn camera(of: &Description, camera: &CameraFrame) -> Element {
+    let at = &camera.body_from_optical;
+    let pose = RigidTransform::new(at.rotation * OPTICAL_FROM_OPENGL, at.translation);
+    let (width, height) = camera.size();
+    let (cx, cy) = camera.centre();
+    placed(
+        Element::new("camera").set("name", format!("{}_{}", of.name, camera.role)),
+        &pose,
+    )
+    .set("resolution", numbers([width, height]))
+    .set(
+        "sensorsize",
+        numbers([width * camera.pitch, height * camera.pitch]),
+    )
+    .set(
+        "focalpixel",
+        numbers([camera.intrinsics.fx, camera.intrinsics.fy]),
+    )
+    .set("principalpixel", numbers([width / 2.0 - cx, height / 2.0 - cy]))
+}
+
+fn inertial_sensor(kind: &'static str, name: &str, site: &str, noise: Option<&ChannelNoise>) -> Element {
+    let sensor = Element::new(kind)
+        .set("name", format!("{site}_{name}"))
+        .set("site", site);
+    match noise {
+        // For information: MuJoCo adds no noise.
+        Some(noise) => {
+            let mean = (noise.density.x + noise.density.y + noise.density.z) / 3.0;
+            sensor.set("noise", format!("{:e}", mean * IMU_RATE.sqrt()))
+        }
+        None => sensor,
+    }
+}
+
+fn placed(element: Element, at: &RigidTransform) -> Element {
+    let turn = DQuat::from_mat3(&at.rotation);
+    element
+        .set("pos", numbers(at.translation.to_array()))
+        .set("quat", numbers([turn.w, turn.x, turn.y, turn.z]))
+}

@@ -1,0 +1,242 @@
+//! `SDFormat` 1.9, the newest version that Debian's parser reads, for Gazebo.
+//!
+//! A principal point counts from the border of the image, so the centre of the first pixel is at 0.5. Depth has no noise: Gazebo's is
+//! constant over distance, unlike that of a stereo camera.
+
+use oaktwin_camera::RigidTransform;
+use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_imu::ChannelNoise;
+
+use crate::description::{
+    CAMERA_FROM_OPTICAL, CameraFrame, DepthFrame, Description, ImuFrame, roll_pitch_yaw,
+};
+use crate::xml::{Element, number, numbers};
+use crate::{Export, Housing};
+
+/// The rate of images, Hz.
+const FRAME_RATE: f64 = 30.0;
+
+/// The rate of inertial samples, Hz.
+const IMU_RATE: f64 = 200.0;
+
+/// The correlation time with which Gazebo's bias is a random walk for any usual run, s.
+const CORRELATION_TIME: f64 = 1e6;
+
+pub(crate) fn export(of: &Description) -> Export {
+    let mut export = Export::default();
+    for visual in &of.housing.visuals {
+        export.files.push((
+            format!("meshes/{}_{}.obj", of.id, visual.name),
+            visual.mesh.to_obj(),
+        ));
+    }
+    let collider = of.housing.collider.to_stl();
+    export
+        .files
+        .push((format!("meshes/{}_collider.stl", of.id), collider));
+    if let Some(parent) = &of.parent {
+        export.findings.push(Finding::new(
+            "parent-ignored",
+            Level::Note,
+            "parent",
+            format!("SDF cannot name {parent}, a link of another file; the pose is that of the whole model"),
+            "include the model in the robot's, and add a fixed joint from its link",
+        ));
+    }
+    export.text("model.sdf", sdf(of).document());
+    export.text("model.config", config(of).document());
+    export
+}
+
+fn config(of: &Description) -> Element {
+    Element::new("model")
+        .with(Element::text("name", &of.title))
+        .with(Element::text("version", "1.0"))
+        .with(Element::text("sdf", "model.sdf").set("version", "1.9"))
+        .with(Element::text(
+            "description",
+            format!("{}, written by oaktwin", of.title),
+        ))
+}
+
+fn sdf(of: &Description) -> Element {
+    let depths = of.depth_sensors.iter().map(|sensor| &sensor.camera);
+    let mut frames = Vec::new();
+    for camera in of.cameras.iter().chain(depths) {
+        frames.extend(frames_of(of, camera));
+    }
+    let mut link = housing(of)
+        .with_all(of.cameras.iter().map(|camera| sensor(of, camera, "camera", None)))
+        .with_all(of.depth_sensors.iter().map(|depth| {
+            let DepthFrame { camera, range } = depth;
+            sensor(of, camera, "rgbd_camera", Some(*range))
+        }));
+    if let Some(imu) = &of.imu {
+        link = link.with(imu_sensor(of, imu));
+        let name = format!("{}_imu_frame", of.name);
+        frames.push(frame(&name, &of.name, &imu.body_from_imu));
+    }
+    Element::new("sdf").set("version", "1.9").with(
+        Element::new("model")
+            .set("name", &of.name)
+            .with(pose(&of.parent_from_body))
+            .with(link)
+            .with_all(frames),
+    )
+}
+
+fn frames_of(of: &Description, camera: &CameraFrame) -> [Element; 2] {
+    let name = format!("{}_{}_camera", of.name, camera.role);
+    let turn = RigidTransform::new(CAMERA_FROM_OPTICAL, DVec3::ZERO);
+    let camera_frame = format!("{name}_frame");
+    [
+        frame(&camera_frame, &of.name, &camera.body_from_camera()),
+        frame(&format!("{name}_optical_frame"), &camera_frame, &turn),
+    ]
+}
+
+fn frame(name: &str, attached_to: &str, at: &RigidTransform) -> Element {
+    Element::new("frame")
+        .set("name", name)
+        .set("attached_to", attached_to)
+        .with(pose(at))
+}
+
+fn housing(of: &Description) -> Element {
+    let Housing {
+        visuals,
+        centre,
+        mass,
+        inertia,
+        ..
+    } = &of.housing;
+    let mesh = |file: String| {
+        let uri = Element::text("uri", format!("meshes/{file}"));
+        Element::new("geometry").with(Element::new("mesh").with(uri))
+    };
+    let inertial = Element::new("inertial")
+        .commented("A solid cuboid with the dimensions and the mass of the device.")
+        .with(pose(&RigidTransform::new(DMat3::IDENTITY, *centre)))
+        .with(Element::text("mass", number(*mass)))
+        .with(
+            Element::new("inertia")
+                .with(Element::text("ixx", format!("{:e}", inertia.x)))
+                .with(Element::text("ixy", "0"))
+                .with(Element::text("ixz", "0"))
+                .with(Element::text("iyy", format!("{:e}", inertia.y)))
+                .with(Element::text("iyz", "0"))
+                .with(Element::text("izz", format!("{:e}", inertia.z))),
+        );
+    let visuals = visuals.iter().map(|visual| {
+        let [r, g, b] = visual.color.map(f64::from);
+        Element::new("visual")
+            .set("name", visual.name)
+            .with(mesh(format!("{}_{}.obj", of.id, visual.name)))
+            .with(
+                Element::new("material")
+                    .with(Element::text("ambient", numbers([r, g, b, 1.0])))
+                    .with(Element::text("diffuse", numbers([r, g, b, 1.0]))),
+            )
+    });
+    let collision = Element::new("collision")
+        .set("name", "housing")
+        .with(mesh(format!("{}_collider.stl", of.id)));
+    Element::new("link")
+        .set("name", &of.name)
+        .with(inertial)
+        .with_all(visuals)
+        .with(collision)
+}
+
+/// Returns the sensor of a camera, which sees along the x axis of its frame.
+fn sensor(of: &Description, camera: &CameraFrame, kind: &str, range: Option<(f64, f64)>) -> Element {
+    let name = format!("{}_{}", of.name, camera.role);
+    let (width, height) = (camera.intrinsics.size.width, camera.intrinsics.size.height);
+    let (cx, cy) = camera.centre();
+    let clip = |(near, far): (f64, f64)| {
+        Element::new("clip")
+            .with(Element::text("near", number(near)))
+            .with(Element::text("far", number(far)))
+    };
+    let intrinsics = Element::new("intrinsics")
+        .with(Element::text("fx", number(camera.intrinsics.fx)))
+        .with(Element::text("fy", number(camera.intrinsics.fy)))
+        .with(Element::text("cx", number(cx)))
+        .with(Element::text("cy", number(cy)))
+        .with(Element::text("s", "0"));
+    let mut optics = Element::new("camera")
+        .with(Element::text("horizontal_fov", number(camera.hfov())))
+        .with(
+            Element::new("image")
+                .with(Element::text("width", width.to_string()))
+                .with(Element::text("height", height.to_string()))
+                .with(Element::text("format", "R8G8B8")),
+        )
+        .with(clip(camera.clip));
+    if let Some(range) = range {
+        optics = optics.with(Element::new("depth_camera").with(clip(range)));
+    }
+    let optics = optics.with(Element::new("lens").with(intrinsics));
+    Element::new("sensor")
+        .set("name", &name)
+        .set("type", kind)
+        .with(pose(&camera.body_from_camera()))
+        .with(Element::text("always_on", "true"))
+        .with(Element::text("update_rate", number(FRAME_RATE)))
+        .with(Element::text("topic", format!("{}/{}", of.name, camera.role)))
+        .with(Element::text(
+            "gz_frame_id",
+            format!("{}_{}_camera_optical_frame", of.name, camera.role),
+        ))
+        .with(optics)
+}
+
+fn imu_sensor(of: &Description, imu: &ImuFrame) -> Element {
+    let axes = |name, noise: &Option<ChannelNoise>| {
+        let axis = |axis, density: f64, walk: f64| {
+            let mut model = Element::new("noise")
+                .set("type", "gaussian")
+                .with(Element::text("mean", "0"))
+                .with(Element::text(
+                    "stddev",
+                    format!("{:e}", density * IMU_RATE.sqrt()),
+                ));
+            if walk > 0.0 {
+                model = model
+                    .with(Element::text("dynamic_bias_stddev", format!("{walk:e}")))
+                    .with(Element::text(
+                        "dynamic_bias_correlation_time",
+                        number(CORRELATION_TIME),
+                    ));
+            }
+            Element::new(axis).with(model)
+        };
+        noise.as_ref().map(|noise| {
+            let (density, walk) = (noise.density, noise.random_walk);
+            Element::new(name)
+                .with(axis("x", density.x, walk.x))
+                .with(axis("y", density.y, walk.y))
+                .with(axis("z", density.z, walk.z))
+        })
+    };
+    let model = Element::new("imu")
+        .with_all(axes("angular_velocity", &imu.gyroscope))
+        .with_all(axes("linear_acceleration", &imu.accelerometer));
+    Element::new("sensor")
+        .set("name", format!("{}_imu", of.name))
+        .set("type", "imu")
+        .commented("The standard deviations are those of single samples: noise density times the square root of the rate.")
+        .with(pose(&imu.body_from_imu))
+        .with(Element::text("always_on", "true"))
+        .with(Element::text("update_rate", number(IMU_RATE)))
+        .with(Element::text("topic", format!("{}/imu/data", of.name)))
+        .with(Element::text("gz_frame_id", format!("{}_imu_frame", of.name)))
+        .with(model)
+}
+
+fn pose(pose: &RigidTransform) -> Element {
+    let angles = roll_pitch_yaw(&pose.rotation);
+    let values = pose.translation.to_array().into_iter().chain(angles.to_array());
+    Element::text("pose", numbers(values))
+}

@@ -1,0 +1,186 @@
+//! URDF with the frames of the vendor's ROS package (luxonis/depthai-ros, `depthai_descriptions`): `oak`, `oak_left_camera_frame`,
+//! `oak_left_camera_optical_frame`, `oak_imu_frame`. Beside them, each depth sensor has a frame: that of its rectified camera.
+
+use oaktwin_camera::RigidTransform;
+use oaktwin_camera::math::{DMat3, DVec3};
+
+use crate::description::{CAMERA_FROM_OPTICAL, CameraFrame, Description, roll_pitch_yaw};
+use crate::xml::{Element, number, numbers};
+use crate::{Export, Housing};
+
+/// The parts of names and paths that differ between the plain file and the macro.
+struct Names<'a> {
+    device: &'a str,
+    meshes: &'a str,
+}
+
+pub(crate) fn export(of: &Description) -> Export {
+    let mut export = Export::default();
+    for visual in &of.housing.visuals {
+        export.files.push((
+            format!("meshes/{}_{}.obj", of.id, visual.name),
+            visual.mesh.to_obj(),
+        ));
+    }
+    let collider = of.housing.collider.to_stl();
+    export
+        .files
+        .push((format!("meshes/{}_collider.stl", of.id), collider));
+    export.text(format!("{}.urdf", of.name), plain(of));
+    export.text(format!("{}.urdf.xacro", of.id), xacro(of));
+    export
+}
+
+fn plain(of: &Description) -> String {
+    let names = Names {
+        device: &of.name,
+        meshes: "meshes",
+    };
+    let mut robot = Element::new("robot").set("name", &of.name).commented(&of.title);
+    if let Some(parent) = &of.parent {
+        robot = robot
+            .with(Element::new("link").set("name", parent))
+            .with(attached(&names, parent, origin(&of.parent_from_body)));
+    }
+    robot.with_all(links(of, &names)).document()
+}
+
+fn xacro(of: &Description) -> String {
+    let names = Names {
+        device: "${name}",
+        meshes: "${meshes}",
+    };
+    let macro_of_model = Element::new("xacro:macro")
+        .set("name", &of.id)
+        .set("params", format!("parent *origin name:={} meshes:=meshes", of.name))
+        .commented(format!(
+            "{}: the origin is the pose of the camera frame in the parent link; `meshes` is the folder of the meshes, such as \
+             package://my_robot/meshes.",
+            of.title
+        ))
+        .with(attached(
+            &names,
+            "${parent}",
+            Element::new("xacro:insert_block").set("name", "origin"),
+        ))
+        .with_all(links(of, &names));
+    Element::new("robot")
+        .set("xmlns:xacro", "http://www.ros.org/wiki/xacro")
+        .with(macro_of_model)
+        .document()
+}
+
+/// Returns the joint to the parent.
+fn attached(names: &Names<'_>, parent: &str, origin: Element) -> Element {
+    joint(
+        &format!("{}_center_joint", names.device),
+        parent,
+        names.device,
+        origin,
+    )
+}
+
+fn links(of: &Description, names: &Names<'_>) -> Vec<Element> {
+    let device = names.device;
+    let model = format!("{device}_model_origin");
+    let mut links = vec![
+        Element::new("link").set("name", device),
+        housing(of, names).set("name", &model),
+        joint(
+            &format!("{model}_joint"),
+            device,
+            &model,
+            origin(&RigidTransform::IDENTITY),
+        ),
+    ];
+    let depths = of.depth_sensors.iter().map(|sensor| &sensor.camera);
+    for camera in of.cameras.iter().chain(depths) {
+        links.extend(camera_links(camera, device));
+    }
+    if let Some(imu) = &of.imu {
+        let frame = format!("{device}_imu_frame");
+        links.push(Element::new("link").set("name", &frame));
+        links.push(joint(
+            &format!("{device}_imu_joint"),
+            device,
+            &frame,
+            origin(&imu.body_from_imu),
+        ));
+    }
+    links
+}
+
+/// Returns the frames of a camera and of its image.
+fn camera_links(camera: &CameraFrame, device: &str) -> [Element; 4] {
+    let name = format!("{device}_{}_camera", camera.role);
+    let (frame, optical) = (format!("{name}_frame"), format!("{name}_optical_frame"));
+    let turn = RigidTransform::new(CAMERA_FROM_OPTICAL, DVec3::ZERO);
+    [
+        Element::new("link").set("name", &frame),
+        joint(
+            &format!("{name}_joint"),
+            device,
+            &frame,
+            origin(&camera.body_from_camera()),
+        ),
+        Element::new("link").set("name", &optical),
+        joint(&format!("{name}_optical_joint"), &frame, &optical, origin(&turn)),
+    ]
+}
+
+/// Returns the link with the meshes and the mass, without a name.
+fn housing(of: &Description, names: &Names<'_>) -> Element {
+    let Housing {
+        visuals,
+        centre,
+        mass,
+        inertia,
+        ..
+    } = &of.housing;
+    let mesh = |file: String| {
+        let file = format!("{}/{file}", names.meshes);
+        Element::new("geometry").with(Element::new("mesh").set("filename", file))
+    };
+    let inertial = Element::new("inertial")
+        .commented("A solid cuboid with the dimensions and the mass of the device.")
+        .with(origin(&RigidTransform::new(DMat3::IDENTITY, *centre)))
+        .with(Element::new("mass").set("value", number(*mass)))
+        .with(
+            Element::new("inertia")
+                .set("ixx", format!("{:e}", inertia.x))
+                .set("ixy", "0")
+                .set("ixz", "0")
+                .set("iyy", format!("{:e}", inertia.y))
+                .set("iyz", "0")
+                .set("izz", format!("{:e}", inertia.z)),
+        );
+    let visuals = visuals.iter().map(|visual| {
+        let [r, g, b] = visual.color.map(f64::from);
+        Element::new("visual")
+            .with(mesh(format!("{}_{}.obj", of.id, visual.name)))
+            .with(
+                Element::new("material")
+                    .set("name", format!("{}_{}", names.device, visual.name))
+                    .with(Element::new("color").set("rgba", numbers([r, g, b, 1.0]))),
+            )
+    });
+    Element::new("link")
+        .with(inertial)
+        .with_all(visuals)
+        .with(Element::new("collision").with(mesh(format!("{}_collider.stl", of.id))))
+}
+
+fn joint(name: &str, parent: &str, child: &str, origin: Element) -> Element {
+    Element::new("joint")
+        .set("name", name)
+        .set("type", "fixed")
+        .with(Element::new("parent").set("link", parent))
+        .with(Element::new("child").set("link", child))
+        .with(origin)
+}
+
+fn origin(pose: &RigidTransform) -> Element {
+    Element::new("origin")
+        .set("xyz", numbers(pose.translation.to_array()))
+        .set("rpy", numbers(roll_pitch_yaw(&pose.rotation).to_array()))
+}
