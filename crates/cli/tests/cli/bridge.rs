@@ -28,8 +28,16 @@ fn what_makes_no_sense_is_rejected() {
 #[test]
 fn wrong_environments_are_rejected() {
     for (name, value, expected) in [
-        ("ROS_DOMAIN_ID", "300", "error: ROS_DOMAIN_ID: unsupported value '300'; set a number from 0 to 232\n"),
-        ("ROS_LOCALHOST_ONLY", "yes", "error: ROS_LOCALHOST_ONLY: unsupported value 'yes'; set 0 or 1\n"),
+        (
+            "ROS_DOMAIN_ID",
+            "300",
+            "error: ROS_DOMAIN_ID: unsupported value '300'; set a number from 0 to 232\n",
+        ),
+        (
+            "ROS_LOCALHOST_ONLY",
+            "yes",
+            "error: ROS_LOCALHOST_ONLY: unsupported value 'yes'; set 0 or 1\n",
+        ),
     ] {
         let program = Program::new();
         let arguments = ["bridge", "--model", "OAK-D-Pro-PoE", "--depth", "/camera/depth"];
