@@ -15,14 +15,9 @@ pub enum BridgeError {
     },
     /// The name of a topic or namespace is invalid.
     #[error(
-        "{name}: is not a name of ROS ({what}); write letters, digits and underscores between slashes, such as /camera/depth/image_raw"
+        "{0}: is not a name of ROS; write letters, digits and underscores between slashes, such as /camera/depth/image_raw"
     )]
-    Name {
-        /// The name.
-        name: String,
-        /// What is wrong.
-        what: String,
-    },
+    Name(String),
     /// Two topics have the same name.
     #[error("{0}: the bridge would subscribe to what it publishes; choose another name")]
     Loop(String),

@@ -56,10 +56,7 @@ impl RosNode {
         }
         let participant = participant.build().map_err(|error| failed(&error))?;
         let context = Context::from_domain_participant(participant).map_err(|error| failed(&error))?;
-        let name = NodeName::new("/", &options.node).map_err(|error| BridgeError::Name {
-            name: options.node.clone(),
-            what: format!("{error:?}"),
-        })?;
+        let name = NodeName::new("/", &options.node).map_err(|_| BridgeError::Name(options.node.clone()))?;
         let node_options = node_options(filter, wanted);
         let mut node = context
             .new_node(name, node_options)

@@ -89,10 +89,7 @@ fn whole(name: &str) -> Result<String, BridgeError> {
     let absolute = format!("/{}", name.strip_prefix('/').unwrap_or(name));
     match Name::parse(&absolute) {
         Ok(_) => Ok(absolute),
-        Err(error) => Err(BridgeError::Name {
-            name: name.chars().take(80).collect(),
-            what: format!("{error:?}"),
-        }),
+        Err(_) => Err(BridgeError::Name(name.chars().take(80).collect())),
     }
 }
 

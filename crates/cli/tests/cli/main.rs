@@ -5,6 +5,8 @@
 mod accuracy;
 mod assets;
 mod bad_input;
+#[cfg(feature = "bridge")]
+mod bridge;
 mod coverage;
 mod every_model;
 mod export;
