@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import shutil
 import subprocess
 import xml.etree.ElementTree as ET
 from pathlib import Path
@@ -278,3 +279,30 @@ def test_mujocos_renderer_has_the_principal_point(exports: Exports) -> None:
     # The export writes W/2 - cx and H/2 - cy.
     assert x.mean() + 0.5 == pytest.approx(640 - 30, abs=0.1)
     assert y.mean() + 0.5 == pytest.approx(400 + 20, abs=0.1)
+
+
+def test_the_same_oak_on_the_same_arm(exports: Exports, tmp_path: Path) -> None:
+    """The example in three formats, in the posture of the USD file."""
+    model, arm = "OAK-D Pro PoE", tmp_path / "arm"
+    shutil.copytree(Path(__file__).parents[2] / "examples/robots", arm)
+    for to in ("urdf", "mjcf"):
+        shutil.copytree(exports(model, to), arm / "oak", dirs_exist_ok=True)
+    subprocess.run([exports.program, "asset", model, "-o", arm / "oak/"], check=True, capture_output=True)
+    angles = np.radians([-20.0, 35.0, 0.0])
+
+    described = mujoco.MjModel.from_xml_path(str(arm / "arm.xml"))
+    data = mujoco.MjData(described)
+    data.qpos[:] = angles
+    mujoco.mj_forward(described, data)
+    places = [data.cam_xpos[described.camera("oak_left").id]]
+
+    (arm / "arm.urdf").write_text(xacro.process_file(str(arm / "arm.urdf.xacro")).toxml())
+    robot = yourdfpy.URDF.load(str(arm / "arm.urdf"))
+    robot.update_cfg(angles)
+    places.append(robot.get_transform("oak_left_camera_optical_frame", "base")[:3, 3])
+
+    stage = Usd.Stage.Open(str(arm / "arm.usda"))
+    [camera] = [prim for prim in stage.Traverse() if prim.GetName() == "Camera_left_ov9282"]
+    places.append(np.array(UsdGeom.Xformable(camera).ComputeLocalToWorldTransform(0).ExtractTranslation()))
+    assert places[0] == pytest.approx(places[1], abs=1e-7)
+    assert places[2] == pytest.approx(places[1], abs=1e-7)
