@@ -77,7 +77,7 @@ fn large_textures_are_reduced() {
     let command =
         "render blue.obj --model oak4-d --look-at -2 0 1 0 0 0 --annotators rgb -o out --resolution 64x40";
     let mut arguments: Vec<&str> = command.split(' ').collect();
-    arguments.extend(["--memory-limit", "100M"]);
+    arguments.extend(["--memory-limit", "120M"]);
     let ended = program.run(&arguments);
     assert_eq!(ended.code, 0, "{}", ended.stderr);
     let message = "warning[texture-reduced]: large.png: the texture is reduced from 6000 × 6000 to 3000 × 3000 pixels: ";
