@@ -82,7 +82,7 @@ class Device:
     @property
     def cameras(self) -> dict[str, Camera]:
         """The cameras by role: "rgb", "left", "right", "tof"."""
-    def depth_camera(self, sensor: _Sensor | None = None) -> Camera:
+    def depth_camera(self, sensor: _Sensor | str | None = None) -> Camera:
         """Returns the camera of a depth sensor's images: a pinhole with the depth sensor's clipping range. That of a calibrated
         stereo pair is the device's rectified left camera, as `StereoMatcher` has: rotated, and on RVC2 with the right camera's K.
 

@@ -89,7 +89,7 @@ class DepthSensor:
         cls,
         device: Device,
         *,
-        sensor: _Sensor | None = None,
+        sensor: _Sensor | str | None = None,
         fx: float | None = None,
         hfov_deg: float | None = None,
         camera: Camera | None = None,
