@@ -9,7 +9,6 @@ use oaktwin::catalog::{Origin, Role, Twin};
 use oaktwin::diagnostic::{self, suggest};
 use oaktwin::render::{OakOptions, check_lens, oak_cameras};
 use oaktwin::report::DeviceReport;
-use oaktwin::robot::Attachment;
 use oaktwin::sensor::depth_sensor;
 use oaktwin::unit;
 use oaktwin::usd::asset::LensChoice;
@@ -26,6 +25,7 @@ use crate::json;
 use crate::models::Models;
 use crate::pose::rows;
 use crate::rectification::Rectification;
+use crate::robot;
 
 /// A digital twin of a depth camera: the nominal device of a model, or one unit by its calibration.
 ///
@@ -391,20 +391,14 @@ impl Device {
         xyz: [f64; 3],
         rpy: [f64; 3],
     ) -> PyResult<Vec<PathBuf>> {
-        let format = named("format", format)?;
-        let attachment = Attachment {
-            name: name.to_owned(),
-            parent,
-            mount: named("mount", mount)?,
-            parent_from_mount: Attachment::pose(xyz, rpy).map_err(error)?,
-        };
-        let made =
-            oaktwin::robot::export(self.models.get(), &self.twin, &attachment, format).map_err(error)?;
-        let written = py
-            .detach(|| made.write(&folder))
-            .map_err(|error| writing(&folder, &error))?;
-        finding::warn(py, &made.findings)?;
-        Ok(written)
+        let at = robot::attachment(name, parent, mount, (xyz, rpy))?;
+        robot::write(
+            py,
+            (self.models.get(), &self.twin),
+            &at,
+            named("format", format)?,
+            &folder,
+        )
     }
 
     /// Returns ROS's camera_info YAML: a mapping from file names to texts, one per camera.

@@ -35,6 +35,7 @@ mod pose;
 mod projection;
 mod recording;
 mod rectification;
+mod robot;
 mod scene;
 mod sensor;
 mod settings;
