@@ -372,12 +372,12 @@ impl Device {
     /// parent: the link of a robot that carries the device.
     /// mount: the point of the device that is placed: "cameras" (midway between the left and the right optical centre), or the centre of
     ///     the housing's face "front", "back", "bottom" or "top".
-    /// xyz: the position of that point in the parent's frame in metres.
-    /// rpy: roll, pitch and yaw of the device in the parent's frame in radians.
+    /// xyz: the position of that point in the parent's frame in metres; by default its origin.
+    /// rpy: roll, pitch and yaw of the device in the parent's frame in radians; by default 0.
     ///
     /// Warns with oaktwin.FindingWarning about what the format cannot represent. Raises oaktwin.Error for an unknown format or an invalid
     /// name, OSError for files that cannot be written.
-    #[pyo3(signature = (folder, format, *, name = "oak", parent = None, mount = "cameras", xyz = [0.0; 3], rpy = [0.0; 3]))]
+    #[pyo3(signature = (folder, format, *, name = "oak", parent = None, mount = "cameras", xyz = None, rpy = None))]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
     #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
     fn export(
@@ -388,8 +388,8 @@ impl Device {
         name: &str,
         parent: Option<String>,
         mount: &str,
-        xyz: [f64; 3],
-        rpy: [f64; 3],
+        xyz: Option<[f64; 3]>,
+        rpy: Option<[f64; 3]>,
     ) -> PyResult<Vec<PathBuf>> {
         let at = robot::attachment(name, parent, mount, (xyz, rpy))?;
         robot::write(

@@ -13,13 +13,14 @@ pub(crate) fn attachment(
     name: &str,
     parent: Option<String>,
     mount: &str,
-    (xyz, rpy): ([f64; 3], [f64; 3]),
+    (xyz, rpy): (Option<[f64; 3]>, Option<[f64; 3]>),
 ) -> PyResult<Attachment> {
     Ok(Attachment {
         name: name.to_owned(),
         parent,
         mount: named("mount", mount)?,
-        parent_from_mount: Attachment::pose(xyz, rpy).map_err(error)?,
+        parent_from_mount: Attachment::pose(xyz.unwrap_or_default(), rpy.unwrap_or_default())
+            .map_err(error)?,
     })
 }
 

@@ -4,10 +4,7 @@ use oaktwin_diagnostic::{message, opt};
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RobotError {
     /// A name that formats would not accept.
-    #[error(
-        "{}: {name:?} {problem}; use letters, digits and underscores, beginning with a letter",
-        opt(option)
-    )]
+    #[error("{}: '{name}' {problem}", message![opt(option)])]
     Name {
         /// The option.
         option: &'static str,

@@ -38,7 +38,7 @@ pub(crate) fn export(of: &Description) -> Export {
     if let Some(parent) = &of.parent {
         export.findings.push(Finding::new(
             "parent-ignored",
-            Level::Note,
+            Level::Warning,
             "parent",
             format!("SDF cannot name {parent}, a link of another file; the pose is that of the whole model"),
             "include the model in the robot's, and add a fixed joint from its link",

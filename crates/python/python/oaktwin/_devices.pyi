@@ -91,7 +91,8 @@ class Device:
     @property
     def depth_sensors(self) -> dict[str, dict[str, Any]]:
         """The parameters of the depth sensors by kind ("stereo", "tof"; further stereo pairs by prim), with the catalog's names, which
-        include units."""
+        include units.
+        """
     def extrinsics(self, source: _Part, target: _Part) -> _Float64:
         """(4, 4) float64, target_from_source: takes points in the frame of one part to that of another, metres.
 
@@ -147,8 +148,8 @@ class Device:
         name: str = "oak",
         parent: str | None = None,
         mount: _Mount = "cameras",
-        xyz: Sequence[float] = (0.0, 0.0, 0.0),
-        rpy: Sequence[float] = (0.0, 0.0, 0.0),
+        xyz: Sequence[float] | None = None,
+        rpy: Sequence[float] | None = None,
     ) -> list[Path]:
         """Writes a description for robots and simulators, and returns the paths of its files.
 
@@ -158,8 +159,8 @@ class Device:
         parent: the link of a robot that carries the device.
         mount: the point of the device that is placed: "cameras" (midway between the left and the right optical centre), or the centre of
             the housing's face "front", "back", "bottom" or "top".
-        xyz: the position of that point in the parent's frame in metres.
-        rpy: roll, pitch and yaw of the device in the parent's frame in radians.
+        xyz: the position of that point in the parent's frame in metres; by default its origin.
+        rpy: roll, pitch and yaw of the device in the parent's frame in radians; by default 0.
 
         Warns with oaktwin.FindingWarning about what the format cannot represent. Raises oaktwin.Error for an unknown format or an invalid
         name, OSError for files that cannot be written.
