@@ -22,8 +22,8 @@ def test_findings_and_errors(device, tmp_path):
     for wrong, match in [
         ({"format": "urd"}, "urdf"),
         ({"format": "urdf", "mount": "side"}, "mount"),
-        ({"format": "urdf", "name": "4 oaks"}, "name=: '4 oaks' does not begin with a letter"),
-        ({"format": "urdf", "xyz": (0, float("nan"), 0)}, "xyz=: must be finite"),
+        ({"format": "urdf", "name": "4 oaks"}, "name: '4 oaks' does not begin with a letter"),
+        ({"format": "urdf", "xyz": (0, float("nan"), 0)}, "xyz: must be finite"),
     ]:
         with pytest.raises(oaktwin.Error, match=match):
             device.export(tmp_path / "none", **wrong)
