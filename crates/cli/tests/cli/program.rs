@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Output, Stdio};
-use std::thread::sleep;
+use std::thread::{self, JoinHandle, sleep};
 use std::time::{Duration, Instant};
 
 /// The calibration that ships with the project.
@@ -115,6 +115,9 @@ impl Program {
         let mut command = self.command(arguments);
         let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn();
         let mut running = Running(child.unwrap());
+        // Read meanwhile: a program that fills a pipe waits, and ends before it has written everything.
+        let stdout = read_all(running.0.stdout.take().unwrap());
+        let stderr = read_all(running.0.stderr.take().unwrap());
         running.wait_until(|child| {
             assert_eq!(child.try_wait().unwrap(), None, "ended before it was interrupted");
             is_time(self)
@@ -125,14 +128,11 @@ impl Program {
             assert!(kill.unwrap().success());
         }
         running.wait_until(|child| child.try_wait().unwrap().is_some());
-        let [mut stdout, mut stderr] = [Vec::new(), Vec::new()];
-        running.0.stdout.take().unwrap().read_to_end(&mut stdout).unwrap();
-        running.0.stderr.take().unwrap().read_to_end(&mut stderr).unwrap();
         let status = running.0.wait().unwrap();
         self.ended(&Output {
             status,
-            stdout,
-            stderr,
+            stdout: stdout.join().unwrap(),
+            stderr: stderr.join().unwrap(),
         })
     }
 
@@ -177,6 +177,16 @@ fn code(status: ExitStatus) -> i32 {
         return -signal;
     }
     status.code().unwrap_or(i32::MIN)
+}
+
+/// Reads a stream to its end in a thread.
+#[cfg(unix)]
+fn read_all(mut from: impl Read + Send + 'static) -> JoinHandle<Vec<u8>> {
+    thread::spawn(move || {
+        let mut bytes = Vec::new();
+        from.read_to_end(&mut bytes).unwrap();
+        bytes
+    })
 }
 
 /// A process that is killed when the test ends, however it ends.
