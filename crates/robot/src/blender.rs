@@ -16,13 +16,7 @@ use crate::xml::number;
 const HEAD: &str = include_str!("blender.py");
 
 pub(crate) fn export(of: &Description) -> Export {
-    let mut export = Export::default();
-    for visual in &of.housing.visuals {
-        export.files.push((
-            format!("meshes/{}_{}.obj", of.id, visual.name),
-            visual.mesh.to_obj(),
-        ));
-    }
+    let mut export = Export::with_visuals(of);
     export.text(format!("{}_blender.py", of.name), script(of));
     export
 }
@@ -37,13 +31,14 @@ fn script(of: &Description) -> String {
         let [r, g, b] = visual.color;
         let _ = writeln!(
             data,
-            "    (\"meshes/{}_{}.obj\", ({r}, {g}, {b}, 1.0), {}, {}),",
-            of.id, visual.name, visual.metallic, visual.roughness
+            "    (\"meshes/{}\", ({r}, {g}, {b}, 1.0), {}, {}),",
+            of.visual_file(visual),
+            visual.metallic,
+            visual.roughness
         );
     }
     let _ = writeln!(data, "]\nCAMERAS = {{");
-    let depths = of.depth_sensors.iter().map(|sensor| &sensor.camera);
-    for camera in of.cameras.iter().chain(depths) {
+    for camera in of.all_cameras() {
         let _ = writeln!(data, "    {}: {},", quoted(&camera.role), values(camera));
     }
     data.push_str("}\n");

@@ -37,6 +37,9 @@ pub struct Description {
     pub findings: Vec<Finding>,
 }
 
+/// The rate for which the noise of inertial samples is written, Hz.
+pub(crate) const IMU_RATE: f64 = 200.0;
+
 /// A housing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Housing {
@@ -175,6 +178,22 @@ impl Description {
             imu: imu(catalog, twin, &mut findings),
             findings,
         })
+    }
+
+    /// Returns the cameras and those of the depth sensors.
+    pub(crate) fn all_cameras(&self) -> impl Iterator<Item = &CameraFrame> {
+        let depths = self.depth_sensors.iter().map(|sensor| &sensor.camera);
+        self.cameras.iter().chain(depths)
+    }
+
+    /// Returns the name of the file of a visible mesh.
+    pub(crate) fn visual_file(&self, visual: &Visual) -> String {
+        format!("{}_{}.obj", self.id, visual.name)
+    }
+
+    /// Returns the name of the file of the collider.
+    pub(crate) fn collider_file(&self) -> String {
+        format!("{}_collider.stl", self.id)
     }
 }
 

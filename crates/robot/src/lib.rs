@@ -67,6 +67,24 @@ impl Export {
         Ok(written)
     }
 
+    /// Creates an export with the visible meshes, which all formats share.
+    fn with_visuals(of: &Description) -> Self {
+        let visuals = of.housing.visuals.iter();
+        Self {
+            files: visuals
+                .map(|visual| (format!("meshes/{}", of.visual_file(visual)), visual.mesh.to_obj()))
+                .collect(),
+            findings: Vec::new(),
+        }
+    }
+
+    /// Adds the collider's mesh.
+    fn with_collider(mut self, of: &Description) -> Self {
+        let path = format!("meshes/{}", of.collider_file());
+        self.files.push((path, of.housing.collider.to_stl()));
+        self
+    }
+
     fn text(&mut self, path: impl Into<String>, text: String) {
         self.files.push((path.into(), text.into_bytes()));
     }

@@ -7,28 +7,15 @@ use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DMat3, DQuat, DVec3};
 use oaktwin_imu::ChannelNoise;
 
-use crate::description::{CameraFrame, Description};
+use crate::description::{CameraFrame, Description, IMU_RATE};
 use crate::xml::{Element, number, numbers};
 use crate::{Export, Housing};
 
 /// The axes of `MuJoCo`'s cameras (x right, y up, z backward) in an optical frame.
 pub(crate) const OPTICAL_FROM_OPENGL: DMat3 = DMat3::from_cols(DVec3::X, DVec3::NEG_Y, DVec3::NEG_Z);
 
-/// The rate for which the noise of samples is written, Hz.
-const IMU_RATE: f64 = 200.0;
-
 pub(crate) fn export(of: &Description) -> Export {
-    let mut export = Export::default();
-    for visual in &of.housing.visuals {
-        export.files.push((
-            format!("meshes/{}_{}.obj", of.id, visual.name),
-            visual.mesh.to_obj(),
-        ));
-    }
-    let collider = of.housing.collider.to_stl();
-    export
-        .files
-        .push((format!("meshes/{}_collider.stl", of.id), collider));
+    let mut export = Export::with_visuals(of).with_collider(of);
     export.text(format!("{}.xml", of.name), model(of).document());
     export
 }
@@ -41,7 +28,7 @@ fn model(of: &Description) -> Element {
             .with(
                 Element::new("mesh")
                     .set("name", format!("{}_{}", of.name, visual.name))
-                    .set("file", format!("{}_{}.obj", of.id, visual.name))
+                    .set("file", of.visual_file(visual))
                     // The housing is a shell of closed parts that overlap.
                     .set("inertia", "shell"),
             )
@@ -54,7 +41,7 @@ fn model(of: &Description) -> Element {
     let assets = assets.with(
         Element::new("mesh")
             .set("name", format!("{}_collider", of.name))
-            .set("file", format!("{}_collider.stl", of.id)),
+            .set("file", of.collider_file()),
     );
     let mut sensors = Element::new("sensor");
     let site = format!("{}_imu", of.name);
@@ -93,7 +80,6 @@ fn body(of: &Description, imu_site: &str) -> Element {
         inertia,
         ..
     } = &of.housing;
-    let depths = of.depth_sensors.iter().map(|sensor| &sensor.camera);
     let geom = |name: &str| {
         Element::new("geom")
             .set("type", "mesh")
@@ -118,12 +104,7 @@ fn body(of: &Description, imu_site: &str) -> Element {
                 .set("group", "2")
         }))
         .with(geom("collider").set("group", "3"))
-        .with_all(
-            of.cameras
-                .iter()
-                .chain(depths)
-                .map(|camera| self::camera(of, camera)),
-        );
+        .with_all(of.all_cameras().map(|camera| self::camera(of, camera)));
     match &of.imu {
         Some(imu) => body.with(placed(
             Element::new("site").set("name", imu_site).set("size", "0.001"),
@@ -161,7 +142,7 @@ fn inertial_sensor(kind: &'static str, name: &str, site: &str, noise: Option<&Ch
     match noise {
         // For information: MuJoCo adds no noise.
         Some(noise) => {
-            let mean = (noise.density.x + noise.density.y + noise.density.z) / 3.0;
+            let mean = noise.density.element_sum() / 3.0;
             sensor.set("noise", format!("{:e}", mean * IMU_RATE.sqrt()))
         }
         None => sensor,

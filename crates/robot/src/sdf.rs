@@ -9,7 +9,7 @@ use oaktwin_diagnostic::{Finding, Level};
 use oaktwin_imu::ChannelNoise;
 
 use crate::description::{
-    CAMERA_FROM_OPTICAL, CameraFrame, DepthFrame, Description, ImuFrame, roll_pitch_yaw,
+    CAMERA_FROM_OPTICAL, CameraFrame, DepthFrame, Description, IMU_RATE, ImuFrame, roll_pitch_yaw,
 };
 use crate::xml::{Element, number, numbers};
 use crate::{Export, Housing};
@@ -17,24 +17,11 @@ use crate::{Export, Housing};
 /// The rate of images, Hz.
 const FRAME_RATE: f64 = 30.0;
 
-/// The rate of inertial samples, Hz.
-const IMU_RATE: f64 = 200.0;
-
 /// The correlation time with which Gazebo's bias is a random walk for any usual run, s.
 const CORRELATION_TIME: f64 = 1e6;
 
 pub(crate) fn export(of: &Description) -> Export {
-    let mut export = Export::default();
-    for visual in &of.housing.visuals {
-        export.files.push((
-            format!("meshes/{}_{}.obj", of.id, visual.name),
-            visual.mesh.to_obj(),
-        ));
-    }
-    let collider = of.housing.collider.to_stl();
-    export
-        .files
-        .push((format!("meshes/{}_collider.stl", of.id), collider));
+    let mut export = Export::with_visuals(of).with_collider(of);
     if let Some(parent) = &of.parent {
         export.findings.push(Finding::new(
             "parent-ignored",
@@ -61,9 +48,8 @@ fn config(of: &Description) -> Element {
 }
 
 fn sdf(of: &Description) -> Element {
-    let depths = of.depth_sensors.iter().map(|sensor| &sensor.camera);
     let mut frames = Vec::new();
-    for camera in of.cameras.iter().chain(depths) {
+    for camera in of.all_cameras() {
         frames.extend(frames_of(of, camera));
     }
     let mut link = housing(of)
@@ -132,7 +118,7 @@ fn housing(of: &Description) -> Element {
         let [r, g, b] = visual.color.map(f64::from);
         Element::new("visual")
             .set("name", visual.name)
-            .with(mesh(format!("{}_{}.obj", of.id, visual.name)))
+            .with(mesh(of.visual_file(visual)))
             .with(
                 Element::new("material")
                     .with(Element::text("ambient", numbers([r, g, b, 1.0])))
@@ -141,7 +127,7 @@ fn housing(of: &Description) -> Element {
     });
     let collision = Element::new("collision")
         .set("name", "housing")
-        .with(mesh(format!("{}_collider.stl", of.id)));
+        .with(mesh(of.collider_file()));
     Element::new("link")
         .set("name", &of.name)
         .with(inertial)
@@ -194,14 +180,11 @@ fn sensor(of: &Description, camera: &CameraFrame, kind: &str, range: Option<(f64
 
 fn imu_sensor(of: &Description, imu: &ImuFrame) -> Element {
     let axes = |name, noise: &Option<ChannelNoise>| {
-        let axis = |axis, density: f64, walk: f64| {
+        let axis = |axis, deviation: f64, walk: f64| {
             let mut model = Element::new("noise")
                 .set("type", "gaussian")
                 .with(Element::text("mean", "0"))
-                .with(Element::text(
-                    "stddev",
-                    format!("{:e}", density * IMU_RATE.sqrt()),
-                ));
+                .with(Element::text("stddev", format!("{deviation:e}")));
             if walk > 0.0 {
                 model = model
                     .with(Element::text("dynamic_bias_stddev", format!("{walk:e}")))
@@ -213,11 +196,11 @@ fn imu_sensor(of: &Description, imu: &ImuFrame) -> Element {
             Element::new(axis).with(model)
         };
         noise.as_ref().map(|noise| {
-            let (density, walk) = (noise.density, noise.random_walk);
+            let (deviation, walk) = (noise.sample_deviation(IMU_RATE), noise.random_walk);
             Element::new(name)
-                .with(axis("x", density.x, walk.x))
-                .with(axis("y", density.y, walk.y))
-                .with(axis("z", density.z, walk.z))
+                .with(axis("x", deviation.x, walk.x))
+                .with(axis("y", deviation.y, walk.y))
+                .with(axis("z", deviation.z, walk.z))
         })
     };
     let model = Element::new("imu")

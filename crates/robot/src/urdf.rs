@@ -15,17 +15,7 @@ struct Names<'a> {
 }
 
 pub(crate) fn export(of: &Description) -> Export {
-    let mut export = Export::default();
-    for visual in &of.housing.visuals {
-        export.files.push((
-            format!("meshes/{}_{}.obj", of.id, visual.name),
-            visual.mesh.to_obj(),
-        ));
-    }
-    let collider = of.housing.collider.to_stl();
-    export
-        .files
-        .push((format!("meshes/{}_collider.stl", of.id), collider));
+    let mut export = Export::with_visuals(of).with_collider(of);
     export.text(format!("{}.urdf", of.name), plain(of));
     export.text(format!("{}.urdf.xacro", of.id), xacro(of));
     export
@@ -93,8 +83,7 @@ fn links(of: &Description, names: &Names<'_>) -> Vec<Element> {
             origin(&RigidTransform::IDENTITY),
         ),
     ];
-    let depths = of.depth_sensors.iter().map(|sensor| &sensor.camera);
-    for camera in of.cameras.iter().chain(depths) {
+    for camera in of.all_cameras() {
         links.extend(camera_links(camera, device));
     }
     if let Some(imu) = &of.imu {
@@ -156,18 +145,16 @@ fn housing(of: &Description, names: &Names<'_>) -> Element {
         );
     let visuals = visuals.iter().map(|visual| {
         let [r, g, b] = visual.color.map(f64::from);
-        Element::new("visual")
-            .with(mesh(format!("{}_{}.obj", of.id, visual.name)))
-            .with(
-                Element::new("material")
-                    .set("name", format!("{}_{}", names.device, visual.name))
-                    .with(Element::new("color").set("rgba", numbers([r, g, b, 1.0]))),
-            )
+        Element::new("visual").with(mesh(of.visual_file(visual))).with(
+            Element::new("material")
+                .set("name", format!("{}_{}", names.device, visual.name))
+                .with(Element::new("color").set("rgba", numbers([r, g, b, 1.0]))),
+        )
     });
     Element::new("link")
         .with(inertial)
         .with_all(visuals)
-        .with(Element::new("collision").with(mesh(format!("{}_collider.stl", of.id))))
+        .with(Element::new("collision").with(mesh(of.collider_file())))
 }
 
 fn joint(name: &str, parent: &str, child: &str, origin: Element) -> Element {

@@ -16,15 +16,8 @@ use crate::{Export, Housing, Mesh};
 const VISIBLE_SHIFT_PX: f64 = 0.05;
 
 pub(crate) fn export(of: &Description) -> Export {
-    let mut export = Export::default();
-    for visual in &of.housing.visuals {
-        export.files.push((
-            format!("meshes/{}_{}.obj", of.id, visual.name),
-            visual.mesh.to_obj(),
-        ));
-    }
-    let depths = of.depth_sensors.iter().map(|sensor| &sensor.camera);
-    for camera in of.cameras.iter().chain(depths) {
+    let mut export = Export::with_visuals(of);
+    for camera in of.all_cameras() {
         export.findings.extend(lost(camera));
     }
     let name = proto_name(&of.id);
@@ -126,12 +119,11 @@ fn proto(of: &Description, name: &str) -> String {
 fn shape(of: &Description, visual: &Visual) -> String {
     format!(
         "      Shape {{\n        appearance PBRAppearance {{\n          baseColor {}\n          metalness {}\n          roughness {}\n        \
-         }}\n        geometry Mesh {{ url \"meshes/{}_{}.obj\" }}\n      }}\n",
+         }}\n        geometry Mesh {{ url \"meshes/{}\" }}\n      }}\n",
         numbers(visual.color.map(f64::from)),
         visual.metallic,
         visual.roughness,
-        of.id,
-        visual.name
+        of.visual_file(visual)
     )
 }
 
