@@ -30,6 +30,15 @@ impl<L: Lanes> Vector<L> {
     }
 
     #[inline(always)]
+    pub(crate) fn load([x, y, z]: &[[f32; 8]; 3]) -> Self {
+        Self {
+            x: L::load(x),
+            y: L::load(y),
+            z: L::load(z),
+        }
+    }
+
+    #[inline(always)]
     pub(crate) fn store(self, [x, y, z]: &mut [[f32; 8]; 3]) {
         self.x.store(x);
         self.y.store(y);

@@ -11,6 +11,7 @@ use super::lamp::Lamp;
 use super::occlusion::{LampSamples, Light, Occlusion, Place, Shares};
 use super::pattern::{PERIOD, Pattern};
 use super::surfaces::Packet;
+use super::tiles::{TILE, in_tiles};
 use crate::ray::Stack;
 use crate::rays::Rays;
 use crate::{View, Visibility};
@@ -116,11 +117,15 @@ impl<'a> Sampler<'a> {
         let lamp_rows = TILE as usize / 2 * row_length.div_ceil(2);
         rows.zip(lamp_samples.pixels_mut().par_chunks_mut(lamp_rows))
             .for_each_init(Stack::new, |stack, ((light, samples), lamp_samples)| {
-                for (place, sample) in in_tiles(samples, row_length) {
-                    let [x, y] = place;
-                    let Some(light) = light.get_mut(y as usize * row_length + x as usize) else {
+                let rows = (0..TILE).take(samples.len() / row_length);
+                for [x, y] in in_tiles(width, rows) {
+                    let index = y as usize * row_length + x as usize;
+                    let (Some(sample), Some(light)) = (samples.get(index), light.get_mut(index)) else {
                         continue;
                     };
+                    if sample.per_tolerance == 0.0 {
+                        continue;
+                    }
                     let cell = Pattern::cell(x, y);
                     let half = y as usize / 2 * row_length.div_ceil(2) + x as usize / 2;
                     if x % 2 == 0
@@ -258,22 +263,6 @@ impl Coarse {
             sky: sky / weights,
         })
     }
-}
-
-/// The rows and columns of a tile, whose rays meet mostly the same surfaces: a multiple of the pattern's tiles.
-const TILE: u32 = 16;
-
-/// Returns the samples of a strip of rows that see a surface, tile by tile, with their columns and rows in the strip.
-fn in_tiles(strip: &[Sample], row_length: usize) -> impl Iterator<Item = ([u32; 2], &Sample)> {
-    let tiles = (0..row_length).step_by(TILE as usize);
-    tiles.flat_map(move |left| {
-        (strip.chunks(row_length).zip(0..)).flat_map(move |(row, y)| {
-            let columns = row.iter().zip(0..).skip(left).take(TILE as usize);
-            columns
-                .filter(|(sample, _)| sample.per_tolerance != 0.0)
-                .map(move |(sample, x)| ([x, y], sample))
-        })
-    })
 }
 
 /// Stores the surfaces of a packet in a row of samples, and clears the packet.

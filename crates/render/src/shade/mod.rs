@@ -22,6 +22,7 @@ mod surfaces;
 #[cfg(test)]
 mod tests;
 mod textures;
+mod tiles;
 mod tone;
 
 use std::sync::Arc;
@@ -47,6 +48,7 @@ use self::reflect::{Facet, Facets, Radiance};
 use self::rig::{LightRig, WHITE, luminance};
 use self::surfaces::{Found, Packet, lane_of};
 use self::textures::Textures;
+use self::tiles::{TILE, in_tiles};
 use self::tone::Encoder;
 use crate::ray::{RayCaster, Stack};
 use crate::rays::Rays;
@@ -269,18 +271,6 @@ impl Shader {
             .chain(findings.into_iter().flatten())
             .collect()
     }
-}
-
-/// The rows and columns of a tile. Its pixels see mostly the same surfaces, which therefore stay in the cache.
-const TILE: u32 = 16;
-
-/// Returns the columns and rows of some rows, tile by tile.
-fn in_tiles(width: u32, rows: impl Iterator<Item = u32> + Clone) -> impl Iterator<Item = [u32; 2]> {
-    (0..width).step_by(TILE as usize).flat_map(move |left| {
-        let columns = left..(left + TILE).min(width);
-        rows.clone()
-            .flat_map(move |y| columns.clone().map(move |x| [x, y]))
-    })
 }
 
 /// The reused memory of a thread.

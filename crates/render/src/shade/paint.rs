@@ -6,7 +6,7 @@ use oaktwin_simd::Level;
 
 use super::filter::{Footprints, Wraps};
 use super::pyramid::Pyramid;
-use super::surfaces::{Columns, Found, Spot, corners_of, lane_of};
+use super::surfaces::{Columns, Found, Spot, corner_values, lane_of};
 use super::textures::Textures;
 
 /// The linear colour of surfaces without one: a perceptual middle grey.
@@ -91,7 +91,7 @@ impl<'a> Paint<'a> {
         let factor = self.base_color.unwrap_or(Vec3::ONE);
         if let Some((used, pyramid)) = &self.texture {
             // Without texture coordinates the mean of the texture is used.
-            return match corners_of(mesh.uvs.as_ref(), mesh, triangle) {
+            return match corner_values(mesh.uvs.as_ref(), mesh, triangle) {
                 Some(corners) => Fill::Texture(footprint(used, corners, spot)),
                 None => Fill::Color(self.tinted(pyramid.mean().into())),
             };
@@ -99,7 +99,7 @@ impl<'a> Paint<'a> {
         if self.is_texture_missing {
             return Fill::Color(factor * GREY);
         }
-        Fill::Color(match corners_of(mesh.colors.as_ref(), mesh, triangle) {
+        Fill::Color(match corner_values(mesh.colors.as_ref(), mesh, triangle) {
             Some([a, b, c]) => {
                 let (a, b, c) = (Vec3::from(a), Vec3::from(b), Vec3::from(c));
                 let color = a + (b - a) * spot.at[0] + (c - a) * spot.at[1];

@@ -93,9 +93,9 @@ impl LaneKernel for Radiance<'_> {
             film,
         } = self;
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
-        let point = load::<L>(&facets.point);
-        let normal = load::<L>(&facets.normal);
-        let color = load::<L>(&facets.color);
+        let point = Vector::<L>::load(&facets.point);
+        let normal = Vector::<L>::load(&facets.normal);
+        let color = Vector::<L>::load(&facets.color);
         let (metallic, roughness) = (L::load(&facets.metallic), L::load(&facets.roughness));
         let ambient = L::load(&facets.ambient);
         let length = point.dot(point).sqrt().max(L::splat(f32::MIN_POSITIVE));
@@ -137,7 +137,7 @@ impl LaneKernel for Radiance<'_> {
         let sent =
             (times(color * (one - metallic), lambert) + shine.glossy * direct + times(all_around, reflected))
                 * L::splat(rig.exposure)
-                + load(&facets.emissive);
+                + Vector::load(&facets.emissive);
         let mut out = [[0.0; 8]; 3];
         exposed(film, sent).store(&mut out);
         out
@@ -274,15 +274,6 @@ impl<L: Lanes> Shine<L> {
         let white = Vector::splat([1.0; 3]);
         let fresnel = self.straight + (white - self.straight) * grazing;
         (a2 / below, fresnel)
-    }
-}
-
-#[inline(always)]
-fn load<L: Lanes>([x, y, z]: &[[f32; 8]; 3]) -> Vector<L> {
-    Vector {
-        x: L::load(x),
-        y: L::load(y),
-        z: L::load(z),
     }
 }
 

@@ -289,7 +289,11 @@ fn near_one(matrix: DMat3) -> [Vec3; 3] {
 
 /// Interpolates the values of a triangle's corners; `None` if the attribute has too few.
 #[inline]
-pub(super) fn corners_of<T: Copy>(of: Option<&Attribute<T>>, mesh: &Mesh, triangle: u32) -> Option<[T; 3]> {
+pub(super) fn corner_values<T: Copy>(
+    of: Option<&Attribute<T>>,
+    mesh: &Mesh,
+    triangle: u32,
+) -> Option<[T; 3]> {
     let triangle = triangle as usize;
     of?.corners(triangle, *mesh.triangles.get(triangle)?)
 }

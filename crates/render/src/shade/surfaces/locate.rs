@@ -4,7 +4,7 @@ use glam::Vec3;
 use oaktwin_camera::math::DAffine3;
 use oaktwin_simd::{F64Lanes, LaneKernel, Lanes};
 
-use super::{Columns, Pixels, Placed, Surfaces};
+use super::{Pixels, Placed, Surfaces};
 use crate::ray::Vector;
 
 /// Finds where rays meet triangles.
@@ -27,7 +27,7 @@ impl LaneKernel for Locate<'_, '_> {
             surfaces,
         } = self;
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
-        let ray = turned::<L>(world_from_camera, load(&pixels.rays));
+        let ray = turned::<L>(world_from_camera, Vector::load(&pixels.rays));
         let triangle = Triangle::<L>::new(placed, &pixels.vertices);
         let distance = L::load(&pixels.distances);
         let from_plane = triangle.corner.dot(triangle.normal) / ray.dot(triangle.normal);
@@ -51,7 +51,7 @@ impl LaneKernel for Locate<'_, '_> {
         let mut normal = flat;
         if placed.has_normals {
             let [na, nb, nc] = &pixels.normals;
-            let between = load::<L>(na) * a + load::<L>(nb) * b + load::<L>(nc) * c;
+            let between = Vector::<L>::load(na) * a + Vector::<L>::load(nb) * b + Vector::<L>::load(nc) * c;
             let smooth = turned::<L>(&placed.from_normal, between);
             let length = smooth.dot(smooth).sqrt();
             let is_sane = L::splat(TINY).lt(length) & length.lt(L::splat(f32::INFINITY));
@@ -60,7 +60,7 @@ impl LaneKernel for Locate<'_, '_> {
         normal.store(&mut surfaces.normal);
         let ray_height = ray.dot(triangle.normal);
         for (step, out) in pixels.steps.iter().zip(&mut surfaces.steps) {
-            let step = turned::<L>(world_from_camera, load(step));
+            let step = turned::<L>(world_from_camera, Vector::load(step));
             let height = step.dot(triangle.normal);
             let next_height = ray_height + height;
             // The next ray r + s meets the plane at d (r + s) (r·n) / (r·n + s·n).
@@ -135,15 +135,6 @@ fn narrow<L: Lanes>([x, y, z]: [L::F64; 3]) -> Vector<L> {
         x: L::narrow(x),
         y: L::narrow(y),
         z: L::narrow(z),
-    }
-}
-
-#[inline(always)]
-fn load<L: Lanes>([x, y, z]: &Columns) -> Vector<L> {
-    Vector {
-        x: L::load(x),
-        y: L::load(y),
-        z: L::load(z),
     }
 }
 
