@@ -392,13 +392,8 @@ impl Device {
         rpy: Option<[f64; 3]>,
     ) -> PyResult<Vec<PathBuf>> {
         let at = robot::attachment(name, parent, mount, (xyz, rpy))?;
-        robot::write(
-            py,
-            (self.models.get(), &self.twin),
-            &at,
-            named("format", format)?,
-            &folder,
-        )
+        let format = named("format", format)?;
+        robot::write(py, (self.models.get(), &self.twin), &at, format, &folder)
     }
 
     /// Returns ROS's camera_info YAML: a mapping from file names to texts, one per camera.

@@ -86,11 +86,7 @@ fn sense_options(args: &BridgeArgs, prim: String) -> Result<SenseOptions> {
         sensor: args.engine.options()?,
         depth_sensor: Some(prim),
         input_kind: Some(args.input_kind),
-        field_of_view: match (args.fx, args.hfov) {
-            (Some(fx), _) => FieldOfView::FocalLength(fx),
-            (None, Some(hfov)) => FieldOfView::Degrees(hfov),
-            (None, None) => FieldOfView::Known,
-        },
+        field_of_view: FieldOfView::given(args.fx, args.hfov),
         resample: args.resample,
         lens: args.unit.lens,
         ..SenseOptions::default()

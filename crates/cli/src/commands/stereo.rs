@@ -99,11 +99,7 @@ fn twin(context: &Context, args: &StereoArgs) -> Result<Option<(Twin, Vec<Findin
 fn pair_of<'a>(args: &StereoArgs, twin: Option<&'a Twin>) -> Result<PairOf<'a>> {
     let platform = args.platform;
     let Some(twin) = twin else {
-        let field_of_view = match (args.fx, args.hfov) {
-            (Some(fx), _) => FieldOfView::FocalLength(fx),
-            (None, Some(hfov)) => FieldOfView::Degrees(hfov),
-            (None, None) => FieldOfView::Known,
-        };
+        let field_of_view = FieldOfView::given(args.fx, args.hfov);
         let (Some(baseline_m), true) = (args.baseline, field_of_view != FieldOfView::Known) else {
             return Err(
                 "the cameras are unknown; set --calibration FILE, --model MODEL, or --fx F (or --hfov D) and --baseline METRES \

@@ -21,6 +21,18 @@ pub enum FieldOfView {
     Camera(Camera),
 }
 
+impl FieldOfView {
+    /// Returns a focal length in pixels or, without it, a horizontal field of view in degrees, if one of them is given.
+    #[must_use]
+    pub fn given(fx: Option<f64>, hfov_deg: Option<f64>) -> Self {
+        match (fx, hfov_deg) {
+            (Some(fx), _) => Self::FocalLength(fx),
+            (None, Some(hfov)) => Self::Degrees(hfov),
+            (None, None) => Self::Known,
+        }
+    }
+}
+
 /// The camera that depth is aligned to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AlignTo {

@@ -13,12 +13,10 @@ pub(super) fn field_of_view(
     hfov_deg: Option<f64>,
     camera: Option<&Camera>,
 ) -> PyResult<FieldOfView> {
-    let said = match (fx, hfov_deg) {
-        (None, None) => FieldOfView::Known,
-        (Some(fx), None) => FieldOfView::FocalLength(fx),
-        (None, Some(hfov)) => FieldOfView::Degrees(hfov),
-        _ => return Err(wrong("fx, hfov_deg", "both say the same", "give one")),
-    };
+    if fx.is_some() && hfov_deg.is_some() {
+        return Err(wrong("fx, hfov_deg", "both say the same", "give one"));
+    }
+    let said = FieldOfView::given(fx, hfov_deg);
     let Some(camera) = camera.map(|camera| camera.camera) else {
         return Ok(said);
     };

@@ -18,11 +18,7 @@ pub(super) fn options(args: &SenseArgs) -> Result<SenseOptions> {
         depth_sensor: args.sensor.clone(),
         input_kind: args.input_kind,
         depth_scale: args.depth_scale,
-        field_of_view: match (args.fx, args.hfov) {
-            (Some(fx), _) => FieldOfView::FocalLength(fx),
-            (None, Some(hfov)) => FieldOfView::Degrees(hfov),
-            (None, None) => FieldOfView::Known,
-        },
+        field_of_view: FieldOfView::given(args.fx, args.hfov),
         resample: args.resample,
         is_sequence: args.sequence,
         lens: args.unit.lens,
