@@ -81,7 +81,7 @@ pub fn run(
                 receive(subscriptions, &mailbox, &lost, &is_receiver_over)
             })
             .map_err(|error| BridgeError::Node(error.to_string()))?;
-        let (mut looked, mut told) = (started, started);
+        let (mut looked, mut reported) = (started, started);
         while !is_over() && !receiver.is_finished() {
             reporter.findings(lines.try_iter().filter_map(|line| set(&node, &line)));
             bridge.set(&wanted, &mut reporter);
@@ -93,8 +93,8 @@ pub fn run(
                 looked = now;
                 bridge.look(now, &mut reporter);
             }
-            if now.duration_since(told) >= STATUS {
-                told = now;
+            if now.duration_since(reported) >= STATUS {
+                reported = now;
                 (reporter.report)(Event::Status(bridge.status()));
             }
         }
@@ -242,7 +242,7 @@ impl Bridge<'_> {
             None => (self.node.publishers(&self.topics.depth), self.node.image_topics()),
             Some(_) => (1, Vec::new()),
         };
-        // What the bridge publishes is no input.
+        // The bridge's own output must not be suggested as an input.
         let images: Vec<String> = images
             .into_iter()
             .filter(|name| *name != self.topics.image_out)

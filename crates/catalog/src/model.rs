@@ -103,7 +103,8 @@ pub struct Device {
     pub data_source: Option<String>,
     /// The body.
     pub body: Body,
-    /// The inertial unit; absent if the device has none or no source states its pose. A note on the topic `imu` says which.
+    /// The inertial unit. It is absent if the device has none, or if no source states its pose; a note with the topic `imu` explains
+    /// which of the two applies.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub imu: Option<Imu>,
     /// The infrared dot projector, if the device has one.

@@ -1,6 +1,7 @@
 use oaktwin_camera::math::DVec3;
 
-/// The errors of an accelerometer (m/s²) or a gyroscope (rad/s), per axis of the inertial sensor's frame. 0 is no error.
+/// The errors of an accelerometer (m/s²) or a gyroscope (rad/s), per axis of the inertial sensor's frame. An error of 0 is
+/// not simulated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChannelNoise {
     /// The density of the white noise, unit/√Hz: a sample has the standard deviation density · √rate.
