@@ -163,7 +163,7 @@ impl Catalog {
     pub(crate) fn with_files(mut self, files: &[SourceFile<'_>]) -> Result<Self, CatalogError> {
         let documents = files
             .iter()
-            .map(|source| Document::parse(source.file, source.text))
+            .map(|source| Document::parse(source.file, source.text, "a sensor or a device"))
             .collect::<Result<Vec<_>, _>>()?;
         let (devices, parts): (Vec<_>, Vec<_>) = documents.iter().partition(|d| is_device(d));
         let (parts, sensors): (Vec<_>, Vec<_>) = parts.into_iter().partition(|d| is_inertial_part(d));

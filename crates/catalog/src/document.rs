@@ -9,28 +9,33 @@ use toml::de::{DeTable, DeValue, Deserializer};
 
 use crate::CatalogError;
 
-/// One parsed file.
-pub(crate) struct Document<'a> {
+/// A TOML file with the lines of its keys.
+#[derive(Debug)]
+pub struct Document<'a> {
     file: &'a Path,
     text: &'a str,
     table: Spanned<DeTable<'a>>,
 }
 
 impl<'a> Document<'a> {
-    pub(crate) fn parse(file: &'a Path, text: &'a str) -> Result<Self, CatalogError> {
+    /// Parses a file; `subject` names its contents in errors (`a sensor or a device`).
+    ///
+    /// # Errors
+    /// Returns an error if the file is empty, binary or not TOML.
+    pub fn parse(file: &'a Path, text: &'a str, subject: &str) -> Result<Self, CatalogError> {
         let error = |line, problem: &str, remedy: &str| CatalogError::new(file, line, problem, remedy);
         if text.contains('\0') {
             return Err(error(
                 None,
                 "the file is binary",
-                "pass a TOML file of a sensor or a device",
+                &format!("pass a TOML file of {subject}"),
             ));
         }
         if text.trim().is_empty() {
             return Err(error(
                 None,
                 "the file is empty",
-                "describe a sensor or a device in it",
+                &format!("describe {subject} in it"),
             ));
         }
         match DeTable::parse(text) {
@@ -43,12 +48,17 @@ impl<'a> Document<'a> {
         }
     }
 
-    pub(crate) fn has(&self, key: &str) -> bool {
+    /// Whether the file has a key at its top level.
+    #[must_use]
+    pub fn has(&self, key: &str) -> bool {
         self.table.get_ref().contains_key(key)
     }
 
     /// Rejects NaN and infinite numbers.
-    pub(crate) fn check_finite(&self) -> Result<(), CatalogError> {
+    ///
+    /// # Errors
+    /// Returns an error at the line of such a number.
+    pub fn check_finite(&self) -> Result<(), CatalogError> {
         // The parser bounds the depth, and so this recursion.
         fn walk(value: &Spanned<DeValue<'_>>) -> Option<usize> {
             match value.get_ref() {
@@ -72,7 +82,11 @@ impl<'a> Document<'a> {
         }
     }
 
-    pub(crate) fn deserialize<T: DeserializeOwned>(&self) -> Result<T, CatalogError> {
+    /// Returns the contents.
+    ///
+    /// # Errors
+    /// Returns an error at the line of an unknown key, or of a value of another type.
+    pub fn deserialize<T: DeserializeOwned>(&self) -> Result<T, CatalogError> {
         self.check_finite()?;
         T::deserialize(Deserializer::from(self.table.clone())).map_err(|cause| {
             let line = cause.span().map(|span| line_at(self.text, span.start));
@@ -82,17 +96,14 @@ impl<'a> Document<'a> {
     }
 
     /// Creates an error at `place`, a path of keys and indices such as `camera.0.hfov_deg`.
-    pub(crate) fn error(
-        &self,
-        place: &str,
-        problem: impl Into<String>,
-        remedy: impl Into<String>,
-    ) -> CatalogError {
+    #[must_use]
+    pub fn error(&self, place: &str, problem: impl Into<String>, remedy: impl Into<String>) -> CatalogError {
         CatalogError::new(self.file, self.line_of(place), problem, remedy)
     }
 
     /// Whether the file has a value at `place`.
-    pub(crate) fn contains(&self, place: &str) -> bool {
+    #[must_use]
+    pub fn contains(&self, place: &str) -> bool {
         let mut segments = place.split('.');
         let first = segments.next().and_then(|key| self.table.get_ref().get(key));
         first.is_some_and(|value| {

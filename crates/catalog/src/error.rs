@@ -3,7 +3,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-/// An error in a catalog file.
+/// An error in a TOML file: of a catalog, or of a recipe.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub struct CatalogError {
     /// The file or folder.

@@ -35,6 +35,7 @@ mod twin;
 pub use catalog::Catalog;
 pub use choose::{DepthFilter, UnknownMaker};
 pub use compare::{Table, compare};
+pub use document::Document;
 pub use error::{CatalogError, UnknownModel};
 pub use model::{
     Accelerometer, Accuracy, AccuracyBand, AccuracyHeadline, Body, BodyShape, Camera, DepthKind, DepthSensor,

@@ -1,11 +1,12 @@
 use std::path::PathBuf;
 
+use oaktwin_diagnostic::Finding;
 use oaktwin_files::OutputFiles;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::file::write_all;
 use crate::listing::list;
-use crate::{Options, Shot, WriteError, Writer, json};
+use crate::{Format, Options, Records, Shot, WriteError, json};
 
 /// The layout of Replicator's `BasicWriter` 0.0.2: names, types, shapes and keys.
 ///
@@ -36,17 +37,13 @@ use crate::{Options, Shot, WriteError, Writer, json};
 #[derive(Clone, Debug, Default)]
 pub struct BasicWriter {
     options: Options,
-    has_metadata: bool,
 }
 
 impl BasicWriter {
     /// Creates a writer.
     #[must_use]
     pub fn new(options: Options) -> Self {
-        Self {
-            options,
-            has_metadata: false,
-        }
+        Self { options }
     }
 
     fn path(&self, shot: &Shot, annotator: &str, name: &str, extension: &str) -> PathBuf {
@@ -59,20 +56,27 @@ impl BasicWriter {
     }
 }
 
-impl Writer for BasicWriter {
-    fn write(&mut self, shot: &Shot, output: &mut OutputFiles) -> Result<(), WriteError> {
-        if !std::mem::replace(&mut self.has_metadata, true) {
-            // The colon within the last key is `BasicWriter`'s own.
-            let metadata = json::encode(&json!({
-                "name": "BasicWriter",
-                "version": "0.0.2",
-                "replicator_global_seed:": self.options.seed,
-            }));
-            output.write("metadata.txt".as_ref(), &metadata)?;
-        }
+impl Format for BasicWriter {
+    fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
         let files = list(shot, &self.options).into_iter();
         let files = files.map(|file| (self.path(shot, file.folder, &file.name, file.extension), file));
-        write_all(&files.collect::<Vec<_>>(), output)
+        write_all(&files.collect::<Vec<_>>(), output)?;
+        Ok(Value::Null)
+    }
+
+    fn finish(
+        &self,
+        _records: &mut Records<'_>,
+        output: &mut OutputFiles,
+    ) -> Result<Vec<Finding>, WriteError> {
+        // The colon within the last key is `BasicWriter`'s own.
+        let metadata = json::encode(&json!({
+            "name": "BasicWriter",
+            "version": "0.0.2",
+            "replicator_global_seed:": self.options.seed,
+        }));
+        output.write("metadata.txt".as_ref(), &metadata)?;
+        Ok(Vec::new())
     }
 }
 
@@ -94,7 +98,7 @@ mod tests {
     use std::path::Path;
 
     use super::*;
-    use crate::Extras;
+    use crate::{Extras, FormatWriter, Writer};
     use oaktwin_image::annotation::{
         Box2d, Boxes2d, Frame, Labels, PointCloud, ReasonLabel, Reasons, Segmentation, SemanticSegmentation,
     };
@@ -162,7 +166,7 @@ mod tests {
     fn written(options: Options, shot: &Shot) -> Vec<(String, Vec<u8>)> {
         let folder = tempfile::tempdir().unwrap();
         let mut output = OutputFiles::in_folder(folder.path()).unwrap();
-        BasicWriter::new(options).write(shot, &mut output).unwrap();
+        BasicWriter::new(options).frame(shot, &mut output).unwrap();
         let name = |path: &Path| path.strip_prefix(folder.path()).unwrap().display().to_string();
         let files = output.files().iter();
         let files = files.map(|file| (name(&file.path), fs::read(&file.path).unwrap()));
@@ -314,12 +318,13 @@ mod tests {
     fn writes_metadata_once() {
         let folder = tempfile::tempdir().unwrap();
         let mut output = OutputFiles::in_folder(folder.path()).unwrap();
-        let mut writer = BasicWriter::default();
+        let mut writer = FormatWriter::new(Box::new(BasicWriter::default()));
         for number in 0..2 {
             writer
                 .write(&Shot::new(Frame::default(), number), &mut output)
                 .unwrap();
         }
+        writer.finish(&mut output).unwrap();
         assert_eq!(output.files().len(), 1);
         assert_eq!(
             fs::read(folder.path().join("metadata.txt")).unwrap(),
@@ -357,7 +362,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let mut output = OutputFiles::in_folder(folder.path()).unwrap();
         let error = BasicWriter::new(options)
-            .write(&Shot::new(frame(), 0), &mut output)
+            .frame(&Shot::new(frame(), 0), &mut output)
             .unwrap_err();
         assert_eq!(
             error.to_string(),

@@ -1,5 +1,6 @@
 use std::path::{Path, PathBuf};
 
+use oaktwin_diagnostic::Message;
 use oaktwin_files::OutputFiles;
 use oaktwin_image::npy::{self, Element};
 use oaktwin_image::{CodecError, Image};
@@ -27,6 +28,16 @@ pub enum DatasetError {
         path: String,
         /// The first such id.
         id: u32,
+    },
+    /// The frame lacks something that the format requires.
+    #[error("{format} requires {what}; {remedy}")]
+    Missing {
+        /// The format.
+        format: &'static str,
+        /// What the frame lacks.
+        what: &'static str,
+        /// What to do.
+        remedy: Message,
     },
 }
 

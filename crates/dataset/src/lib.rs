@@ -1,10 +1,10 @@
 //! Writers of data sets: the layout of Replicator's `BasicWriter`, files named after an input, and recordings.
 //!
-//! A [`Writer`] receives one [`Shot`] after the other and writes it into [`OutputFiles`](oaktwin_files::OutputFiles). To add
-//! a layout, implement the trait and add a row to [`LAYOUTS`].
+//! A [`Writer`] receives one [`Shot`] after the other and writes it into [`OutputFiles`](oaktwin_files::OutputFiles). A [`Format`]
+//! writes frames in any order; to add one, implement the trait and add a row to [`FORMATS`].
 //!
 //! ```
-//! use oaktwin_dataset::{BasicWriter, Options, Shot, Writer};
+//! use oaktwin_dataset::{BasicWriter, FormatWriter, Options, Shot, Writer};
 //! use oaktwin_files::OutputFiles;
 //! use oaktwin_image::{Image, ZDepth, annotation::Frame};
 //!
@@ -15,7 +15,7 @@
 //!     ..Frame::default()
 //! };
 //! let mut output = OutputFiles::in_folder(folder)?;
-//! let mut writer = BasicWriter::new(Options::default());
+//! let mut writer = FormatWriter::new(Box::new(BasicWriter::new(Options::default())));
 //! writer.write(&Shot::new(frame, 7), &mut output)?;
 //! writer.finish(&mut output)?;
 //! assert!(folder.join("distance_to_image_plane_0007.npy").exists());
@@ -29,11 +29,13 @@ mod cloud;
 pub mod euroc;
 mod file;
 mod flat;
+mod formats;
 mod imu;
 mod json;
 mod listing;
 mod matrices;
 mod normals;
+mod object;
 mod options;
 pub mod recording;
 mod segmentation;
@@ -44,7 +46,9 @@ pub use basic_writer::BasicWriter;
 pub use camera_params::{CameraParams, View};
 pub use file::DatasetError;
 pub use flat::FlatWriter;
+pub use formats::{FORMATS, FormatKind, Needs};
 pub use imu::ImuSample;
+pub use object::{Mask, Model, Object, StereoImages};
 pub use options::{Extras, Options};
 pub use shot::{CloudAxes, InputName, Layer, LayerData, Shot};
-pub use writer::{LAYOUTS, Layout, WriteError, Writer};
+pub use writer::{Format, FormatWriter, Records, WriteError, Writer};

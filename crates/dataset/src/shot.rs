@@ -6,7 +6,7 @@ use oaktwin_image::annotation::Frame;
 use oaktwin_image::{CodecError, Image};
 use oaktwin_parameter::choice;
 
-use crate::CameraParams;
+use crate::{CameraParams, Object, StereoImages, View};
 
 /// One camera's frame on its way to the writers.
 #[derive(Debug)]
@@ -19,6 +19,18 @@ pub struct Shot {
     pub camera_params: Option<CameraParams>,
     /// The parameters of the camera that the depth sensor's outputs are images of, if they are to be written.
     pub sensor_params: Option<CameraParams>,
+    /// The camera and its pose, for layouts that describe them.
+    pub view: Option<View>,
+    /// The camera that the depth sensor's outputs are images of, and its pose.
+    pub sensor_view: Option<View>,
+    /// The objects whose poses layouts describe.
+    pub objects: Vec<Object>,
+    /// The stereo pair, for layouts that have one.
+    pub stereo: Option<StereoImages>,
+    /// The number of the sequence that the frame belongs to: frames of one scene.
+    pub sequence: u64,
+    /// The time within the sequence, nanoseconds.
+    pub time_ns: u64,
     /// The index of the camera.
     pub camera: usize,
     /// The frame number, from 0.
@@ -41,6 +53,12 @@ impl Shot {
             layers: Vec::new(),
             camera_params: None,
             sensor_params: None,
+            view: None,
+            sensor_view: None,
+            objects: Vec::new(),
+            stereo: None,
+            sequence: 0,
+            time_ns: 0,
             camera: 0,
             number,
             world_from_mount: RigidTransform::IDENTITY,

@@ -1,8 +1,10 @@
 use std::error::Error;
 
+use oaktwin_diagnostic::Finding;
 use oaktwin_files::{FileError, OutputFiles};
+use serde_json::Value;
 
-use crate::{BasicWriter, DatasetError, Options, Shot};
+use crate::{DatasetError, Shot};
 
 /// Writes frames in a layout of files, or into a recording.
 pub trait Writer: Send {
@@ -19,25 +21,74 @@ pub trait Writer: Send {
     fn finish(&mut self, _output: &mut OutputFiles) -> Result<(), WriteError> {
         Ok(())
     }
+
+    /// Returns the findings about the frames, once they are complete.
+    fn findings(&mut self) -> Vec<Finding> {
+        Vec::new()
+    }
 }
 
-/// A layout of rendered data sets.
-#[derive(Debug)]
-pub struct Layout {
-    /// The name that a user chooses it by.
-    pub name: &'static str,
-    /// One line of help.
-    pub help: &'static str,
-    /// Creates its writer.
-    pub writer: fn(Options) -> Box<dyn Writer>,
+/// A format of data sets whose frames are made in any order, by any number of processes.
+///
+/// The files of one frame depend on that frame only. The files that describe several frames are made of the records of all frames
+/// at the end, so that a data set can be interrupted, resumed and extended.
+pub trait Format: Send + Sync {
+    /// Writes the files of a camera's frame, and returns what the files of the whole data set need to know about it: `null` if
+    /// that is nothing.
+    ///
+    /// # Errors
+    /// Returns an error if the frame lacks something that the format requires, or if a file cannot be written.
+    fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError>;
+
+    /// Writes the files of the whole data set, and returns findings about it. The records are those of all frames, by frame and
+    /// camera.
+    ///
+    /// # Errors
+    /// Returns an error if a record or a file cannot be read or written.
+    fn finish(&self, records: &mut Records<'_>, output: &mut OutputFiles)
+    -> Result<Vec<Finding>, WriteError>;
 }
 
-/// All layouts of rendered data sets; the first is the default.
-pub const LAYOUTS: &[Layout] = &[Layout {
-    name: "basic",
-    help: "Replicator's BasicWriter",
-    writer: |options| Box::new(BasicWriter::new(options)),
-}];
+/// The records of all frames, in order.
+pub type Records<'a> = dyn Iterator<Item = Result<Value, WriteError>> + 'a;
+
+/// Writes frames in a [`Format`]: a whole data set in one process.
+#[expect(missing_debug_implementations, reason = "formats have none")]
+pub struct FormatWriter {
+    format: Box<dyn Format>,
+    records: Vec<Value>,
+    findings: Vec<Finding>,
+}
+
+impl FormatWriter {
+    /// Creates a writer.
+    #[must_use]
+    pub fn new(format: Box<dyn Format>) -> Self {
+        Self {
+            format,
+            records: Vec::new(),
+            findings: Vec::new(),
+        }
+    }
+}
+
+impl Writer for FormatWriter {
+    fn write(&mut self, shot: &Shot, output: &mut OutputFiles) -> Result<(), WriteError> {
+        let record = self.format.frame(shot, output)?;
+        self.records.push(record);
+        Ok(())
+    }
+
+    fn finish(&mut self, output: &mut OutputFiles) -> Result<(), WriteError> {
+        let mut records = std::mem::take(&mut self.records).into_iter().map(Ok);
+        self.findings = self.format.finish(&mut records, output)?;
+        Ok(())
+    }
+
+    fn findings(&mut self) -> Vec<Finding> {
+        std::mem::take(&mut self.findings)
+    }
+}
 
 /// The error of a [`Writer`].
 #[derive(Debug, thiserror::Error)]

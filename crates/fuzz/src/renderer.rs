@@ -47,6 +47,7 @@ fn scene(random: &mut Random<'_>) -> Scene {
                 path: format!("/Thing_{}", scene.instances.len()),
                 world_from_mesh: DAffine3::from_mat3_translation(matrix, point(random)),
                 labels: Vec::new(),
+                material_offset: 0,
             });
         }
     }

@@ -104,6 +104,7 @@ pub(crate) fn placed_at(
         path: path.to_owned(),
         world_from_mesh,
         labels: labels.collect(),
+        material_offset: 0,
     });
     scene.meshes.push(mesh);
 }

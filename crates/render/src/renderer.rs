@@ -2,7 +2,7 @@ use std::sync::OnceLock;
 
 use oaktwin_camera::math::DAffine3;
 use oaktwin_image::ZDepth;
-use oaktwin_scene::Scene;
+use oaktwin_scene::{Instance, Light, Material, Mesh, Scene, Texture};
 
 use crate::annotate::Semantics;
 use crate::raster::Rasterizer;
@@ -56,6 +56,41 @@ impl Renderer {
         if let Some(caster) = self.ray_caster.get_mut() {
             caster.place(&self.scene);
         }
+        self.shader.take();
+    }
+
+    /// Adds meshes and textures, after those that exist.
+    pub fn add(
+        &mut self,
+        meshes: impl IntoIterator<Item = Mesh>,
+        textures: impl IntoIterator<Item = Texture>,
+    ) {
+        self.scene.meshes.extend(meshes);
+        self.scene.textures.extend(textures);
+        self.shader.take();
+        if let Some(rasterizer) = self.rasterizer.get_mut() {
+            rasterizer.add_meshes(&self.scene);
+        }
+        if let Some(caster) = self.ray_caster.get_mut() {
+            caster.add_meshes(&self.scene);
+        }
+        if let Some(assets) = self.shader_assets.get_mut() {
+            assets.add_textures(&self.scene);
+        }
+    }
+
+    /// Replaces all instances, materials and lights. Meshes and textures remain, and so do the data structures built for them.
+    pub fn place(&mut self, instances: Vec<Instance>, materials: Vec<Material>, lights: Vec<Light>) {
+        self.scene.instances = instances;
+        self.scene.materials = materials;
+        self.scene.lights = lights;
+        if let Some(rasterizer) = self.rasterizer.get_mut() {
+            rasterizer.place(&self.scene);
+        }
+        if let Some(caster) = self.ray_caster.get_mut() {
+            caster.place(&self.scene);
+        }
+        self.semantics.take();
         self.shader.take();
     }
 
@@ -189,6 +224,75 @@ mod tests {
                 );
                 assert_ne!(after, before);
             }
+        }
+    }
+
+    #[test]
+    fn replaced_instances_look_as_if_they_had_always_been_there() {
+        use oaktwin_image::annotation::Annotator;
+        use oaktwin_scene::MaterialSpan;
+
+        let red = |value: f32| Material {
+            base_color: Some([value, 0.1, 0.1]),
+            ..Material::default()
+        };
+        let mut scene = Scene::default();
+        for z in [2.0, 3.0, 4.0] {
+            let mut mesh = fixture::rectangle([-0.3 * z, 0.1], [-0.5, 0.5], z);
+            mesh.materials = vec![MaterialSpan {
+                end: 2,
+                material: Some(0),
+            }];
+            fixture::placed(&mut scene, "/Part", mesh);
+        }
+        scene.materials = vec![red(0.9)];
+        let view = fixture::view();
+        let all = [
+            Annotator::Rgb,
+            Annotator::DistanceToImagePlane,
+            Annotator::InstanceIdSegmentation,
+        ];
+        let render = |renderer: &Renderer, backend| {
+            format!(
+                "{:?}",
+                renderer.annotate(&view, &all, backend, &AnnotateOptions::default())
+            )
+        };
+        let mut first = scene.clone();
+        first.meshes.truncate(2);
+        first.instances.truncate(2);
+        let mut moving = Renderer::new(first);
+        for backend in [Backend::Ray, Backend::Raster] {
+            let _ = render(&moving, backend);
+        }
+        moving.add(scene.meshes.split_off(2), []);
+        let mut other = scene.instances[2].clone();
+        other.material_offset = 1;
+        let placed = vec![
+            scene.instances[1].clone(),
+            other.clone(),
+            Instance {
+                world_from_mesh: DAffine3::from_translation([0.3, 0.1, 0.0].into()),
+                ..other
+            },
+        ];
+        let materials = vec![red(0.5), red(0.2)];
+        scene.meshes = moving.scene().meshes.clone();
+        scene.instances.clone_from(&placed);
+        scene.materials.clone_from(&materials);
+        moving.place(placed, materials, Vec::new());
+        let mut plain = scene.clone();
+        plain
+            .instances
+            .iter_mut()
+            .for_each(|instance| instance.material_offset = 0);
+        for backend in [Backend::Ray, Backend::Raster] {
+            let after = render(&moving, backend);
+            assert!(
+                after == render(&Renderer::new(scene.clone()), backend),
+                "{backend:?}"
+            );
+            assert_ne!(after, render(&Renderer::new(plain.clone()), backend));
         }
     }
 

@@ -114,6 +114,7 @@ mod tests {
             path: String::new(),
             world_from_mesh,
             labels: Vec::new(),
+            material_offset: 0,
         };
         let turned = DAffine3::from_rotation_z(std::f64::consts::FRAC_PI_4);
         let moved = DAffine3::from_translation(DVec3::new(0.0, 0.0, 5.0));

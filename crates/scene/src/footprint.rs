@@ -98,6 +98,7 @@ mod tests {
             path: String::new(),
             world_from_mesh: DAffine3::IDENTITY,
             labels: Vec::new(),
+            material_offset: 0,
         };
         let mut scene = Scene {
             meshes: vec![shape::cube(1.0)],

@@ -88,6 +88,17 @@ pub struct Instance {
     pub world_from_mesh: DAffine3,
     /// The semantic labels: its own first, then those of its parent, and so on.
     pub labels: Vec<Label>,
+    /// Added to the mesh's indices of materials, so that instances of one mesh can look different. 0 in every file.
+    pub material_offset: u32,
+}
+
+impl Instance {
+    /// Returns the index of a material of the mesh in the scene.
+    #[must_use]
+    #[inline]
+    pub fn material(&self, of_mesh: Option<u32>) -> Option<u32> {
+        of_mesh?.checked_add(self.material_offset)
+    }
 }
 
 /// A semantic label.

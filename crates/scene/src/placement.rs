@@ -51,6 +51,7 @@ mod tests {
             path: "/a".into(),
             world_from_mesh,
             labels: Vec::new(),
+            material_offset: 0,
         };
         let (pose, rest) = instance.pose_and_rest();
         assert!(pose.orthonormality_error() < 1e-14 && pose.rotation.determinant() > 0.0);

@@ -295,6 +295,7 @@ mod tests {
                 path: String::new(),
                 world_from_mesh: DAffine3::IDENTITY,
                 labels: Vec::new(),
+                material_offset: 0,
             }],
             ..Scene::default()
         };

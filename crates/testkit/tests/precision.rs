@@ -132,6 +132,7 @@ fn surface(random: &mut Random) -> (Scene, View) {
             world_from_mesh
         },
         labels: Vec::new(),
+        material_offset: 0,
     };
     let scene = Scene {
         meshes: vec![mesh],

@@ -2,7 +2,7 @@ use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, ValueHint};
-use oaktwin::dataset::{LAYOUTS, Layout};
+use oaktwin::dataset::{FORMATS, FormatKind};
 use oaktwin::render::Backend;
 use oaktwin::usd::optics::Projection;
 
@@ -123,12 +123,12 @@ pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(crate) outputs: OutputArgs,
 
-    /// The layout of the data set
+    /// The format of the data set
     #[arg(
         long,
         value_name = "NAME",
-        default_value = LAYOUTS[0].name,
-        value_parser = PossibleValuesParser::new(LAYOUTS.iter().map(layout)),
+        default_value = FORMATS[0].name,
+        value_parser = PossibleValuesParser::new(FORMATS.iter().map(format)),
         help_heading = "Outputs"
     )]
     pub(crate) writer: String,
@@ -145,6 +145,6 @@ pub(crate) struct RenderArgs {
     pub(crate) json: bool,
 }
 
-fn layout(layout: &Layout) -> PossibleValue {
-    PossibleValue::new(layout.name).help(layout.help)
+fn format(format: &FormatKind) -> PossibleValue {
+    PossibleValue::new(format.name).help(format.help)
 }

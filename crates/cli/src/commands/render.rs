@@ -6,7 +6,7 @@ mod sensors;
 use std::ops::ControlFlow;
 
 use oaktwin::camera::ImageSize;
-use oaktwin::dataset::{self, LAYOUTS, Writer};
+use oaktwin::dataset::{self, FormatKind, FormatWriter, Writer};
 use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::files::OutputFiles;
 use oaktwin::image::annotation::Annotator;
@@ -125,14 +125,15 @@ fn reject_warnings(args: &RenderArgs, findings: &[Finding]) -> Result<()> {
     }
 }
 
-/// The writer of the layout that is named.
+/// The writer of the format that is named.
 fn writer(args: &RenderArgs) -> Result<Box<dyn Writer>> {
-    let layout = LAYOUTS.iter().find(|layout| layout.name == args.writer);
-    let layout = layout.ok_or_else(|| format!("--writer: unknown layout '{}'", args.writer))?;
-    Ok((layout.writer)(dataset::Options {
+    let format = FormatKind::find(&args.writer)
+        .map_err(|remedy| format!("--writer: unknown format '{}'; {remedy}", args.writer))?;
+    let format = (format.create)(dataset::Options {
         extras: args.outputs.extras(),
         ..dataset::Options::default()
-    }))
+    });
+    Ok(Box::new(FormatWriter::new(format)))
 }
 
 /// The OAK in the scene.

@@ -32,6 +32,8 @@ pub enum Stage {
     FixedPattern = 6,
     /// The errors of an inertial sensor.
     Inertial = 7,
+    /// The quantities of a data set's recipe.
+    Recipe = 8,
     /// The positions of a projector's dots.
     Dots = 16,
 }

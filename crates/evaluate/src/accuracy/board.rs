@@ -117,6 +117,7 @@ fn scene(intrinsics: &Intrinsics, distance_m: f64, (grain_px, beyond_px): (f64, 
             path: "/Board".to_owned(),
             world_from_mesh: DAffine3::IDENTITY,
             labels: Vec::new(),
+            material_offset: 0,
         }],
         materials: vec![Material {
             name: "board".to_owned(),

@@ -19,6 +19,7 @@
 //!     path: "/World/Plate".to_owned(),
 //!     world_from_mesh: oaktwin_camera::math::DAffine3::from_translation(DVec3::new(2.0, 0.0, 0.0)),
 //!     labels: Vec::new(),
+//!     material_offset: 0,
 //! });
 //!
 //! let catalog = Catalog::builtin();

@@ -47,6 +47,7 @@ pub(crate) fn plate(scene: &mut Scene, x: f32, y: [f32; 2], z: [f32; 2], pattern
         path: format!("/Plate{}", scene.meshes.len()),
         world_from_mesh: DAffine3::IDENTITY,
         labels: Vec::new(),
+        material_offset: 0,
     });
     scene.meshes.push(Mesh {
         positions: corners.map(|[y, z]| [x, y, z]).to_vec(),

@@ -22,6 +22,7 @@
 //!     path: "/Wall".to_owned(),
 //!     world_from_mesh: DAffine3::IDENTITY,
 //!     labels: Vec::new(),
+//!     material_offset: 0,
 //! });
 //!
 //! let catalog = Catalog::builtin();

@@ -42,6 +42,7 @@ fn plate(scene: &mut Scene, x: f32, [y0, y1]: [f32; 2], [z0, z1]: [f32; 2]) {
         path: format!("/Plate{x}"),
         world_from_mesh: DAffine3::IDENTITY,
         labels: Vec::new(),
+        material_offset: 0,
     });
     scene.meshes.push(mesh);
 }

@@ -69,6 +69,7 @@ mod tests {
                 path: String::new(),
                 world_from_mesh: DAffine3::from_scale(DVec3::splat(0.01)),
                 labels: Vec::new(),
+                material_offset: 0,
             }],
             up: Up::Z,
             ..Scene::default()

@@ -12,7 +12,7 @@ use super::trajectory::TimedPose;
 use crate::pair::{Pair, PairCameras};
 use crate::progress::Watch;
 use crate::recording::RecordingFileError;
-use crate::sensor::{EngineInput, Sensor, sensor_params};
+use crate::sensor::{EngineInput, Sensor, sensor_view};
 use crate::write::{Producer, write_while};
 use oaktwin_camera::RigidTransform;
 use oaktwin_dataset::{self as dataset, CameraParams, Layer, LayerData, Shot, WriteError, Writer};
@@ -119,6 +119,7 @@ pub fn write_frames(
     let written = write_while(&mut writers, output, total, watch, |producer| {
         render_all(renderer, cameras, path, options, &mut findings, producer)
     })?;
+    findings.extend(writers.iter_mut().flat_map(|writer| writer.findings()));
     Ok(Written {
         frames: usize::try_from(written.frames)
             .unwrap_or(usize::MAX)
@@ -234,14 +235,17 @@ impl<'a> Station<'a> {
         }
         let wants_params = options.annotators.contains(&Annotator::CameraParams);
         let described = described(self.camera, &view, renderer.scene().meters_per_unit.0);
+        let sensor_view =
+            (self.sensor.as_ref()).map(|sensor| sensor_view(&sensor.output_camera(&view.camera), &described));
         let shot = Shot {
             layers,
             camera_params: wants_params.then(|| CameraParams::new(&described)),
-            sensor_params: self
-                .sensor
+            sensor_params: sensor_view
                 .as_ref()
                 .filter(|_| wants_params)
-                .map(|sensor| sensor_params(&sensor.output_camera(&view.camera), &described)),
+                .map(CameraParams::new),
+            view: Some(described),
+            sensor_view,
             camera: self.index,
             world_from_mount: mount,
             render_product: self.has_folder.then(|| self.camera.folder.clone()),

@@ -21,6 +21,7 @@
 //!     path: "/Wall".to_owned(),
 //!     world_from_mesh: Default::default(),
 //!     labels: Vec::new(),
+//!     material_offset: 0,
 //! });
 //!
 //! let catalog = Catalog::builtin();

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::SenseOptions;
 use super::camera::read_pose;
-use crate::sensor::{Capture, OutputCamera, Sensor, frame, sensor_params};
+use crate::sensor::{Capture, OutputCamera, Sensor, frame, sensor_view};
 use oaktwin_camera::{Camera, RigidTransform};
 use oaktwin_dataset::{CameraParams, InputName, Layer, LayerData, Shot, View};
 use oaktwin_depth::align::Align;
@@ -45,7 +45,7 @@ impl OutputContext<'_> {
             clipping_range: self.view.clipping_range.map(|metres| metres / meters_per_unit),
             ..self.view
         };
-        sensor_params(&self.reported, &view)
+        CameraParams::new(&sensor_view(&self.reported, &view))
     }
 
     /// The frame of a capture, with its aligned depth and its point cloud.

@@ -1,7 +1,7 @@
 //! From a capture to annotations: the only place where the points and colours of a measurement are made.
 
 use oaktwin_camera::{Camera, UsdOptics};
-use oaktwin_dataset::{CameraParams, View};
+use oaktwin_dataset::View;
 use oaktwin_depth::{Capture, Input, OutputCamera, ParameterError, ReasonCodes, Sensor};
 use oaktwin_image::annotation::{Annotator, Frame};
 use oaktwin_image::{Image, ImageView};
@@ -74,8 +74,8 @@ pub(crate) fn frame(
     }
 }
 
-/// The parameters of a sensor's output camera; `input` is the view of the sensor's input.
-pub(crate) fn sensor_params(output: &OutputCamera, input: &View) -> CameraParams {
+/// The view of a sensor's output camera; `input` is the view of the sensor's input.
+pub(crate) fn sensor_view(output: &OutputCamera, input: &View) -> View {
     let intrinsics = &output.camera.intrinsics;
     let optics = if *intrinsics == input.camera.intrinsics {
         input.optics
@@ -84,12 +84,12 @@ pub(crate) fn sensor_params(output: &OutputCamera, input: &View) -> CameraParams
         let pixel_size_um = input.optics.focal_length_mm * 1e3 / intrinsics.mean_focal_length();
         UsdOptics::from_intrinsics(intrinsics, pixel_size_um, Default::default())
     };
-    CameraParams::new(&View {
+    View {
         optics,
         camera: output.camera,
         world_from_camera: input.world_from_camera * output.input_from_output(),
         ..*input
-    })
+    }
 }
 
 /// The points of measured depth in the frame of the input's camera, with USD's axes.

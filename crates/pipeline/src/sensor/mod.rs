@@ -21,7 +21,7 @@ pub use oaktwin_depth::{
 };
 
 pub use choose::depth_sensor;
-pub(crate) use frame::{capture, frame, sensor_params};
+pub(crate) use frame::{capture, frame, sensor_view};
 pub(crate) use matching::needs_a_pair;
 pub use matching::stereo_matching;
 pub use option::{OptionValue, SENSOR_OPTIONS, SensorOption, assignment};

@@ -10,10 +10,12 @@ use super::grey::read_pair;
 use super::matcher::{Matcher, PairOf, Seen};
 use crate::limits;
 use crate::progress::Watch;
-use crate::sensor::{FixedDisparity, SensorOptions, frame, sensor_params};
+use crate::sensor::{FixedDisparity, SensorOptions, frame, sensor_view};
 use crate::write::write_while;
 use oaktwin_camera::{Camera, ImageSize, RigidTransform, UsdOptics};
-use oaktwin_dataset::{self as dataset, CloudAxes, Extras, FlatWriter, Layer, LayerData, Shot, View};
+use oaktwin_dataset::{
+    self as dataset, CameraParams, CloudAxes, Extras, FlatWriter, Layer, LayerData, Shot, View,
+};
 use oaktwin_depth::rectify::Method;
 use oaktwin_diagnostic::{Finding, Level};
 use oaktwin_files::{FileError, OutputFiles, WrittenFile};
@@ -290,7 +292,7 @@ fn shot(seen: Seen, matcher: &Matcher, options: &StereoOptions, pair: &PairFiles
     }
     Shot {
         layers,
-        sensor_params: Some(sensor_params(&matcher.camera(), &view(&camera))),
+        sensor_params: Some(CameraParams::new(&sensor_view(&matcher.camera(), &view(&camera)))),
         input: pair.results(),
         ..Shot::new(frame, 0)
     }

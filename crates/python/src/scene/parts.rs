@@ -149,6 +149,7 @@ impl Parts {
                 labels: Vec::new(),
                 world_from_mesh: DAffine3::IDENTITY,
                 path: path.clone(),
+                material_offset: 0,
             });
             if paths.insert(path, scene.instances.len() - 1).is_some() {
                 return Err(wrong(name, "appears twice", "pass each name once"));

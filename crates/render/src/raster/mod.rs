@@ -54,16 +54,33 @@ impl Rasterizer {
         Self::with_level(scene, Level::detect())
     }
 
-    #[expect(clippy::cast_possible_truncation, reason = "a scene's indices are u32")]
     fn with_level(scene: &Scene, level: Level) -> Self {
-        let meshes: Vec<_> = scene.meshes.par_iter().map(ClusteredMesh::new).collect();
-        let mut groups = Vec::new();
+        let mut made = Self {
+            meshes: Vec::new(),
+            groups: Vec::new(),
+            level,
+        };
+        made.add_meshes(scene);
+        made.place(scene);
+        made
+    }
+
+    /// Builds the clusters of meshes that were added to the scene.
+    pub(crate) fn add_meshes(&mut self, scene: &Scene) {
+        let added = &scene.meshes[self.meshes.len()..];
+        self.meshes.par_extend(added.par_iter().map(ClusteredMesh::new));
+    }
+
+    /// Groups the clusters of the scene's instances.
+    #[expect(clippy::cast_possible_truncation, reason = "a scene's indices are u32")]
+    pub(crate) fn place(&mut self, scene: &Scene) {
+        self.groups.clear();
         for (instance, placed) in scene.instances.iter().enumerate() {
-            let Some(mesh) = meshes.get(placed.mesh as usize) else {
+            let Some(mesh) = self.meshes.get(placed.mesh as usize) else {
                 continue;
             };
             for (first, clusters) in (0..).step_by(GROUP).zip(mesh.clusters.chunks(GROUP)) {
-                groups.push(Group {
+                self.groups.push(Group {
                     instance: instance as u32,
                     clusters: first..first + clusters.len() as u32,
                     bounds: clusters
@@ -72,11 +89,6 @@ impl Rasterizer {
                         .fold(Bounds::EMPTY, Bounds::union),
                 });
             }
-        }
-        Self {
-            meshes,
-            groups,
-            level,
         }
     }
 

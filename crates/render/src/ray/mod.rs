@@ -97,6 +97,12 @@ impl RayCaster {
         }
     }
 
+    /// Builds the hierarchies of meshes that were added to the scene.
+    pub(crate) fn add_meshes(&mut self, scene: &Scene) {
+        let added = &scene.meshes[self.trees.len()..];
+        self.trees.par_extend(added.par_iter().map(MeshTree::new));
+    }
+
     /// Places the instances of a scene with the same meshes.
     pub(crate) fn place(&mut self, scene: &Scene) {
         self.instances = Instances::new(scene, &self.trees);

@@ -25,6 +25,7 @@ fn instance(mesh: u32, world_from_mesh: DAffine3) -> Instance {
         path: String::new(),
         world_from_mesh,
         labels: Vec::new(),
+        material_offset: 0,
     }
 }
 

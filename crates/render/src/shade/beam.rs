@@ -108,7 +108,7 @@ impl ShadingContext<'_> {
                     {
                         continue;
                     }
-                    let paint = self.paint(surface.mesh, hit.triangle);
+                    let paint = self.paint(*hit);
                     let finish = paint.finish(surface.mesh, hit.triangle, &spot(surface, next), self.level);
                     let albedo = luminance(finish.color) * (1.0 - finish.metallic);
                     *pixel = mean(&lit.footprint, beam.pattern) * lit.strength * albedo;

@@ -76,6 +76,15 @@ impl ShaderAssets {
         }
     }
 
+    /// Makes room for textures that were added to the scene.
+    pub(crate) fn add_textures(&mut self, scene: &Scene) {
+        // Shaders, which share the textures, are dropped whenever the scene changes.
+        match Arc::get_mut(&mut self.textures) {
+            Some(textures) => textures.add(scene),
+            None => self.textures = Arc::new(Textures::new(scene)),
+        }
+    }
+
     /// Returns the mean sRGB colour of each triangle of a mesh, without light.
     pub(crate) fn flat_colors(&self, scene: &Scene, mesh: &Mesh) -> Vec<[u8; 3]> {
         let spans = mesh.materials.iter().filter_map(|span| span.material);
@@ -237,23 +246,26 @@ impl Shader {
 
     /// Decodes the textures of the visible surfaces; the findings name those that cannot be decoded, or are reduced.
     fn decode(&self, scene: &Scene, hits: &Image<Hit>) -> Vec<Finding> {
-        let mut meshes = vec![false; scene.meshes.len()];
+        let mut instances = vec![false; scene.instances.len()];
         let mut last = u32::MAX;
         for hit in hits.pixels() {
             if hit.instance != last {
                 last = hit.instance;
-                let mesh =
-                    (scene.instances.get(last as usize)).map_or(usize::MAX, |found| found.mesh as usize);
-                if let Some(mesh) = meshes.get_mut(mesh) {
-                    *mesh = true;
+                if let Some(is_seen) = instances.get_mut(last as usize) {
+                    *is_seen = true;
                 }
             }
         }
-        let seen = (scene.meshes.iter().zip(meshes)).filter_map(|(mesh, is_seen)| is_seen.then_some(mesh));
-        let mut wanted: Vec<u32> = seen
-            .flat_map(|mesh| &mesh.materials)
-            .filter_map(|span| scene.materials.get(span.material? as usize))
-            .filter_map(|material| Some(material.base_color_texture?.texture))
+        let seen = (scene.instances.iter().zip(instances))
+            .filter_map(|(instance, is_seen)| is_seen.then_some(instance));
+        let used = seen.flat_map(|instance| {
+            let mesh = scene.meshes.get(instance.mesh as usize);
+            let spans = mesh.map_or(&[][..], |mesh| &mesh.materials[..]);
+            spans.iter().filter_map(|span| instance.material(span.material))
+        });
+        let mut wanted: Vec<u32> = used
+            .filter_map(|material| scene.materials.get(material as usize)?.base_color_texture)
+            .map(|texture| texture.texture)
             .collect();
         wanted.sort_unstable();
         wanted.dedup();
@@ -387,8 +399,12 @@ impl ShadingContext<'_> {
     }
 
     #[inline]
-    fn paint(&self, mesh: &Mesh, triangle: u32) -> &Paint<'_> {
-        let material = mesh.material(triangle);
+    fn paint(&self, hit: Hit) -> &Paint<'_> {
+        let found = self.scene.instances.get(hit.instance as usize);
+        let material = found.and_then(|instance| {
+            let mesh = self.scene.meshes.get(instance.mesh as usize)?;
+            instance.material(mesh.material(hit.triangle))
+        });
         let paint = material.and_then(|index| self.paints.get(index as usize));
         paint.unwrap_or(&Paint::BARE)
     }

@@ -168,7 +168,7 @@ pub(super) fn finishes(paints: &[Paint<'_>], found: &Found<'_, '_>, level: Level
     let mut textured = 0u32;
     for lane in 0..found.count() {
         let triangle = found.triangle(lane);
-        let material = found.mesh.material(triangle).unwrap_or(u32::MAX);
+        let material = found.material(lane).unwrap_or(u32::MAX);
         materials[lane & 7] = material;
         let paint = paints.get(material as usize).unwrap_or(&Paint::BARE);
         let color = match paint.fill(found.mesh, triangle, &found.spot(lane)) {

@@ -6,7 +6,7 @@ mod tests;
 
 use glam::Vec3;
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
-use oaktwin_scene::{Attribute, Mesh, Scene};
+use oaktwin_scene::{Attribute, Instance, Mesh, Scene};
 use oaktwin_simd::{Level, run_lanes_at};
 
 use self::locate::Locate;
@@ -56,6 +56,7 @@ pub(super) struct Surfaces {
 #[derive(Debug)]
 struct Placed<'a> {
     instance: u32,
+    placed: &'a Instance,
     mesh: &'a Mesh,
     /// From the mesh to world axes at the eye.
     from_mesh: DAffine3,
@@ -189,6 +190,7 @@ impl<'a> Packet<'a> {
         let from_normal = from_mesh.matrix3.inverse().transpose();
         Some(Placed {
             instance,
+            placed: found,
             mesh,
             from_mesh,
             from_normal: near_one(from_normal),
@@ -219,6 +221,7 @@ impl<'a> Packet<'a> {
         run_lanes_at(self.level, kernel);
         Some(Found {
             mesh: placed.mesh,
+            instance: placed.placed,
             pixels: &self.pixels,
             surfaces: &self.surfaces,
         })
@@ -234,6 +237,7 @@ impl<'a> Packet<'a> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found<'p, 'a> {
     pub(super) mesh: &'a Mesh,
+    instance: &'a Instance,
     pixels: &'p Pixels,
     pub(super) surfaces: &'p Surfaces,
 }
@@ -254,6 +258,12 @@ impl Found<'_, '_> {
 
     pub(super) fn triangle(&self, lane: usize) -> u32 {
         self.pixels.triangles[lane & 7]
+    }
+
+    /// Returns the material in a lane, as an index into the scene's.
+    #[inline]
+    pub(super) fn material(&self, lane: usize) -> Option<u32> {
+        self.instance.material(self.mesh.material(self.triangle(lane)))
     }
 
     pub(super) fn spot(&self, lane: usize) -> Spot {

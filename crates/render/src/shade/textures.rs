@@ -35,6 +35,11 @@ impl Textures {
         }
     }
 
+    /// Makes room for textures that were added to the scene.
+    pub(super) fn add(&mut self, scene: &Scene) {
+        self.loaded.resize_with(scene.textures.len(), OnceLock::new);
+    }
+
     /// Returns a texture, decoding it on first use; `None` if the scene has no such texture.
     pub(super) fn get(&self, scene: &Scene, index: u32) -> Option<&Loaded> {
         let slot = self.loaded.get(index as usize)?;

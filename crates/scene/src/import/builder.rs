@@ -101,6 +101,7 @@ impl Builder {
             path,
             world_from_mesh,
             labels: Vec::new(),
+            material_offset: 0,
         });
     }
 

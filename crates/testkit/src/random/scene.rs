@@ -146,6 +146,7 @@ impl Builder {
             path: format!("/Scene/Thing_{number}"),
             world_from_mesh: DAffine3::from_mat3_translation(matrix, translation),
             labels: Vec::new(),
+            material_offset: 0,
         });
     }
 

@@ -29,8 +29,8 @@ pub(super) fn prim(mesh: &Mesh, instance: &Instance, materials: &Materials<'_>) 
     label(&mut prim, instance);
     match mesh.materials.as_slice() {
         [] => {}
-        [MaterialSpan { material, .. }] => materials.relate(&mut prim, *material),
-        spans => subsets(&mut prim, spans, materials),
+        [MaterialSpan { material, .. }] => materials.relate(&mut prim, instance.material(*material)),
+        spans => subsets(&mut prim, instance, spans, materials),
     }
     prim
 }
@@ -74,7 +74,7 @@ fn label(prim: &mut Prim, instance: &Instance) {
 }
 
 /// Adds a subset of the faces for each material.
-fn subsets(prim: &mut Prim, spans: &[MaterialSpan], materials: &Materials<'_>) {
+fn subsets(prim: &mut Prim, instance: &Instance, spans: &[MaterialSpan], materials: &Materials<'_>) {
     prim.set_uniform(
         "subsetFamily:materialBind:familyType",
         Value::token("nonOverlapping"),
@@ -88,7 +88,7 @@ fn subsets(prim: &mut Prim, spans: &[MaterialSpan], materials: &Materials<'_>) {
             "indices",
             Value::IntArray((start..span.end).map(integer).collect()),
         );
-        materials.relate(&mut subset, span.material);
+        materials.relate(&mut subset, instance.material(span.material));
         prim.children.push(subset);
         start = span.end;
     }

@@ -48,6 +48,7 @@ fn instances() -> Vec<Instance> {
         path: path.into(),
         world_from_mesh,
         labels,
+        material_offset: 0,
     };
     let link = "/World/arm/link 1";
     let small = DAffine3::from_scale(DVec3::splat(0.01));

@@ -27,6 +27,7 @@ impl Stage {
             path: path.to_owned(),
             world_from_mesh,
             labels: Vec::new(),
+            material_offset: 0,
         });
         self.0.meshes.push(mesh);
         self

@@ -72,6 +72,7 @@ fn instance(mesh: u32, world_from_mesh: DAffine3) -> Instance {
         path: "/Thing".to_owned(),
         world_from_mesh,
         labels: Vec::new(),
+        material_offset: 0,
     }
 }
 

@@ -21,6 +21,7 @@ impl Ours {
             path: "/Triangles".to_owned(),
             world_from_mesh: DAffine3::IDENTITY,
             labels: Vec::new(),
+            material_offset: 0,
         };
         let scene = Scene {
             meshes: vec![mesh],

@@ -52,6 +52,7 @@ impl Builder {
                         labels: labels.collect(),
                         path: point_path + &part.path,
                         world_from_mesh: world_from_prototype * part.world_from_mesh,
+                        material_offset: 0,
                     },
                 );
             }

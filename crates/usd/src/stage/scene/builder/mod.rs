@@ -162,6 +162,7 @@ impl Builder {
                 path: path.to_owned(),
                 world_from_mesh,
                 labels: context.labels.to_vec(),
+                material_offset: 0,
             },
         );
     }

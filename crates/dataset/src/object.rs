@@ -1,0 +1,164 @@
+use std::sync::Arc;
+
+use oaktwin_camera::{Camera, RigidTransform};
+use oaktwin_image::Image;
+
+/// An object in a frame.
+#[derive(Clone, Debug)]
+pub struct Object {
+    /// Its geometry.
+    pub model: Arc<Model>,
+    /// The path of its prim.
+    pub path: String,
+    /// Its pose in the world, metres.
+    pub world_from_model: RigidTransform,
+    /// The pixels that it covers, regardless of occlusion.
+    pub silhouette: Mask,
+    /// The pixels in which it is visible.
+    pub visible: Mask,
+}
+
+/// The geometry of an object, which others may share.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Model {
+    /// The number of the model, from 1, the same in all frames.
+    pub id: u32,
+    /// The name.
+    pub name: String,
+    /// The class.
+    pub label: String,
+    /// Positions in the model's frame, metres.
+    pub positions: Vec<[f32; 3]>,
+    /// The three positions of each triangle, counter-clockwise seen from outside.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// The images of a rectified stereo pair.
+#[derive(Clone, Debug)]
+pub struct StereoImages {
+    /// The left image, 8 bits.
+    pub left: Image<u8>,
+    /// The right image, 8 bits.
+    pub right: Image<u8>,
+    /// The rectified cameras.
+    pub cameras: [Camera; 2],
+    /// The baseline in metres.
+    pub baseline_m: f64,
+    /// The exact disparity of the left image, px: the column in the left image minus that in the right; `+inf` for a miss.
+    pub disparity: Image<f32>,
+    /// Whether the surface in a pixel of the left image is visible in the right image.
+    pub is_matched: Image<bool>,
+}
+
+/// A set of pixels within a rectangle of an image.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Mask {
+    /// The first column and row.
+    pub origin: [u32; 2],
+    /// The width and height.
+    pub size: [u32; 2],
+    /// Whether each pixel of the rectangle belongs to the set, by rows.
+    pub pixels: Vec<bool>,
+}
+
+impl Mask {
+    /// Creates the set of the pixels of an image that fulfil a condition, within the smallest rectangle.
+    #[must_use]
+    pub fn of(width: u32, height: u32, contains: impl Fn(u32, u32) -> bool) -> Self {
+        let (mut low, mut high) = ([u32::MAX; 2], [0; 2]);
+        for y in 0..height {
+            for x in 0..width {
+                if contains(x, y) {
+                    low = [low[0].min(x), low[1].min(y)];
+                    high = [high[0].max(x + 1), high[1].max(y + 1)];
+                }
+            }
+        }
+        Self::within(low, high, contains)
+    }
+
+    /// Creates the set of the pixels that fulfil a condition between two corners, the second of which is excluded.
+    #[must_use]
+    pub fn within(low: [u32; 2], high: [u32; 2], contains: impl Fn(u32, u32) -> bool) -> Self {
+        if low[0] >= high[0] || low[1] >= high[1] {
+            return Self::default();
+        }
+        let pixels = (low[1]..high[1]).flat_map(|y| (low[0]..high[0]).map(move |x| (x, y)));
+        Self {
+            origin: low,
+            size: [high[0] - low[0], high[1] - low[1]],
+            pixels: pixels.map(|(x, y)| contains(x, y)).collect(),
+        }
+    }
+
+    /// Returns the number of pixels.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.pixels.iter().filter(|pixel| **pixel).count()
+    }
+
+    /// Whether the set contains a pixel of the image.
+    #[must_use]
+    pub fn contains(&self, x: u32, y: u32) -> bool {
+        let (Some(x), Some(y)) = (x.checked_sub(self.origin[0]), y.checked_sub(self.origin[1])) else {
+            return false;
+        };
+        x < self.size[0] && y < self.size[1] && self.pixels[y as usize * self.size[0] as usize + x as usize]
+    }
+
+    /// Returns the pixels of the set.
+    pub fn places(&self) -> impl Iterator<Item = [u32; 2]> {
+        let [width, _] = self.size;
+        let [left, top] = self.origin;
+        let inside = (0u32..).zip(&self.pixels).filter(|(_, pixel)| **pixel);
+        inside.map(move |(index, _)| [left + index % width, top + index / width])
+    }
+
+    /// Returns x, y, width and height of the smallest rectangle around the set; `None` if it is empty.
+    #[must_use]
+    pub fn bounding_box(&self) -> Option<[u32; 4]> {
+        let corners = self.places().fold(None, |corners: Option<[u32; 4]>, [x, y]| {
+            let [x0, y0, x1, y1] = corners.unwrap_or([x, y, x, y]);
+            Some([x0.min(x), y0.min(y), x1.max(x), y1.max(y)])
+        });
+        corners.map(|[x0, y0, x1, y1]| [x0, y0, x1 - x0 + 1, y1 - y0 + 1])
+    }
+
+    /// Returns the mask as an image with 255 in its pixels.
+    #[must_use]
+    pub fn image(&self, width: u32, height: u32) -> Image<u8> {
+        let mut image = Image::filled(width, height, 0);
+        for [x, y] in self.places() {
+            if let Some(pixel) = image
+                .pixels_mut()
+                .get_mut(y as usize * width as usize + x as usize)
+            {
+                *pixel = 255;
+            }
+        }
+        image
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn masks_know_their_pixels() {
+        let mask = Mask::of(9, 7, |x, y| (2..5).contains(&x) && y == 3 || (x, y) == (4, 5));
+        assert_eq!((mask.origin, mask.size, mask.count()), ([2, 3], [3, 3], 4));
+        assert_eq!(mask.bounding_box(), Some([2, 3, 3, 3]));
+        assert!(mask.contains(4, 5) && !mask.contains(3, 5) && !mask.contains(0, 0) && !mask.contains(8, 6));
+        assert_eq!(
+            mask.image(9, 7)
+                .pixels()
+                .iter()
+                .filter(|pixel| **pixel == 255)
+                .count(),
+            4
+        );
+        let empty = Mask::of(9, 7, |_, _| false);
+        assert_eq!((empty.count(), empty.bounding_box()), (0, None));
+    }
+}
