@@ -83,7 +83,6 @@ fn warning(code: &'static str, place: &str, message: String, remedy: &'static st
 fn grey_levels<'a>(image: &Luminance<'a>) -> Cow<'a, [u8]> {
     match image {
         Luminance::Bits8(image) => Cow::Borrowed(image.pixels()),
-        #[expect(clippy::cast_possible_truncation, reason = "8 bits")]
         Luminance::Bits10(image) => image
             .pixels()
             .iter()
