@@ -31,6 +31,11 @@ def wall(*shape):
     return np.ascontiguousarray(np.broadcast_to(x, shape))
 
 
+def white_noise(*shape):
+    """Independent depths in every pixel, the worst case of occlusion."""
+    return np.random.default_rng(1).uniform(0.5, 8, shape).astype(np.float32)
+
+
 def seconds(call, least=0.05):
     """Returns the time of one call, averaged over enough calls."""
     count, start = 0, time.perf_counter()
@@ -54,11 +59,19 @@ def line(name, pixels, own, peer=None):
 
 def senses(rounds):
     print(f"{'case':44} {'oaktwin':>12} {'Mpx/s':>8} {'NumPy':>12} {'ratio':>7}")
-    for shape in [(1, 1), (60, 106), (800, 1280), (1024, 60, 106)]:
-        depth = wall(*shape)
+    for shape, make in [
+        ((1, 1), wall),
+        ((60, 106), wall),
+        ((800, 1280), wall),
+        ((1024, 60, 106), wall),
+        ((4096, 60, 106), wall),
+        ((4096, 60, 106), white_noise),
+    ]:
+        depth = make(*shape)
         out, theirs = np.empty_like(depth), np.empty_like(depth)
         own, peer = turns(rounds, lambda: SENSOR(depth, out=out), lambda: numpy_noise(depth, theirs))
         name = "stereo-noise (1, 1): the call itself" if depth.size == 1 else f"stereo-noise {shape}"
+        name += ", white noise" if make is white_noise else ""
         line(name, depth.size, own, peer)
 
 

@@ -1,7 +1,7 @@
-"""The peer of `cargo xtask bench stereo`: OpenCV's semi-global matching in three of its modes.
+"""The peers of `cargo xtask bench stereo`: OpenCV's semi-global matching in three of its modes, and our own Python package.
 
-`bench_stereo.py FOLDER THREADS FRAMES` matches the pair of FOLDER and prints a JSON object a mode: seconds a frame by the
-clock and of processor time, and the most memory that the process ever held.
+`bench_stereo.py FOLDER THREADS FRAMES` matches the pair of FOLDER and prints a JSON object for each: elapsed and processor
+time per frame in seconds, and the peak memory of the process. RAYON_NUM_THREADS sets the threads of our package.
 """
 
 import json
@@ -21,26 +21,40 @@ MODES = {
 }
 
 
+PACKAGE = "a call of StereoMatcher, 4 paths"
+
+
+def package():
+    """Returns our matcher, with the camera and the settings of `stereo-bench`."""
+    import oaktwin
+
+    return oaktwin.StereoMatcher(fx=800, baseline=0.075, parameters={"subpixelFractionalBits": 3})
+
+
+def opencv(mode: int):
+    return cv2.StereoSGBM_create(
+        minDisparity=0,
+        numDisparities=96,
+        blockSize=BLOCK,
+        P1=8 * BLOCK**2,
+        P2=32 * BLOCK**2,
+        disp12MaxDiff=1,
+        uniquenessRatio=10,
+        mode=mode,
+    ).compute
+
+
 def main() -> None:
     folder, threads, frames = Path(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
     left, right = (np.load(folder / f"{name}.npy") for name in ("left", "right"))
     cv2.setNumThreads(threads)
-    for name, mode in MODES.items():
-        matcher = cv2.StereoSGBM_create(
-            minDisparity=0,
-            numDisparities=96,
-            blockSize=BLOCK,
-            P1=8 * BLOCK**2,
-            P2=32 * BLOCK**2,
-            disp12MaxDiff=1,
-            uniquenessRatio=10,
-            mode=mode,
-        )
+    matchers = {PACKAGE: package()} | {name: opencv(mode) for name, mode in MODES.items()}
+    for name, match in matchers.items():
         wall, cpu = [], []
         # The first is the warm-up.
         for frame in range(frames + 1):
             start, start_cpu = time.perf_counter(), time.process_time()
-            matcher.compute(left, right)
+            match(left, right)
             if frame:
                 wall.append(time.perf_counter() - start)
                 cpu.append(time.process_time() - start_cpu)

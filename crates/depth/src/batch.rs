@@ -92,7 +92,8 @@ impl<'a> Batch<'a> {
     ) -> Result<(), BatchError> {
         check_length("result", self.shape, out.len())?;
         let pixels = self.pixels().max(1);
-        if self.shape[0] < rayon::current_num_threads() {
+        // A single image may be measured outside a pool.
+        if self.shape[0] <= 1 || self.shape[0] < rayon::current_num_threads() {
             for (index, out) in out.chunks_exact_mut(pixels).enumerate() {
                 if let Some(shot) = self.shot(index) {
                     on_all_threads(&shot, out);

@@ -78,6 +78,11 @@ pub trait Engine: Comparable + fmt::Debug + Send + Sync {
         false
     }
 
+    /// Whether images of this size are measured on several threads.
+    fn is_parallel(&self, _width_px: u32, _height_px: u32) -> bool {
+        true
+    }
+
     /// Returns the engine for a crop of an image that is `width_px` wide, or `None` if this engine fits the crop.
     ///
     /// # Errors

@@ -56,6 +56,12 @@ impl Sensor {
         self.filters.filters().iter().any(is_temporal)
     }
 
+    /// Whether images of this size are measured on several threads; otherwise no thread pool is required.
+    #[must_use]
+    pub fn is_parallel(&self, width_px: u32, height_px: u32) -> bool {
+        !self.filters.is_empty() || self.engine.is_parallel(width_px, height_px)
+    }
+
     /// Forgets all earlier frames.
     pub fn reset(&mut self) {
         self.filters.reset();

@@ -16,10 +16,10 @@ const HOST_MEMORY: [i32; 3] = [1, 3, 11];
 
 /// Converts an object to a NumPy array, sharing its memory if the object allows it.
 pub(crate) fn view<'py>(name: &str, object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyUntypedArray>> {
-    let numpy = object.py().import("numpy")?;
     if let Ok(array) = object.cast::<PyUntypedArray>() {
         return Ok(array.clone());
     }
+    let numpy = object.py().import("numpy")?;
     if object.hasattr("__dlpack__")? && object.hasattr("__dlpack_device__")? {
         let device = object.call_method0("__dlpack_device__")?.get_item(0)?;
         // Open3D returns an enumeration that is not a number.

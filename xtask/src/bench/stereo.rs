@@ -1,10 +1,11 @@
-//! The stereo matcher, compared with OpenCV's semi-global matching on one and two threads.
+//! The stereo matcher, alone and called from Python, compared with OpenCV's semi-global matching on one and two threads.
 
 use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use super::turns::{Script, Times, lines, program};
-use crate::python::CURRENT;
+use crate::python::{CURRENT, PACKAGE, build_wheel};
 use crate::workspace::{self, output};
 
 #[derive(clap::Args)]
@@ -15,7 +16,7 @@ pub(crate) struct Args {
     /// Frames per turn
     #[arg(long, default_value_t = 10)]
     frames: usize,
-    /// Skip OpenCV
+    /// Skip OpenCV and the calls from Python
     #[arg(long)]
     no_python: bool,
 }
@@ -42,7 +43,7 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
     let peer = if args.no_python {
         None
     } else {
-        Some(Script::new(&CURRENT, "bench_stereo.py")?)
+        Some((Script::new(&CURRENT, "bench_stereo.py")?, package(&folder)?))
     };
 
     let mut names: Vec<String> = Vec::new();
@@ -58,8 +59,11 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
                     .args(settings);
                 take(&mut names, &mut all, name, threads, &output(&mut command)?);
             }
-            if let Some(peer) = &peer {
+            if let Some((peer, package)) = &peer {
                 let mut command = peer.command();
+                command
+                    .env("PYTHONPATH", package)
+                    .env("RAYON_NUM_THREADS", threads);
                 command
                     .args([folder.as_os_str(), threads.as_ref()])
                     .arg(args.frames.to_string());
@@ -73,6 +77,18 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
     );
     print(&names, all);
     Ok(())
+}
+
+/// Builds our Python package and returns the folder that it is installed in.
+fn package(folder: &Path) -> Result<PathBuf, String> {
+    let python = PACKAGE.ready()?;
+    let wheel = build_wheel(&python, "release")?;
+    let package = folder.join("package");
+    let mut install = Command::new(&python);
+    install.args(["-m", "pip", "install", "--disable-pip-version-check"]);
+    install.args(["--no-deps", "--upgrade", "--target"]);
+    output(install.arg(&package).arg(wheel))?;
+    Ok(package)
 }
 
 fn take<'a>(

@@ -7,7 +7,7 @@ use super::filters::{are_of_depth, run_on_disparity, run_on_metres};
 use crate::disparity::Subpixel;
 use crate::filter::{Chain, Filter};
 use crate::random::Stream;
-use crate::stereo_noise::{Parameters, StereoNoise};
+use crate::stereo_noise::{self, Parameters, StereoNoise};
 use crate::{
     BatchEngine, Capture, Engine, EngineInput, EngineKind, Input, ParameterError, PresetConfig, Setup,
     Technology,
@@ -81,6 +81,10 @@ impl Engine for StereoNoise {
 
     fn needs_full_width(&self, width_px: u32) -> bool {
         self.parameters().width_px != width_px
+    }
+
+    fn is_parallel(&self, _width_px: u32, height_px: u32) -> bool {
+        height_px as usize > stereo_noise::BAND
     }
 
     fn crop(&self, width_px: u32, crop: &Intrinsics) -> Result<Option<Arc<dyn Engine>>, ParameterError> {

@@ -5,6 +5,12 @@ use crate::batch::{Batch, check_length};
 use crate::{BatchError, EngineInput};
 
 impl Sensor {
+    /// Whether the engine writes batches without colour images directly into their place.
+    #[must_use]
+    pub fn measures_batches(&self) -> bool {
+        self.filters.is_empty() && self.engine.batches().is_some()
+    }
+
     /// Measures a batch `[count, height, width]` of depth images of one frame, for instance a simulator's environments,
     /// with or without their colour images; items count from `first_item`. Metres in and out, one image after the other;
     /// each image in `out` has the rows and columns of [`Chain::size`](crate::filter::Chain::size). Images of a batch

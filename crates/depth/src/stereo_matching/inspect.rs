@@ -1,12 +1,17 @@
 //! Detects problems of a pair from its images.
 
+mod difference;
+mod points;
+
+use std::array::from_fn;
+use std::borrow::Cow;
+
 use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_simd::run;
 
 use super::pair::{Luminance, Pair};
 use super::parameters::Parameters;
-
-/// The number of columns and rows compared on each side of a point.
-const WINDOW: [usize; 2] = [6, 3];
+use difference::{LeastDifference, SIDES, WINDOW};
 
 /// The maximum vertical offset that is searched in both directions, px.
 const MOST_ROWS: usize = 16;
@@ -14,11 +19,11 @@ const MOST_ROWS: usize = 16;
 /// The number of cells along a row and along a column of the image; each cell gives one point.
 const CELLS: [usize; 2] = [24, 14];
 
-/// The minimum difference of a point's neighbours, horizontally and vertically, in grey levels.
-const TEXTURE: u32 = 10;
-
 /// The minimum number of points for a finding.
 const FEWEST: usize = 12;
+
+/// The number of points between those that are compared one after another.
+const SPREAD: usize = 16;
 
 /// The factor by which the difference must be smaller at another position.
 const BETTER: f64 = 1.5;
@@ -42,7 +47,8 @@ const SATURATED: f64 = 0.4;
 pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
     let (width, height) = (pair.width() as usize, pair.height() as usize);
     let last = parameters.max_disparity_px() as usize;
-    let grey = [pair.left(), pair.right()].map(grey_levels);
+    let (left, right) = (pair.left(), pair.right());
+    let grey = [&left, &right].map(grey_levels);
     let look = Look {
         width,
         height,
@@ -74,16 +80,23 @@ fn warning(code: &'static str, place: &str, message: String, remedy: &'static st
 }
 
 /// Returns the 8-bit grey levels of an image.
-fn grey_levels(image: Luminance<'_>) -> Vec<u8> {
-    let more = image.bits() - 8;
-    let levels = image.levels().into_iter();
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "8 bits")]
-    let levels = levels.map(|level| (level >> more) as u8).collect();
-    levels
+fn grey_levels<'a>(image: &Luminance<'a>) -> Cow<'a, [u8]> {
+    match image {
+        Luminance::Bits8(image) => Cow::Borrowed(image.pixels()),
+        Luminance::Bits10(image) => image
+            .pixels()
+            .iter()
+            .map(|&level| (level.min(1023) >> 2) as u8)
+            .collect(),
+    }
 }
 
 fn saturated(name: &str, grey: &[u8]) -> Option<Finding> {
-    let bright = grey.iter().filter(|&&level| level >= 254).count();
+    // Sums of few pixels fit into 8 bits, with which the compiler counts many at once.
+    let bright = grey
+        .chunks(128)
+        .map(|some| usize::from(some.iter().map(|&level| u8::from(level >= 254)).sum::<u8>()))
+        .sum::<usize>();
     #[expect(clippy::cast_precision_loss, reason = "a share")]
     let share = bright as f64 / grey.len().max(1) as f64;
     (share > SATURATED).then(|| {
@@ -105,7 +118,7 @@ struct Look<'a> {
     reach: usize,
 }
 
-impl Look<'_> {
+impl<'a> Look<'a> {
     /// Returns why the images cannot be compared: too little texture, or no difference.
     fn unmatchable(&self, points: &[[usize; 2]]) -> Option<Finding> {
         let counts = [
@@ -132,16 +145,13 @@ impl Look<'_> {
 
     /// Returns the problems of how the images correspond.
     fn misplaced(&self, points: &[[usize; 2]]) -> Vec<Finding> {
-        let most = MOST_ROWS.cast_signed();
-        let by_rows = |is_swapped| {
-            let all = (-most..=most).map(|rows| (self.difference(points, rows, is_swapped), rows));
-            // Of equal differences, the smallest offset.
-            let least = all.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.abs().cmp(&b.1.abs())));
-            least.unwrap_or((f64::MAX, 0))
-        };
-        let (given, swapped) = (by_rows(false), by_rows(true));
-        let is_swapped = given.0 > BETTER * swapped.0.max(FLOOR);
-        let (least, rows) = if is_swapped { swapped } else { given };
+        let given = self.by_rows(points, false, f64::INFINITY);
+        let given = given.unwrap_or((f64::MAX, 0));
+        // Only an order that is better by the factor is reported.
+        let swapped = self.by_rows(points, true, given.0 / BETTER);
+        let swapped = swapped.filter(|swapped| given.0 > BETTER * swapped.0.max(FLOOR));
+        let is_swapped = swapped.is_some();
+        let (least, rows) = swapped.unwrap_or(given);
         let mut findings = Vec::new();
         if is_swapped {
             findings.push(warning(
@@ -151,6 +161,7 @@ impl Look<'_> {
                 "swap the left and the right image",
             ));
         }
+        let exceeds = |rows, limit| self.difference(points, rows, is_swapped, limit).is_none();
         if !is_swapped && self.is_by_chance(points, least) {
             findings.push(warning(
                 "unrelated",
@@ -158,7 +169,7 @@ impl Look<'_> {
                 "the images do not match, or all surfaces are nearer than the search range".to_owned(),
                 "give both images of the same moment; for near objects enable the extended disparity",
             ));
-        } else if rows != 0 && self.difference(points, 0, is_swapped) > BETTER * least.max(FLOOR) {
+        } else if rows != 0 && exceeds(0, BETTER * least.max(FLOOR)) {
             let to = if rows > 0 { "lower" } else { "higher" };
             findings.push(warning(
                 "vertical-offset",
@@ -181,31 +192,14 @@ impl Look<'_> {
     fn points(&self, image: &[u8]) -> Vec<[usize; 2]> {
         let [side, up] = [WINDOW[0] + 1, WINDOW[1] + 1];
         let (left, top) = (self.reach + side, MOST_ROWS.min(self.height / 8) + up);
-        let mut points = Vec::new();
         let (Some(columns), Some(rows)) = (
             self.width.checked_sub(2 * left).filter(|&columns| columns > 0),
             self.height.checked_sub(2 * top).filter(|&rows| rows > 0),
         ) else {
-            return points;
+            return Vec::new();
         };
-        let (cell_width, cell_height) = (columns.div_ceil(CELLS[0]), rows.div_ceil(CELLS[1]));
-        for y0 in (top..top + rows).step_by(cell_height) {
-            for x0 in (left..left + columns).step_by(cell_width) {
-                let mut best = (TEXTURE, None);
-                for y in y0..(y0 + cell_height).min(top + rows) {
-                    for x in x0..(x0 + cell_width).min(left + columns) {
-                        let along = self.at(image, x + 1, y).abs_diff(self.at(image, x - 1, y));
-                        let across = self.at(image, x, y + 1).abs_diff(self.at(image, x, y - 1));
-                        let texture = along.min(across);
-                        if texture > best.0 {
-                            best = (texture, Some([x, y]));
-                        }
-                    }
-                }
-                points.extend(best.1);
-            }
-        }
-        points
+        let cell = [columns.div_ceil(CELLS[0]), rows.div_ceil(CELLS[1])];
+        points::points(image, self.width, [left..left + columns, top..top + rows], cell)
     }
 
     /// Whether points with the mean difference `least` match no better than half an image above or below, where they
@@ -215,16 +209,15 @@ impl Look<'_> {
         if far <= 2 * MOST_ROWS.cast_signed() || least <= NOISE {
             return false;
         }
-        let elsewhere = self
-            .difference(points, far, false)
-            .min(self.difference(points, -far, false));
+        let elsewhere = [far, -far].map(|rows| self.difference(points, rows, false, f64::INFINITY));
+        let elsewhere = elsewhere.into_iter().flatten().fold(f64::MAX, f64::min);
         least > CHANCE[0] * elsewhere && least > CHANCE[1] * self.contrast(points)
     }
 
     /// Returns the mean absolute deviation around the points, in grey levels.
     fn contrast(&self, points: &[[usize; 2]]) -> f64 {
         let [side, up] = WINDOW;
-        let area = ((2 * side + 1) * (2 * up + 1)) as f64;
+        let area = (SIDES[0] * SIDES[1]) as f64;
         let all = points.iter().map(|&[x, y]| {
             let levels = || {
                 let rows = y - up..=y + up;
@@ -236,40 +229,61 @@ impl Look<'_> {
         all.sum::<f64>() / points.len().max(1) as f64
     }
 
-    /// Returns the mean difference in grey levels between the points and their best match `rows` rows below: to the
-    /// left, or to the right if the images are swapped.
-    fn difference(&self, points: &[[usize; 2]], rows: isize, is_swapped: bool) -> f64 {
-        let (mut sum, mut count) = (0.0, 0.0);
-        for &[x, y] in points {
-            let Some(there) = y.checked_add_signed(rows) else {
-                continue;
-            };
-            if there < WINDOW[1] || there + WINDOW[1] >= self.height {
-                continue;
+    /// Returns the least mean difference over all vertical offsets, and its offset, if it is at most the limit; of equal ones, that
+    /// of the smallest offset.
+    fn by_rows(&self, points: &[[usize; 2]], is_swapped: bool, limit: f64) -> Option<(f64, isize)> {
+        let offsets = (1..=MOST_ROWS.cast_signed()).flat_map(|rows| [-rows, rows]);
+        let mut best: Option<(f64, isize)> = None;
+        for rows in std::iter::once(0).chain(offsets) {
+            let limit = best.map_or(limit, |(least, _)| least);
+            if let Some(found) = self.difference(points, rows, is_swapped, limit)
+                && best.is_none_or(|(least, _)| found < least)
+            {
+                best = Some((found, rows));
             }
-            let least = (0..=self.reach).map(|d| {
-                let to = if is_swapped { x + d } else { x - d };
-                let mut total = 0;
-                for dy in 0..=2 * WINDOW[1] {
-                    let own = (y + dy - WINDOW[1]) * self.width + x - WINDOW[0];
-                    let other = (there + dy - WINDOW[1]) * self.width + to - WINDOW[0];
-                    let own = self.left.get(own..own + 2 * WINDOW[0] + 1).unwrap_or_default();
-                    let other = self
-                        .right
-                        .get(other..other + 2 * WINDOW[0] + 1)
-                        .unwrap_or_default();
-                    total += own
-                        .iter()
-                        .zip(other)
-                        .map(|(a, b)| u32::from(a.abs_diff(*b)))
-                        .sum::<u32>();
-                }
-                total
-            });
-            sum += f64::from(least.min().unwrap_or(0));
-            count += 1.0;
         }
-        let area = (2.0 * 6.0 + 1.0) * (2.0 * 3.0 + 1.0);
-        if count > 0.0 { sum / count / area } else { f64::MAX }
+        best
+    }
+
+    /// Returns the mean difference in grey levels between the points and their best match `rows` rows below: to the
+    /// left, or to the right if the images are swapped. `None` if it exceeds the limit, which most offsets do after a few points.
+    fn difference(&self, points: &[[usize; 2]], rows: isize, is_swapped: bool, limit: f64) -> Option<f64> {
+        let there = |y: usize| {
+            let inside = WINDOW[1]..self.height.saturating_sub(WINDOW[1]);
+            y.checked_add_signed(rows).filter(|there| inside.contains(there))
+        };
+        let count = points.iter().filter(|&&[_, y]| there(y).is_some()).count();
+        let mean = |sum: u32| f64::from(sum) / count as f64 / (SIDES[0] * SIDES[1]) as f64;
+        if count == 0 {
+            return (f64::MAX <= limit).then_some(f64::MAX);
+        }
+        let mut sum = 0;
+        // Neighbouring points resemble each other, so those visited first are spread over the image.
+        let spread = (0..SPREAD).flat_map(|first| points.iter().skip(first).step_by(SPREAD));
+        for &[x, y] in spread {
+            let Some(there) = there(y) else { continue };
+            sum += self.least([x, y], there, is_swapped);
+            if mean(sum) > limit {
+                return None;
+            }
+        }
+        Some(mean(sum))
+    }
+
+    /// Returns the least sum of differences between a point's window and those of a row of the right image.
+    fn least(&self, [x, y]: [usize; 2], there: usize, is_swapped: bool) -> u32 {
+        let [side, up] = WINDOW;
+        let row = |image: &'a [u8], y: usize, from: usize, length: usize| {
+            let from = y * self.width + from;
+            image.get(from..from + length).unwrap_or_default()
+        };
+        let from = if is_swapped { x } else { x - self.reach } - side;
+        let window = |dy| row(self.left, y - up + dy, x - side, SIDES[0]);
+        let strip = |dy| row(self.right, there - up + dy, from, self.reach + SIDES[0]);
+        run(LeastDifference {
+            window: from_fn(|dy| window(dy).first_chunk().unwrap_or(&[0; SIDES[0]])),
+            strip: from_fn(strip),
+        })
+        .into()
     }
 }

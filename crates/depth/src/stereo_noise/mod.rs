@@ -56,6 +56,7 @@ mod tests;
 mod texture;
 mod window;
 
+pub(crate) use self::sense::BAND;
 pub use crate::disparity::{DepthRounding, Subpixel};
 pub use parameters::{DEVICE_BIAS_SIGMA_PX, Parameters};
 

@@ -17,7 +17,7 @@ use crate::random::{Plane, Stage, Stream};
 use crate::reason::Reason;
 
 /// The rows that one thread processes. The first one also sums the windows of the rows before it.
-const BAND: usize = 64;
+pub(crate) const BAND: usize = 64;
 
 /// Rows are padded to multiples of this, so that loops have no remainder. The padding has no surface.
 const PADDING: usize = 16;
@@ -102,9 +102,12 @@ impl<'a> Job<'a> {
         self.depth.pixels().get(y * self.width()..(y + 1) * self.width())
     }
 
-    /// Computes all rows on all threads; `finish` makes each from its disparities.
+    /// Computes all rows on all threads; `finish` makes each from its disparities. A small image is left to the calling thread.
     pub(super) fn image<T: Send>(&self, out: &mut [T], finish: impl Fn(&[u16], &[u8], &mut [T]) + Sync) {
         let band = BAND * self.width();
+        if out.len() <= band {
+            return self.rows(&mut Scratch::default(), 0, out, finish);
+        }
         out.par_chunks_mut(band.max(1)).enumerate().for_each_init(
             Scratch::default,
             |scratch, (index, out)| {

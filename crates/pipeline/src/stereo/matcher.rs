@@ -1,5 +1,7 @@
 //! From two images to depth.
 
+use std::sync::Arc;
+
 use rayon::prelude::*;
 
 use super::StereoError;
@@ -254,10 +256,13 @@ fn see(sensor: &mut Sensor, rectified: [Recorded; 2]) -> Result<Seen, StereoErro
     let [left, right] = &rectified;
     let pair = Pair::new(left, right)?;
     let input = Input::Pair(pair);
-    let findings = sensor.engine().inspect(&input);
-    let capture = sensor.capture(input, &[Annotator::Disparity, Annotator::Confidence])?;
+    let engine = Arc::clone(sensor.engine());
+    let (capture, findings) = rayon::join(
+        || sensor.capture(input, &[Annotator::Disparity, Annotator::Confidence]),
+        || engine.inspect(&input),
+    );
     Ok(Seen {
-        capture,
+        capture: capture?,
         rectified,
         findings,
     })

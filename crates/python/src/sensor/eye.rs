@@ -86,6 +86,17 @@ impl DepthSensor {
         Ok(eye)
     }
 
+    /// Returns the sensor for images of a size, which is shared.
+    pub(super) fn of_size(&self, py: Python<'_>, size: ImageSize) -> PyResult<Arc<Sensor>> {
+        // Releasing the interpreter is only worth its time if the lock is taken, or for another size.
+        if let Ok(eye) = self.eye.try_lock()
+            && eye.camera.intrinsics.size == size
+        {
+            return Ok(Arc::clone(&eye.sensor));
+        }
+        Ok(self.now(py, Some(size))?.sensor)
+    }
+
     /// Returns a copy of the sensor for an image size; by default, for the most recent one.
     pub(super) fn now(&self, py: Python<'_>, size: Option<ImageSize>) -> PyResult<Eye> {
         py.detach(|| {

@@ -175,7 +175,7 @@ impl DepthSensor {
     ) -> PyResult<Bound<'py, PyAny>> {
         let (depth, shape) = Depth::read("depth", depth)?;
         let pictures = rgb.map(|rgb| Pictures::read(rgb, shape)).transpose()?;
-        let sensor = self.now(py, Some(shape.size))?.sensor;
+        let sensor = self.of_size(py, shape.size)?;
         let (width, height) = sensor.filters().size(shape.size.width, shape.size.height);
         let out_shape = shape.sized(ImageSize::new(width, height));
         let (result, mut out) = Out::of(py, out, out_shape, &depth)?;
@@ -198,8 +198,8 @@ impl DepthSensor {
                 &mut room,
             )?;
         } else {
-            drop(sensor);
-            self.image(py, values, rgb, shape.size, frame, &mut room)?;
+            drop(items);
+            self.image(py, sensor, values, rgb, shape.size, frame, &mut room)?;
         }
         self.notice(py, values, &room)?;
         Ok(result)

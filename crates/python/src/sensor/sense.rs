@@ -16,39 +16,57 @@ use crate::threads;
 const PIXELS_AT_ONCE: usize = 1 << 23;
 
 impl DepthSensor {
+    /// Measures one image with a copy of the sensor, or with the sensor itself if it has memory.
+    #[expect(clippy::too_many_arguments, reason = "an image and where it goes")]
     pub(super) fn image(
         &self,
         py: Python<'_>,
+        sensor: Arc<Sensor>,
         depth: DepthSlice<'_>,
         rgb: Option<&[[u8; 4]]>,
         size: ImageSize,
         frame: u64,
         out: &mut OutSlice<'_>,
     ) -> PyResult<()> {
-        py.detach(|| {
-            // A sensor with memory keeps the lock while it runs. It is taken before entering the pool, so that the
-            // pool's threads never wait for it.
-            let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
-            let sensor = &mut self.look(&mut eye, size)?.sensor;
-            let metres = depth.metres();
-            let view = |pixels| {
-                ImageView::new(size.width, size.height, pixels)
-                    .ok_or_else(|| wrong("depth", "is smaller than its shape", "give whole arrays"))
+        let ImageSize { width, height } = size;
+        if rgb.is_none() && sensor.measures_batches() {
+            let mut measure = || {
+                let shape = [1, height as usize, width as usize];
+                let metres = depth.metres();
+                out.fill(0, shape[1] * shape[2], |room| {
+                    sensor.sense_batch(&metres, None, shape, frame, 0, room)
+                })
             };
-            let mut shot = Shot::new(view(&metres)?);
-            shot.frame = frame;
-            if let Some(rgb) = rgb {
-                let rgb = ImageView::new(size.width, size.height, rgb);
-                if let Some(rgb) = rgb {
-                    shot = shot.with_rgb(rgb).map_err(error)?;
+            // A change of threads takes longer than measuring a small image.
+            let is_parallel = sensor.is_parallel(width, height);
+            let measured = py.detach(|| {
+                if is_parallel {
+                    threads::install(measure)
+                } else {
+                    Ok(measure())
                 }
+            });
+            return measured?.map_err(error);
+        }
+        py.detach(|| {
+            let metres = depth.metres();
+            let view = ImageView::new(width, height, &metres[..])
+                .ok_or_else(|| wrong("depth", "is smaller than its shape", "give whole arrays"))?;
+            let mut shot = Shot::new(view);
+            shot.frame = frame;
+            if let Some(rgb) = rgb.and_then(|rgb| ImageView::new(width, height, rgb)) {
+                shot = shot.with_rgb(rgb).map_err(error)?;
             }
             let capture = if sensor.remembers() {
-                let sensor = Arc::make_mut(sensor);
+                // The memory would be copied if the sensor were shared.
+                drop(sensor);
+                // A sensor with memory keeps the lock while it runs. It is taken before entering the pool, so that the
+                // pool's threads never wait for it.
+                let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
+                let sensor = Arc::make_mut(&mut self.look(&mut eye, size)?.sensor);
                 threads::install(|| sensor.capture(shot, &[]))?
             } else {
-                let mut sensor = Sensor::clone(sensor);
-                drop(eye);
+                let mut sensor = Arc::unwrap_or_clone(sensor);
                 threads::install(|| sensor.capture(shot, &[]))?
             };
             let distance = capture.map_err(error)?.distance;
