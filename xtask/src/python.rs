@@ -36,9 +36,14 @@ pub(crate) const CURRENT: Environment = Environment {
     tests: ORACLES,
 };
 
-/// The newest OpenUSD, the generation of Isaac Sim 5.1, and the readers of robot descriptions.
-pub(crate) const ENVIRONMENTS: [Environment; 3] = [
+/// The newest OpenUSD, the generation of Isaac Sim 5.1, and the readers of data sets and of robot descriptions.
+pub(crate) const ENVIRONMENTS: [Environment; 4] = [
     CURRENT,
+    Environment {
+        name: "datasets",
+        versions: ((3, 11), None),
+        tests: "tests/oracles/test_generate.py",
+    },
     Environment {
         name: "robot",
         versions: ((3, 11), Some((3, 13))),

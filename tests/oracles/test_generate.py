@@ -1,0 +1,349 @@
+"""Generated data sets, as the reference readers of their formats see them, and by ray casting in NumPy."""
+
+import hashlib
+import json
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pycolmap
+import pytest
+import trimesh
+from evo.tools import file_interface
+from PIL import Image
+from pycocotools.coco import COCO
+from scipy.spatial.distance import pdist
+from scipy.spatial.transform import Rotation
+
+RECIPES = Path(__file__).resolve().parents[2] / "examples/recipes"
+FORMATS = ["basic", "bop", "coco", "tum", "nerfstudio", "colmap", "middlebury", "kitti"]
+RECIPE = f"""
+frames = 4
+frames_per_scene = 2
+seed = 3
+scene = '{RECIPES}/table.usda'
+[[objects]]
+files = '{RECIPES}/objects/'
+count = {{ uniform = [5, 7] }}
+on = '/World/Table'
+pose = 'resting'
+look = {{}}
+[light]
+lamps = {{}}
+projector = 0.5
+[camera]
+resolution = [320, 200]
+min_objects = 3
+[sensor]
+extended_disparity = true
+"""
+
+
+def image(path: Path) -> np.ndarray:
+    return np.array(Image.open(path))
+
+
+def pfm(path: Path) -> np.ndarray:
+    kind, size, scale, data = path.read_bytes().split(b"\n", 3)
+    assert kind == b"Pf" and float(scale) < 0
+    width, height = map(int, size.split())
+    return np.frombuffer(data, "<f4").reshape(height, width)[::-1]
+
+
+class Bop:
+    """A data set in BOP's layout; lengths in millimetres."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+        self.models = {}
+        self.frames = {}
+        for scene in sorted((root / "train").iterdir()):
+            read = lambda name: json.loads((scene / f"scene_{name}.json").read_text())
+            cameras, poses, infos = read("camera"), read("gt"), read("gt_info")
+            for key, camera in cameras.items():
+                self.frames[int(key)] = (scene, camera, poses[key], infos[key])
+
+    def model(self, number: int) -> trimesh.Trimesh:
+        if number not in self.models:
+            path = self.root / f"models/obj_{number:06}.ply"
+            self.models[number] = trimesh.load(path, process=False)
+        return self.models[number]
+
+    def triangles(self, pose: dict) -> np.ndarray:
+        """The triangles of an object in the camera's frame."""
+        rotation = np.array(pose["cam_R_m2c"]).reshape(3, 3)
+        return self.model(pose["obj_id"]).triangles @ rotation.T + np.array(pose["cam_t_m2c"])
+
+
+def cast(triangles: np.ndarray, matrix: np.ndarray, pixels: np.ndarray) -> np.ndarray:
+    """The depth of the first triangle behind each pixel's centre, infinite for a miss: Moeller and Trumbore's test."""
+    rays = np.column_stack([pixels, np.ones(len(pixels))]) @ np.linalg.inv(matrix).T
+    a = triangles[:, 0]
+    e1, e2 = triangles[:, 1] - a, triangles[:, 2] - a
+    p = np.cross(rays[:, None], e2[None])
+    det = np.einsum("rti,ti->rt", p, e1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        u = np.einsum("rti,ti->rt", p, -a) / det
+        q = np.cross(-a, e1)
+        v = rays @ q.T / det
+        t = np.einsum("ti,ti->t", e2, q)[None] / det
+    inside = (u >= 0) & (v >= 0) & (u + v <= 1) & (t > 0)
+    return np.where(inside, t, np.inf).min(axis=1)
+
+
+@pytest.fixture(scope="session")
+def root(program: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("generated")
+    (folder / "recipe.toml").write_text(RECIPE)
+    command = [program, "generate", folder / "recipe.toml", "-o", folder / "set", "--formats", ",".join(FORMATS)]
+    subprocess.run(command, check=True)
+    return folder / "set"
+
+
+@pytest.fixture(scope="session")
+def bop(root: Path) -> Bop:
+    return Bop(root / "bop")
+
+
+def matrix_of(camera: dict) -> np.ndarray:
+    return np.array(camera["cam_K"]).reshape(3, 3)
+
+
+def world_from_camera(camera: dict) -> np.ndarray:
+    """In metres."""
+    pose = np.eye(4)
+    rotation = np.array(camera["cam_R_w2c"]).reshape(3, 3)
+    pose[:3, :3] = rotation.T
+    pose[:3, 3] = -rotation.T @ np.array(camera["cam_t_w2c"]) * 1e-3
+    return pose
+
+
+def test_bop_depth_is_that_of_the_models_at_their_poses(bop: Bop) -> None:
+    random = np.random.default_rng(0)
+    compared = 0
+    for number, (scene, camera, poses, _) in bop.frames.items():
+        depth = image(scene / f"depth_exact/{number:06}.png").astype(float)
+        for index, pose in enumerate(poses):
+            visible = image(scene / f"mask_visib/{number:06}_{index:06}.png") > 0
+            pixels = np.argwhere(visible)[:, ::-1]
+            if not len(pixels):
+                continue
+            pixels = random.permutation(pixels)[:60]
+            expected = cast(bop.triangles(pose), matrix_of(camera), pixels)
+            found = depth[pixels[:, 1], pixels[:, 0]]
+            # Half a millimetre of rounding. A camera matrix that is wrong by half a pixel fails on slanted faces.
+            assert np.abs(found - expected).max() < 0.51
+            compared += len(pixels)
+    assert compared > 500
+
+
+def test_bop_masks_are_silhouettes(bop: Bop) -> None:
+    random = np.random.default_rng(1)
+    partly_hidden = 0
+    for number, (scene, camera, poses, infos) in bop.frames.items():
+        depth = image(scene / f"depth/{number:06}.png")
+        height, width = depth.shape
+        for index, (pose, info) in enumerate(zip(poses, infos)):
+            whole = image(scene / f"mask/{number:06}_{index:06}.png") > 0
+            visible = image(scene / f"mask_visib/{number:06}_{index:06}.png") > 0
+            assert not (visible & ~whole).any()
+            triangles = bop.triangles(pose)
+            corners = triangles.reshape(-1, 3) @ matrix_of(camera).T
+            corners = corners[:, :2] / corners[:, 2:]
+            low, high = corners.min(axis=0), corners.max(axis=0)
+            pixels = random.uniform(low - 2, high + 2, (80, 2)).round()
+            hit = np.isfinite(cast(triangles, matrix_of(camera), pixels))
+            inside = ((pixels >= 0) & (pixels < [width, height])).all(axis=1)
+            at = pixels[inside].astype(int)
+            # A pixel on the outline may differ in the last digit.
+            assert (whole[at[:, 1], at[:, 0]] != hit[inside]).sum() <= 1
+            x, y, w, h = info["bbox_obj"]
+            assert np.abs(np.array([x, y]) - np.ceil(low - 1e-6)).max() <= 1
+            assert np.abs(np.array([x + w - 1, y + h - 1]) - np.floor(high + 1e-6)).max() <= 1
+            assert info["px_count_visib"] == visible.sum()
+            assert info["px_count_valid"] == (whole & (depth > 0)).sum()
+            assert info["px_count_all"] >= whole.sum()
+            if (low >= 0).all() and (high <= [width - 1, height - 1]).all():
+                assert info["px_count_all"] == whole.sum()
+            assert info["visib_fract"] == pytest.approx(visible.sum() / info["px_count_all"])
+            partly_hidden += 0 < info["visib_fract"] < 0.97
+            if visible.any():
+                ys, xs = np.nonzero(visible)
+                assert info["bbox_visib"] == [xs.min(), ys.min(), np.ptp(xs) + 1, np.ptp(ys) + 1]
+            else:
+                assert info["bbox_visib"] == [-1, -1, -1, -1]
+    assert partly_hidden > 2
+
+
+def test_bop_models_have_their_size(bop: Bop) -> None:
+    infos = json.loads((bop.root / "models/models_info.json").read_text())
+    assert len(infos) >= 5
+    for number, info in infos.items():
+        points = bop.model(int(number)).vertices
+        assert info["diameter"] == pytest.approx(pdist(np.unique(points, axis=0)).max(), rel=1e-5)
+        low, size = ([info[f"{name}_{axis}"] for axis in "xyz"] for name in ("min", "size"))
+        np.testing.assert_allclose(low, points.min(axis=0), atol=1e-4)
+        np.testing.assert_allclose(size, np.ptp(points, axis=0), atol=1e-4)
+
+
+def test_objects_do_not_overlap(bop: Bop) -> None:
+    """Points inside of one object are not inside of another one, and all are above the table."""
+    for number, (_, camera, poses, _) in bop.frames.items():
+        if number % 2:
+            continue
+        world = world_from_camera(camera)
+        hulls = []
+        for pose in poses:
+            points = bop.triangles(pose).reshape(-1, 3) * 1e-3 @ world[:3, :3].T + world[:3, 3]
+            assert points[:, 2].min() > 0.74
+            hulls.append(trimesh.convex.convex_hull(points))
+        for at, hull in enumerate(hulls):
+            inner = hull.centroid + 0.98 * (hull.vertices - hull.centroid)
+            for other in hulls[:at]:
+                faces = other.triangles_center, other.face_normals
+                outside = np.einsum("pfi,fi->pf", inner[:, None] - faces[0], faces[1])
+                assert (outside.max(axis=1) > 0).all()
+
+
+def test_coco_has_the_visible_masks(root: Path, bop: Bop) -> None:
+    coco = COCO(root / "coco/annotations/instances.json")
+    names = json.loads((bop.root / "models/models_names.json").read_text())
+    for key, found in coco.imgs.items():
+        number = key - 1
+        assert image(root / "coco/images" / found["file_name"]).shape == (200, 320, 3)
+        scene, _, poses, infos = bop.frames[number]
+        annotations = coco.loadAnns(coco.getAnnIds(imgIds=key))
+        seen = [index for index, info in enumerate(infos) if info["px_count_visib"]]
+        assert len(annotations) == len(seen)
+        for annotation, index in zip(annotations, seen):
+            mask = image(scene / f"mask_visib/{number:06}_{index:06}.png") > 0
+            np.testing.assert_array_equal(coco.annToMask(annotation) > 0, mask)
+            assert annotation["area"] == mask.sum()
+            assert annotation["bbox"] == infos[index]["bbox_visib"]
+            category = coco.cats[annotation["category_id"]]["name"]
+            assert category == names[str(poses[index]["obj_id"])]["label"]
+
+
+def test_tum_has_the_trajectory(root: Path, bop: Bop) -> None:
+    for sequence in range(2):
+        folder = root / f"tum/{sequence:06}"
+        trajectory = file_interface.read_tum_trajectory_file(folder / "groundtruth.txt")
+        np.testing.assert_allclose(trajectory.timestamps, [0, 1 / 30], atol=1e-9)
+        for index, pose in enumerate(trajectory.poses_se3):
+            scene, camera, _, _ = bop.frames[2 * sequence + index]
+            np.testing.assert_allclose(pose, world_from_camera(camera), atol=1e-8)
+            line = (folder / "associations.txt").read_text().splitlines()[1 + index].split()
+            depth = image(folder / line[1]).astype(float) / 5
+            expected = image(scene / f"depth/{2 * sequence + index:06}.png").astype(float)
+            assert np.abs(depth - expected).max() <= 0.6
+            assert (depth > 0).mean() > 0.5
+            assert image(folder / line[3]).shape == (200, 320, 3)
+
+
+def test_nerfstudio_has_opengl_cameras(root: Path, bop: Bop) -> None:
+    for sequence in range(2):
+        folder = root / f"nerfstudio/{sequence:06}"
+        transforms = json.loads((folder / "transforms.json").read_text())
+        for index, frame in enumerate(transforms["frames"]):
+            _, camera, _, _ = bop.frames[2 * sequence + index]
+            pose = np.array(frame["transform_matrix"]) @ np.diag([1, -1, -1, 1])
+            np.testing.assert_allclose(pose, world_from_camera(camera), atol=1e-9)
+            matrix = matrix_of(camera)
+            assert [frame["fl_x"], frame["cx"]] == pytest.approx([matrix[0, 0], matrix[0, 2] + 0.5])
+            assert (folder / frame["file_path"]).exists() and (folder / frame["depth_file_path"]).exists()
+
+
+def test_colmap_projects_as_bop(root: Path, bop: Bop) -> None:
+    for sequence in range(2):
+        model = pycolmap.Reconstruction(root / f"colmap/{sequence:06}/sparse/0")
+        assert len(model.images) == 2 and len(model.rigs) == 1 and len(model.frames) == 2
+        for found in model.images.values():
+            _, camera, _, _ = bop.frames[int(Path(found.name).stem)]
+            assert (root / f"colmap/{sequence:06}/images" / found.name).exists()
+            point = world_from_camera(camera) @ [0.1, -0.2, 1.5, 1]
+            expected = matrix_of(camera) @ [0.1, -0.2, 1.5]
+            pixel = found.project_point(point[:3])
+            np.testing.assert_allclose(pixel, expected[:2] / expected[2] + 0.5, atol=1e-6)
+
+
+def calibration(path: Path) -> dict[str, str]:
+    return dict(line.split("=", 1) for line in path.read_text().splitlines())
+
+
+def test_disparity_is_that_of_exact_depth(root: Path, bop: Bop) -> None:
+    for number, (scene, camera, _, _) in bop.frames.items():
+        folder = root / f"middlebury/{number:06}"
+        disparity, calib = pfm(folder / "disp0.pfm"), calibration(folder / "calib.txt")
+        focal = float(calib["cam0"].strip("[").split()[0])
+        assert focal == pytest.approx(matrix_of(camera)[0, 0], rel=1e-6)
+        depth = float(calib["baseline"]) * focal / (disparity + float(calib["doffs"]))
+        exact = image(scene / f"depth_exact/{number:06}.png").astype(float)
+        known = np.isfinite(disparity)
+        assert np.abs(depth - exact)[known].max() < 0.51
+        assert (exact[~known] == 0).all()
+        assert disparity[known].max() <= float(calib["vmax"]) < float(calib["ndisp"])
+        kitti = image(root / f"kitti/training/disp_occ_0/{number:06}_10.png") / 256
+        assert np.abs(kitti - np.where(known, disparity, 0)).max() <= 0.002
+        lines = (root / f"kitti/training/calib_cam_to_cam/{number:06}.txt").read_text().splitlines()
+        right = [float(value) for value in lines[1].split()[1:]]
+        assert -right[3] / right[0] * 1000 == pytest.approx(float(calib["baseline"]), rel=1e-6)
+
+
+def test_the_images_of_a_pair_match(root: Path, bop: Bop) -> None:
+    for number in bop.frames:
+        folder = root / f"middlebury/{number:06}"
+        left, right = (image(folder / f"im{index}.png").astype(float) for index in range(2))
+        disparity, mask = pfm(folder / "disp0.pfm"), image(folder / "mask0nocc.png")
+        ys, xs = np.nonzero(mask == 255)
+
+        def difference(shift: float) -> float:
+            at = xs - disparity[ys, xs] + shift
+            inside = (at >= 1) & (at < 318)
+            low = np.floor(at[inside]).astype(int)
+            part = at[inside] - low
+            warped = right[ys[inside], low] * (1 - part) + right[ys[inside], low + 1] * part
+            return np.abs(warped - left[ys[inside], xs[inside]]).mean()
+
+        best = difference(0)
+        assert best < 6 and best < min(difference(-1.5), difference(1.5))
+        # Occlusion: surfaces with a larger disparity move over those with a smaller one.
+        occluded = mask == 128
+        assert 0.002 < occluded.mean() < 0.3
+        noc = image(root / f"kitti/training/disp_noc_0/{number:06}_10.png")
+        assert ((noc > 0) == ((mask == 255) & (np.rint(disparity * 256) > 0))).all()
+
+
+def test_occlusion_is_that_of_the_right_view(root: Path, bop: Bop) -> None:
+    """A pixel is occluded if something nearer lies on the line of sight of the right camera, or if it is outside its image."""
+    random = np.random.default_rng(2)
+    found = []
+    for number, (_, camera, poses, _) in bop.frames.items():
+        folder = root / f"middlebury/{number:06}"
+        calib = calibration(folder / "calib.txt")
+        disparity, mask = pfm(folder / "disp0.pfm"), image(folder / "mask0nocc.png")
+        matrix = matrix_of(camera)
+        triangles = np.concatenate([bop.triangles(pose) for pose in poses]) - [float(calib["baseline"]), 0, 0]
+        pixels = random.permutation(np.argwhere(mask > 0)[:, ::-1])[:150]
+        own = disparity[pixels[:, 1], pixels[:, 0]]
+        seen = np.column_stack([pixels[:, 0] - own, pixels[:, 1]])
+        depth = float(calib["baseline"]) * matrix[0, 0] / own
+        hidden = (cast(triangles, matrix, seen) < depth - 8) & (seen[:, 0] >= 0)
+        # The table hides nothing that stands on it.
+        found.extend(mask[pixels[hidden, 1], pixels[hidden, 0]] == 128)
+    assert len(found) > 10 and np.mean(found) > 0.85
+
+
+def test_quaternions_are_rotations(root: Path) -> None:
+    line = (root / "tum/000000/groundtruth.txt").read_text().splitlines()[1].split()
+    assert len(line) == 8
+    assert np.linalg.norm(Rotation.from_quat([float(x) for x in line[4:]]).as_quat()) == pytest.approx(1)
+
+
+def test_the_manifest_has_every_file(root: Path) -> None:
+    manifest = json.loads((root / "manifest.json").read_text())
+    listed = {file["path"]: file for file in manifest["files"]}
+    present = {str(path.relative_to(root)) for path in root.rglob("*") if path.is_file()}
+    assert present - set(listed) == {name for name in present if name.startswith(".oaktwin/")} | {"manifest.json"}
+    assert set(listed) <= present
+    for path, file in list(listed.items())[::7]:
+        assert hashlib.sha256((root / path).read_bytes()).hexdigest() == file["sha256"]
