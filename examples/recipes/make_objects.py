@@ -1,11 +1,14 @@
-"""Writes the objects and the table of the example recipes as USD text files.
+"""Writes the objects, the scenes and the textures of the example recipes.
 
     python make_objects.py
 
-Objects stand on z = 0 and are in metres. Every file is small enough to read.
+Objects stand on z = 0 and are in metres. Textures repeat every half metre. Every file is small enough to read.
 """
 
 import math
+import random
+import struct
+import zlib
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -71,7 +74,37 @@ def box(name, size, color, center=(0, 0, 0.5)):
         tuple(size[axis] * ((corner >> axis & 1) - 0.5 + center[axis]) for axis in range(3)) for corner in range(8)
     ]
     faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
-    return mesh(name, points, faces, color, [(0, 0), (1, 0), (1, 1), (0, 1)] * 6)
+    uvs = []
+    for face, axes in zip(faces, [(0, 1), (0, 1), (0, 2), (0, 2), (1, 2), (1, 2)]):
+        uvs += [tuple(points[corner][axis] / 0.5 for axis in axes) for corner in face]
+    return mesh(name, points, faces, color, uvs)
+
+
+def texture(path, colors, cells, seed):
+    """A PNG of value noise between two colours, which repeats; cells are the noise's steps from coarse to fine."""
+    size, rng = 128, random.Random(seed)
+    levels = [[[rng.random() for _ in range(count)] for _ in range(count)] for count in cells]
+
+    def noise(grid, x, y):
+        count = len(grid)
+        x, y = x * count / size, y * count / size
+        i, j, u, v = int(x), int(y), x % 1, y % 1
+        a, b = grid[j % count], grid[(j + 1) % count]
+        ends = [row[i % count] * (1 - u) + row[(i + 1) % count] * u for row in (a, b)]
+        return ends[0] * (1 - v) + ends[1] * v
+
+    rows = b""
+    for y in range(size):
+        row = b"\0"
+        for x in range(size):
+            share = sum(noise(grid, x, y) for grid in levels) / len(levels)
+            share = min(1, max(0, 0.5 + 2 * (share - 0.5)))
+            row += bytes(round(a + (b - a) * share) for a, b in zip(*colors))
+        rows += row
+    chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    header = struct.pack(">IIBBBBB", size, size, 8, 2, 0, 0, 0)
+    data = chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b"")
+    (HERE / path).write_bytes(b"\x89PNG\r\n\x1a\n" + data)
 
 
 def xform(name, children, labels=None):
@@ -125,10 +158,16 @@ def main():
         for index, (x, y) in enumerate([(-10.5, -6.5), (10.5, -6.5), (10.5, 6.5), (-10.5, 6.5)])
     ]
     top = box("Top", (1.2, 0.8, 0.04), wood, (0, 0, 18))
+    walls = [
+        box("Back", (6, 0.02, 2.5), wall, (0, 150, 0.5)),
+        box("Front", (6, 0.02, 2.5), wall, (0, -150, 0.5)),
+        box("Left", (0.02, 6, 2.5), wall, (-150, 0, 0.5)),
+        box("Right", (0.02, 6, 2.5), wall, (150, 0, 0.5)),
+    ]
     room = [
         xform("Table", [top, *legs], "table"),
         xform("Floor", [box("Slab", (6, 6, 0.02), grey, (0, 0, -0.5))], "floor"),
-        xform("Wall", [box("Slab", (6, 0.02, 2.5), wall, (0, 150, 0.5))], "wall"),
+        xform("Walls", walls, "wall"),
     ]
     write("table.usda", "World", *room)
 
@@ -140,6 +179,11 @@ def main():
         box("Back", (0.6, 0.01, 0.22), grey, (0, 19.5, 0.5)),
     ]
     floor = xform("Floor", [box("Slab", (3, 3, 0.02), wall, (0, 0, -0.5))], "floor")
+    (HERE / "textures").mkdir(exist_ok=True)
+    texture("textures/plaster.png", ((190, 186, 178), (240, 238, 232)), [8, 32, 128], 1)
+    texture("textures/stone.png", ((70, 68, 66), (210, 205, 200)), [16, 64, 128], 2)
+    texture("textures/wood.png", ((110, 72, 40), (190, 140, 90)), [4, 64, 128], 3)
+    texture("textures/speckle.png", ((30, 30, 30), (250, 250, 250)), [128], 4)
     write("bin.usda", "World", xform("Bin", sides, "bin"), floor)
 
 

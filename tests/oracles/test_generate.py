@@ -323,7 +323,7 @@ def test_occlusion_is_that_of_the_right_view(root: Path, bop: Bop) -> None:
         disparity, mask = pfm(folder / "disp0.pfm"), image(folder / "mask0nocc.png")
         matrix = matrix_of(camera)
         triangles = np.concatenate([bop.triangles(pose) for pose in poses]) - [float(calib["baseline"]), 0, 0]
-        pixels = random.permutation(np.argwhere(mask > 0)[:, ::-1])[:150]
+        pixels = random.permutation(np.argwhere(mask > 0)[:, ::-1])[:300]
         own = disparity[pixels[:, 1], pixels[:, 0]]
         seen = np.column_stack([pixels[:, 0] - own, pixels[:, 1]])
         depth = float(calib["baseline"]) * matrix[0, 0] / own

@@ -67,7 +67,12 @@ impl Context {
         let library = Library::new(&file)?;
         let mut bases = Vec::new();
         for name in &recipe.scene.0 {
-            bases.push(Base::open(name, &file.resolve(name), &recipe.scene_options)?);
+            bases.push(Base::open(
+                name,
+                &file.resolve(name),
+                &recipe.scene_options,
+                !recipe.looks.is_empty(),
+            )?);
         }
         if bases.is_empty() {
             bases.extend(Base::floor());

@@ -60,6 +60,7 @@ impl SceneArgs {
             up: self.up,
             scale: self.scale,
             allow_outside: self.allow_outside,
+            texture_coordinates: false,
         })
     }
 }

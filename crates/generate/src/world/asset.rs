@@ -22,6 +22,7 @@ impl Asset {
             path,
             &OpenOptions {
                 up: up.filter(|_| !is_stage(path)),
+                texture_coordinates: true,
                 ..OpenOptions::default()
             },
         )?;
@@ -56,7 +57,7 @@ fn is_stage(path: &Path) -> bool {
 
 /// Gives a material to the triangles that have none, so that they can get another one.
 #[expect(clippy::cast_possible_truncation, reason = "a scene's indices are u32")]
-fn give_materials(scene: &mut Scene) {
+pub(super) fn give_materials(scene: &mut Scene) {
     let bare = scene.materials.len() as u32;
     scene.materials.push(Material {
         roughness: 0.6,

@@ -8,6 +8,7 @@ use parry3d_f64::math::Pose;
 use parry3d_f64::query::{self, PointQuery, Ray, RayCast, ShapeCastOptions};
 use parry3d_f64::shape::{FeatureId, Shape, TriMesh};
 
+use super::asset::give_materials;
 use super::hull::{Hull, from_parry, pose_to_parry, to_parry};
 use crate::GenerateError;
 use crate::recipe::SceneRule;
@@ -40,16 +41,25 @@ pub(crate) struct Contact {
 }
 
 impl Base {
-    /// Opens a scene file.
-    pub(crate) fn open(name: &str, path: &Path, rule: &SceneRule) -> Result<Self, GenerateError> {
+    /// Opens a scene file, whose surfaces get other looks if it `has_looks`.
+    pub(crate) fn open(
+        name: &str,
+        path: &Path,
+        rule: &SceneRule,
+        has_looks: bool,
+    ) -> Result<Self, GenerateError> {
         let options = OpenOptions {
             up: rule.up,
             scale: rule.scale,
             subdivide: rule.subdivide,
+            texture_coordinates: has_looks,
             ..OpenOptions::default()
         };
-        let file = SceneFile::open(path, &options)?;
-        Self::new(name, file.scene).ok_or_else(|| GenerateError::Empty {
+        let mut scene = SceneFile::open(path, &options)?.scene;
+        if has_looks {
+            give_materials(&mut scene);
+        }
+        Self::new(name, scene).ok_or_else(|| GenerateError::Empty {
             file: path.to_owned(),
         })
     }

@@ -29,6 +29,9 @@ pub struct OpenOptions {
     pub scale: Option<f64>,
     /// Whether a glTF file may name buffers and images outside its folder.
     pub allow_outside: bool,
+    /// Whether the meshes of a USD stage without a texture keep their texture coordinates, for materials that are given to them
+    /// later. Mesh files always keep them.
+    pub texture_coordinates: bool,
 }
 
 /// The contents of a scene file.
@@ -93,6 +96,7 @@ impl SceneFile {
                 time: options.time,
                 subdivide: options.subdivide,
                 limit: options.limit,
+                texture_coordinates: options.texture_coordinates,
             },
         )?;
         Ok(Self {

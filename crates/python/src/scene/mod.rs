@@ -102,6 +102,7 @@ impl Scene {
             up: maybe_named("up", up)?,
             scale,
             allow_outside,
+            texture_coordinates: false,
         };
         let opened = threads::interruptible(py, |_| SceneFile::open(&path, &options))?;
         let mut file = opened.map_err(|error| reading(&path, &error))?;

@@ -31,6 +31,8 @@ pub struct SceneOptions {
     pub subdivide: u32,
     /// The factor on the limits of what the stage may compose.
     pub limit: SceneLimit,
+    /// Whether meshes without a texture keep their texture coordinates (`primvars:st`), for materials that are given to them later.
+    pub texture_coordinates: bool,
 }
 
 /// A stage, ready to be rendered.

@@ -43,6 +43,7 @@ impl Builder {
         // A mesh has one set of texture coordinates: those that the first textured material uses.
         let mut surfaces = surface.iter().chain(subsets.iter().map(|(_, surface)| surface));
         let uv = surfaces.clone().find_map(|surface| surface.uv.clone());
+        let uv = uv.or_else(|| self.options.texture_coordinates.then(|| "st".to_owned()));
         let bare = surface.is_none() || surfaces.any(|surface| surface.shows_mesh_colors);
         let request = mesh::MeshRequest {
             uv: uv.as_deref(),
