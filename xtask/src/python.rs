@@ -305,7 +305,7 @@ mod tests {
     #[test]
     fn chooses_the_first_suitable_interpreter() {
         let found = [interpreter((3, 13)), interpreter((3, 10)), interpreter((3, 11))];
-        let [current, _, old] = &ENVIRONMENTS;
+        let [current, _, _, old] = &ENVIRONMENTS;
         assert_eq!(current.choose(&found).unwrap().version, (3, 13));
         assert_eq!(old.choose(&found).unwrap().version, (3, 10));
         let reason = old.choose(&found[..1]).unwrap_err();

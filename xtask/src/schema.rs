@@ -1,8 +1,9 @@
-//! `cargo xtask schema`: regenerates the JSON schemas, the manual page of models, and the manual page and the Python types of the parameters.
+//! `cargo xtask schema`: regenerates the JSON schemas, the manual pages of models and recipes, and the manual page and the Python types of the
+//! parameters.
 
 use crate::workspace;
 
-/// Runs an example of the catalog and one of the depth sensor, so that this program builds without these.
+/// Runs examples of the catalog, of recipes and of the depth sensor, so that this program builds without these.
 pub(crate) fn run() -> Result<(), String> {
     let folder = workspace::root().join("crates/catalog/schema");
     let example = |package: &str, example: &str| {
@@ -12,9 +13,12 @@ pub(crate) fn run() -> Result<(), String> {
     };
     let page = workspace::root().join("docs/manual/reference/models.md");
     workspace::check(example("oaktwin-catalog", "schema").arg(&folder).arg(page))?;
+    let recipe = workspace::root().join("crates/generate/schema/recipe.schema.json");
+    let page = workspace::root().join("docs/manual/reference/recipes.md");
+    workspace::check(example("oaktwin-generate", "schema").arg(recipe).arg(page))?;
     workspace::check(&mut example("oaktwin-pipeline", "reference"))?;
     println!(
-        "wrote {} the page of models, and the reference of the parameters",
+        "wrote {}, the pages of models and recipes, and the reference of the parameters",
         folder.display()
     );
     Ok(())

@@ -2,7 +2,7 @@ use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, ValueHint};
-use oaktwin::dataset::{FORMATS, FormatKind};
+use oaktwin::dataset::{FORMATS, FormatKind, Needs};
 use oaktwin::render::Backend;
 use oaktwin::usd::optics::Projection;
 
@@ -128,7 +128,7 @@ pub(crate) struct RenderArgs {
         long,
         value_name = "NAME",
         default_value = FORMATS[0].name,
-        value_parser = PossibleValuesParser::new(FORMATS.iter().map(format)),
+        value_parser = PossibleValuesParser::new(formats()),
         help_heading = "Outputs"
     )]
     pub(crate) writer: String,
@@ -145,6 +145,9 @@ pub(crate) struct RenderArgs {
     pub(crate) json: bool,
 }
 
-fn format(format: &FormatKind) -> PossibleValue {
-    PossibleValue::new(format.name).help(format.help)
+/// The formats for which a rendered scene is enough.
+fn formats() -> impl Iterator<Item = PossibleValue> {
+    let suits = |format: &&FormatKind| format.needs == Needs::default();
+    let value = |format: &FormatKind| PossibleValue::new(format.name).help(format.help);
+    FORMATS.iter().filter(suits).map(value)
 }

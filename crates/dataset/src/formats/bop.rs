@@ -8,9 +8,7 @@ use oaktwin_files::OutputFiles;
 use oaktwin_image::{Image, png};
 use serde_json::{Map, Value, json};
 
-use super::common::{
-    Depths, FrameFiles, camera_matrix, count_lost, lost, missing, number, pinhole, rows, text,
-};
+use super::common::{Depths, FrameFiles, Losses, camera_matrix, missing, number, pinhole, rows, text};
 use super::rle;
 use crate::{Format, Model, Object, Records, Shot, WriteError, json as files};
 
@@ -98,7 +96,7 @@ impl Format for Bop {
             }));
         }
         frame.write(output)?;
-        Ok(json!({
+        let mut record = json!({
             "split": split,
             "scene": shot.sequence,
             "image": image,
@@ -113,8 +111,9 @@ impl Format for Bop {
             "gt_info": infos,
             "masks": masks,
             "models": models,
-            "lost": count_lost(main, PER_METRE),
-        }))
+        });
+        depths.add_losses(PER_METRE, &mut record);
+        Ok(record)
     }
 
     fn finish(
@@ -124,7 +123,7 @@ impl Format for Bop {
     ) -> Result<Vec<Finding>, WriteError> {
         let mut scenes: BTreeMap<String, Scene> = BTreeMap::new();
         let mut models: BTreeMap<u64, Value> = BTreeMap::new();
-        let (mut camera, mut lost_pixels) = (None, 0);
+        let (mut camera, mut losses) = (None, Losses::default());
         for record in records {
             let record = record?;
             let folder = format!("{}/{:06}", text(&record, "split"), number(&record, "scene"));
@@ -148,7 +147,7 @@ impl Format for Bop {
                     .or_insert_with(|| model.clone());
             }
             camera.get_or_insert_with(|| camera_file(&record));
-            lost_pixels += number(&record, "lost");
+            losses.add(&record);
             scenes.entry(folder).or_default().add(&record);
         }
         for (folder, scene) in scenes {
@@ -173,7 +172,7 @@ impl Format for Bop {
         if let Some(camera) = camera {
             output.write("camera.json".as_ref(), &files::encode(&camera))?;
         }
-        Ok(lost(NAME, lost_pixels, 65.5).into_iter().collect())
+        Ok(losses.findings(NAME, 65.535))
     }
 }
 

@@ -131,28 +131,25 @@ impl Model {
             "# FRAME_ID, RIG_ID, RIG_FROM_WORLD[], NUM_DATA_IDS, DATA_IDS[]\n".to_owned(),
         );
         // A rig is a list of cameras; the first one is its reference.
-        let mut known: Vec<Vec<usize>> = Vec::new();
+        let mut known: BTreeMap<Vec<(usize, String)>, usize> = BTreeMap::new();
         for (index, sensors) in self.frames.values().enumerate() {
-            let ids: Vec<usize> = sensors.iter().map(|(camera, ..)| *camera).collect();
-            let rig = known.iter().position(|other| *other == ids).unwrap_or_else(|| {
-                known.push(ids.clone());
-                let mut line = format!("{} {} CAMERA {}", known.len(), ids.len(), ids[0]);
-                for (camera, _, sensor_from_mount, _) in &sensors[1..] {
-                    line += &format!(
-                        " CAMERA {camera} 1 {}",
-                        relative(sensor_from_mount, &sensors[0].2)
-                    );
+            let (first, _, reference_from_mount, _) = &sensors[0];
+            let others = sensors[1..].iter();
+            let others = others.map(|(camera, _, sensor_from_mount, _)| {
+                (*camera, relative(sensor_from_mount, reference_from_mount))
+            });
+            let key: Vec<_> = [(*first, String::new())].into_iter().chain(others).collect();
+            let next = known.len() + 1;
+            let rig = *known.entry(key.clone()).or_insert_with(|| {
+                let mut line = format!("{next} {} CAMERA {first}", sensors.len());
+                for (camera, pose) in &key[1..] {
+                    line += &format!(" CAMERA {camera} 1 {pose}");
                 }
                 rigs += &format!("{line}\n");
-                known.len() - 1
+                next
             });
             let (_, _, _, reference_from_world) = &sensors[0];
-            let mut line = format!(
-                "{} {} {reference_from_world} {}",
-                index + 1,
-                rig + 1,
-                sensors.len()
-            );
+            let mut line = format!("{} {rig} {reference_from_world} {}", index + 1, sensors.len());
             for (camera, image, ..) in sensors {
                 line += &format!(" CAMERA {camera} {image}");
             }

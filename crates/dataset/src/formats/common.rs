@@ -64,23 +64,63 @@ pub(super) fn fixed(values: &Image<f32>, per_unit: f32) -> Image<u16> {
     })
 }
 
-/// Returns the number of positive, finite values that do not fit into 16 bits with these steps.
+/// Returns the number of positive, finite values that do not fit into 16 bits with these steps: too large, or rounded to 0.
 pub(super) fn count_lost(values: &Image<f32>, per_unit: f32) -> usize {
-    let is_lost = |value: &&f32| value.is_finite() && (**value * per_unit).round_ties_even() > 65535.0;
+    let is_lost = |value: &&f32| {
+        let steps = (**value * per_unit).round_ties_even();
+        value.is_finite() && **value > 0.0 && !(1.0..=65535.0).contains(&steps)
+    };
     values.pixels().iter().filter(is_lost).count()
 }
 
-/// Returns the finding about depth that a format cannot hold, if there is any.
-pub(super) fn lost(format: &str, pixels: u64, limit_m: f64) -> Option<Finding> {
-    (pixels > 0).then(|| {
-        Finding::new(
-            "depth-out-of-range",
-            Level::Warning,
-            format,
-            format!("{pixels} pixels are further than {limit_m:.1} m, which the format cannot hold; they have no depth"),
-            "use a format with floating-point depth, such as basic, or nearer scenes",
-        )
-    })
+/// What the frames of a data set have that its format cannot hold.
+#[derive(Default)]
+pub(super) struct Losses {
+    depth: u64,
+    disparity: u64,
+    /// The number of frames whose sensor has another camera than the colour image.
+    foreign: u64,
+}
+
+impl Losses {
+    /// Adds the losses of a frame, from its record.
+    pub(super) fn add(&mut self, record: &Value) {
+        self.depth += number(record, "lost_depth");
+        self.disparity += number(record, "lost_disparity");
+        self.foreign += number(record, "foreign_sensor");
+    }
+
+    /// Returns the findings; `limit_m` is the largest depth of the format.
+    pub(super) fn findings(&self, format: &str, limit_m: f64) -> Vec<Finding> {
+        let warning = |count: u64, code: &'static str, text: &str, remedy: &'static str| {
+            (count > 0).then(|| Finding::new(code, Level::Warning, format, format!("{count} {text}"), remedy))
+        };
+        let far = format!(
+            "depths are beyond {limit_m:.1} m, or rounded to 0, which the format cannot hold; they have no value"
+        );
+        let findings = [
+            warning(
+                self.depth,
+                "depth-out-of-range",
+                &far,
+                "use a format with floating-point depth, such as basic, or nearer scenes",
+            ),
+            warning(
+                self.disparity,
+                "disparity-out-of-range",
+                "disparities are 256 px or more, or rounded to 0, which the format cannot hold; they have no value",
+                "use a format with floating-point disparity, such as middlebury, or scenes further away",
+            ),
+            warning(
+                self.foreign,
+                "sensor-camera",
+                "frames have measured depth of another camera or size than the colour image, which the format cannot hold; only \
+                 exact depth is written",
+                "use the format basic, or a sensor without decimation",
+            ),
+        ];
+        findings.into_iter().flatten().collect()
+    }
 }
 
 /// The depth of a frame: what a network gets as input, and the truth beside it.
@@ -89,6 +129,8 @@ pub(super) struct Depths<'a> {
     pub(super) main: Option<&'a Image<f32>>,
     /// Exact depth, if `main` is measured.
     pub(super) exact: Option<&'a Image<f32>>,
+    /// Whether there is measured depth, but of another camera.
+    is_foreign: bool,
 }
 
 impl<'a> Depths<'a> {
@@ -105,12 +147,24 @@ impl<'a> Depths<'a> {
             Some(measured) => Self {
                 main: Some(measured),
                 exact,
+                is_foreign: false,
             },
             None => Self {
                 main: exact,
                 exact: None,
+                is_foreign: measured.is_some(),
             },
         }
+    }
+}
+
+impl Depths<'_> {
+    /// Adds what a format with this many steps per metre loses to a frame's record.
+    pub(super) fn add_losses(&self, per_metre: f32, record: &mut Value) {
+        let depths = [self.main, self.exact].into_iter().flatten();
+        let lost: usize = depths.map(|depth| count_lost(depth, per_metre)).sum();
+        record["lost_depth"] = lost.into();
+        record["foreign_sensor"] = u64::from(self.is_foreign).into();
     }
 }
 

@@ -7,9 +7,7 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_files::OutputFiles;
 use serde_json::{Value, json};
 
-use super::common::{
-    Depths, FrameFiles, count_lost, lost, matrix, missing, number, pinhole, sequence_folder, text,
-};
+use super::common::{Depths, FrameFiles, Losses, matrix, missing, pinhole, sequence_folder, text};
 use crate::{Format, Records, Shot, WriteError, json as files};
 
 const NAME: &str = "nerfstudio";
@@ -64,8 +62,9 @@ impl Format for Nerfstudio {
         }
         record["w"] = intrinsics.size.width.into();
         record["h"] = intrinsics.size.height.into();
-        let lost = depths.main.map_or(0, |depth| count_lost(depth, PER_METRE));
-        Ok(json!({"folder": folder.to_string_lossy(), "frame": record, "lost": lost}))
+        let mut record = json!({"folder": folder.to_string_lossy(), "frame": record});
+        depths.add_losses(PER_METRE, &mut record);
+        Ok(record)
     }
 
     fn finish(
@@ -74,10 +73,10 @@ impl Format for Nerfstudio {
         output: &mut OutputFiles,
     ) -> Result<Vec<Finding>, WriteError> {
         let mut sequences: BTreeMap<String, Vec<Value>> = BTreeMap::new();
-        let mut lost_pixels = 0;
+        let mut losses = Losses::default();
         for record in records {
             let record = record?;
-            lost_pixels += number(&record, "lost");
+            losses.add(&record);
             let frames = sequences.entry(text(&record, "folder").to_owned()).or_default();
             frames.push(record["frame"].clone());
         }
@@ -93,6 +92,6 @@ impl Format for Nerfstudio {
                 &files::encode(&transforms),
             )?;
         }
-        Ok(lost(NAME, lost_pixels, 65.5).into_iter().collect())
+        Ok(losses.findings(NAME, 65.535))
     }
 }

@@ -6,7 +6,7 @@ use oaktwin_files::OutputFiles;
 use oaktwin_image::{Image, pfm, png};
 use serde_json::{Value, json};
 
-use super::common::{Depths, FrameFiles, center, count_lost, fixed, lost, missing, number};
+use super::common::{Depths, FrameFiles, Losses, center, count_lost, fixed, missing};
 use crate::{Format, Records, Shot, StereoImages, WriteError};
 
 /// Middlebury 2014: a folder for each frame with `im0.png`, `im1.png`, `disp0.pfm`, `mask0nocc.png` (255 where the surface is visible in both
@@ -42,11 +42,18 @@ impl Format for Middlebury {
             });
         }
         frame.write(output)?;
-        Ok(Value::Null)
+        let mut record = json!({});
+        depths.add_losses(0.0, &mut record);
+        record["lost_depth"] = 0.into();
+        Ok(record)
     }
 
-    fn finish(&self, _: &mut Records<'_>, _: &mut OutputFiles) -> Result<Vec<Finding>, WriteError> {
-        Ok(Vec::new())
+    fn finish(&self, records: &mut Records<'_>, _: &mut OutputFiles) -> Result<Vec<Finding>, WriteError> {
+        let mut losses = Losses::default();
+        for record in records {
+            losses.add(&record?);
+        }
+        Ok(losses.findings(MIDDLEBURY, f64::INFINITY))
     }
 }
 
@@ -89,16 +96,17 @@ impl Format for Kitti {
             Ok(projections(stereo).into_bytes())
         });
         frame.write(output)?;
-        let beyond = depths.main.map_or(0, |depth| count_lost(depth, STEPS));
-        Ok(json!({"lost": beyond + count_lost(&stereo.disparity, STEPS)}))
+        let mut record = json!({"lost_disparity": count_lost(&stereo.disparity, STEPS)});
+        depths.add_losses(STEPS, &mut record);
+        Ok(record)
     }
 
     fn finish(&self, records: &mut Records<'_>, _: &mut OutputFiles) -> Result<Vec<Finding>, WriteError> {
-        let mut pixels = 0;
+        let mut losses = Losses::default();
         for record in records {
-            pixels += number(&record?, "lost");
+            losses.add(&record?);
         }
-        Ok(lost(KITTI, pixels, 256.0).into_iter().collect())
+        Ok(losses.findings(KITTI, 256.0))
     }
 }
 

@@ -6,8 +6,7 @@ use oaktwin_files::OutputFiles;
 use serde_json::{Value, json};
 
 use super::common::{
-    Depths, FrameFiles, camera_matrix, count_lost, lost, missing, number, pinhole, quaternion, seconds,
-    sequence_folder, text,
+    Depths, FrameFiles, Losses, camera_matrix, missing, pinhole, quaternion, seconds, sequence_folder, text,
 };
 use crate::{Format, Records, Shot, WriteError, json as files};
 
@@ -38,7 +37,7 @@ impl Format for Tum {
         let [x, y, z] = pose.translation.to_array();
         let [qx, qy, qz, qw] = quaternion(&pose.rotation);
         let size = view.camera.intrinsics.size;
-        Ok(json!({
+        let mut record = json!({
             "folder": folder.to_string_lossy(),
             "time": time,
             "rgb": shot.frame.rgb.is_some(),
@@ -47,8 +46,9 @@ impl Format for Tum {
                 "width": size.width, "height": size.height, "camera_matrix": camera_matrix(&view.camera.intrinsics),
                 "depth_per_metre": PER_METRE,
             },
-            "lost": count_lost(main, PER_METRE),
-        }))
+        });
+        depths.add_losses(PER_METRE, &mut record);
+        Ok(record)
     }
 
     fn finish(
@@ -57,10 +57,10 @@ impl Format for Tum {
         output: &mut OutputFiles,
     ) -> Result<Vec<Finding>, WriteError> {
         let mut sequences: BTreeMap<String, Sequence> = BTreeMap::new();
-        let mut lost_pixels = 0;
+        let mut losses = Losses::default();
         for record in records {
             let record = record?;
-            lost_pixels += number(&record, "lost");
+            losses.add(&record);
             sequences
                 .entry(text(&record, "folder").to_owned())
                 .or_default()
@@ -87,7 +87,7 @@ impl Format for Tum {
             }
             output.write(&folder.join("camera.json"), &files::encode(&sequence.camera))?;
         }
-        Ok(lost(NAME, lost_pixels, 13.1).into_iter().collect())
+        Ok(losses.findings(NAME, 13.107))
     }
 }
 

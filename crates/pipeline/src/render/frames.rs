@@ -6,7 +6,7 @@ use oaktwin_render::{AnnotateOptions, Backend, Renderer, View};
 
 use super::camera::PlacedCamera;
 use super::depth_sensor::{self, scene_annotators};
-use super::recorder::FrameRecorder;
+use super::recorder::{FRAME_RATE, FrameRecorder};
 use super::sweep::SweptSensors;
 use super::trajectory::TimedPose;
 use crate::pair::{Pair, PairCameras};
@@ -167,7 +167,8 @@ fn render_all(
             if producer.proceed().is_break() {
                 return Ok(ControlFlow::Break(()));
             }
-            let (shot, more) = station.look(renderer, (number, pose), sweep.as_mut(), options);
+            let (mut shot, more) = station.look(renderer, (number, pose), sweep.as_mut(), options);
+            shot.time_ns = time_ns(path, number);
             let warning = more.iter().find(|one| one.level >= Level::Warning);
             if let Some(warning) = warning.filter(|_| options.strict) {
                 return Err(FramesError::Strict(warning.clone()));
@@ -183,6 +184,22 @@ fn render_all(
         }
     }
     Ok(producer.finish())
+}
+
+/// The time of a frame: that of its pose, or 30 frames per second from 0 if a pose has none.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    clippy::cast_precision_loss,
+    reason = "times of files; the cast saturates"
+)]
+fn time_ns(path: &[TimedPose], number: usize) -> u64 {
+    let has_times = path.iter().all(|pose| pose.time_s.is_some());
+    let own = path
+        .get(number)
+        .and_then(|pose| pose.time_s)
+        .filter(|_| has_times);
+    (own.unwrap_or(number as f64 / FRAME_RATE) * 1e9).round() as u64
 }
 
 /// A camera with its sensor, which remembers earlier frames.

@@ -20,7 +20,7 @@ use oaktwin_image::annotation::Annotator;
 use oaktwin_scene::Up;
 
 /// The frame rate of trajectories without times.
-const FRAME_RATE: f64 = 30.0;
+pub(super) const FRAME_RATE: f64 = 30.0;
 
 /// The name of an OAK's body.
 const BODY: &str = "oak";
