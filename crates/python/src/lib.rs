@@ -22,6 +22,7 @@ mod filter;
 mod finding;
 mod fit;
 mod frames;
+mod generate;
 mod grey;
 mod images;
 mod imu;
@@ -63,6 +64,8 @@ mod _oaktwin {
     use super::filter::Filter;
     #[pymodule_export]
     use super::finding::{_finding, Finding};
+    #[pymodule_export]
+    use super::generate::generate;
     #[pymodule_export]
     use super::images::_read_from;
     #[pymodule_export]

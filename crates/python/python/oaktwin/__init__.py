@@ -23,7 +23,7 @@ from ._devices import Device, models, parameters, presets, simulate_imu
 from ._findings import Error, Finding, FindingWarning
 from ._fit import Fit, fit
 from ._oaktwin import __version__, set_memory_limit
-from ._scenes import Mesh, Recording, Scene, annotators
+from ._scenes import Mesh, Recording, Scene, annotators, generate
 from ._sensors import DepthSensor, Filter, StereoMatcher, align
 
 __all__ = [
@@ -49,6 +49,7 @@ __all__ = [
     "coverage",
     "filters",
     "fit",
+    "generate",
     "look_at",
     "models",
     "parameters",

@@ -15,7 +15,7 @@ from ._devices import (
     simulate_imu as simulate_imu,
 )
 from ._findings import Error as Error, Finding as Finding, FindingWarning as FindingWarning, _finding as _finding
-from ._scenes import Mesh as Mesh, Recording as Recording, Scene as Scene, annotators as annotators
+from ._scenes import Mesh as Mesh, Recording as Recording, Scene as Scene, annotators as annotators, generate as generate
 from ._sensors import DepthSensor as DepthSensor, Filter as Filter, StereoMatcher as StereoMatcher, align as align
 from ._types import _Array, _SensorOptions
 
@@ -42,6 +42,7 @@ __all__ = [
     "annotators",
     "coverage",
     "fit",
+    "generate",
     "look_at",
     "main",
     "models",

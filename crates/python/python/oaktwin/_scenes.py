@@ -1,5 +1,5 @@
-"""Scenes and recordings."""
+"""Scenes, recordings and data sets."""
 
-from ._oaktwin import Mesh, Recording, Scene, annotators
+from ._oaktwin import Mesh, Recording, Scene, annotators, generate
 
-__all__ = ["Mesh", "Recording", "Scene", "annotators"]
+__all__ = ["Mesh", "Recording", "Scene", "annotators", "generate"]

@@ -12,7 +12,7 @@ from ._devices import Device
 from ._findings import Finding
 from ._types import _Annotator, _Array, _Backend, _Float64, _Pair, _Up
 
-__all__ = ["Mesh", "Recording", "Scene", "annotators"]
+__all__ = ["Mesh", "Recording", "Scene", "annotators", "generate"]
 
 @final
 class Mesh:
@@ -302,4 +302,34 @@ def annotators() -> dict[str, str]:
 
     `Scene.render` takes all but "camera_params" and those whose names begin with "depth_sensor_", which
     `DepthSensor.annotate` takes.
+    """
+
+def generate(
+    recipe: str | PathLike[str],
+    output: str | PathLike[str],
+    *,
+    frames: tuple[int, int] | None = None,
+    resume: bool = False,
+    formats: Sequence[str] | None = None,
+    seed: int | None = None,
+    workers: int | None = None,
+    only_frames: bool = False,
+) -> dict[str, int]:
+    """Generates a data set of random scenes from a recipe, as `oaktwin generate` does.
+
+    recipe: the TOML file.
+    output: the folder of the data set.
+    frames: the first frame and the frame after the last one, such as (0, 100); by default all frames of the recipe.
+    resume: whether an existing data set is completed or extended.
+    formats: the names of formats instead of the recipe's, such as ["bop", "coco"].
+    seed: the seed instead of the recipe's.
+    workers: the number of frames that are made at the same time; by default that of the processors, if there is enough memory.
+    only_frames: whether files that span frames are left to another call with resume=True. Several processes, also on several
+        machines with a common folder, can make different frames of one data set in this way.
+
+    Returns a mapping: "frames", the number of frames that were made, "skipped", those that were complete already, "missing", those of
+    the recipe that are not there, "files" and "bytes".
+
+    Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an invalid recipe or an impossible placement; what is complete
+    remains and can be resumed, also after Ctrl-C.
     """

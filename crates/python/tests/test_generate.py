@@ -1,0 +1,82 @@
+"""Data sets from recipes."""
+
+import json
+import multiprocessing
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import oaktwin
+
+RECIPES = Path(__file__).resolve().parents[3] / "examples/recipes"
+RECIPE = f"""
+frames = 6
+frames_per_scene = 2
+scene = '{RECIPES}/table.usda'
+[[objects]]
+files = '{RECIPES}/objects/'
+count = 3
+on = '/World/Table'
+[camera]
+resolution = [160, 100]
+"""
+
+
+@pytest.fixture
+def recipe(tmp_path: Path) -> Path:
+    path = tmp_path / "recipe.toml"
+    path.write_text(RECIPE)
+    return path
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
+def make(recipe: Path, output: Path, frames: tuple[int, int]) -> None:
+    oaktwin.generate(recipe, output, frames=frames, only_frames=True)
+
+
+def test_generates_and_resumes(recipe: Path, tmp_path: Path) -> None:
+    first = oaktwin.generate(recipe, tmp_path / "set", frames=(0, 2), workers=1)
+    assert (first["frames"], first["skipped"], first["missing"]) == (2, 0, 4)
+    rest = oaktwin.generate(str(recipe), str(tmp_path / "set"), resume=True)
+    assert (rest["frames"], rest["skipped"], rest["missing"]) == (4, 2, 0)
+    depth = np.load(tmp_path / "set/distance_to_image_plane_0005.npy")
+    assert depth.shape == (100, 160) and depth.dtype == np.float32
+    manifest = json.loads((tmp_path / "set/manifest.json").read_text())
+    assert len(manifest["files"]) == rest["files"]
+
+
+def test_several_processes_make_the_same_data_set(recipe: Path, tmp_path: Path) -> None:
+    """Also if they make the same frames."""
+    oaktwin.generate(recipe, tmp_path / "whole", formats=["tum", "coco"], seed=4)
+    recipe.write_text(RECIPE.replace("frames = 6", "frames = 6\nseed = 4\noutput.formats = ['tum', 'coco']"))
+    spawn = multiprocessing.get_context("spawn")
+    parts = [(0, 3), (2, 5), (5, 6)]
+    workers = [spawn.Process(target=make, args=(recipe, tmp_path / "parts", part)) for part in parts]
+    for worker in workers:
+        worker.start()
+    for worker in workers:
+        worker.join()
+        assert worker.exitcode == 0
+    done = oaktwin.generate(recipe, tmp_path / "parts", resume=True)
+    assert (done["frames"], done["skipped"]) == (0, 6)
+    assert files(tmp_path / "whole") == files(tmp_path / "parts")
+
+
+def test_errors(recipe: Path, tmp_path: Path) -> None:
+    with pytest.raises(oaktwin.Error, match=r"recipe.toml:7: unknown key 'cuont'; did you mean 'count'"):
+        recipe.write_text(RECIPE.replace("count", "cuont"))
+        oaktwin.generate(recipe, tmp_path / "set")
+    recipe.write_text(RECIPE)
+    with pytest.raises(oaktwin.Error, match="there are no frames 4..9 of 6"):
+        oaktwin.generate(recipe, tmp_path / "set", frames=(4, 9))
+    with pytest.raises(oaktwin.Error, match="unknown format 'cocoa'; did you mean 'coco'"):
+        oaktwin.generate(recipe, tmp_path / "set", formats=["cocoa"])
+    oaktwin.generate(recipe, tmp_path / "set", frames=(0, 1))
+    with pytest.raises(oaktwin.Error, match="already has a data set; add to it with resume, or"):
+        oaktwin.generate(recipe, tmp_path / "set")
+    with pytest.raises(oaktwin.Error, match="there is no such file"):
+        oaktwin.generate(tmp_path / "none.toml", tmp_path / "other")
