@@ -10,6 +10,7 @@ pub(crate) mod choice;
 mod coverage;
 mod export;
 mod fit;
+mod generate;
 mod imu;
 mod limit;
 mod outputs;
@@ -43,6 +44,7 @@ pub(crate) use calibration::{
 pub(crate) use coverage::CoverageArgs;
 pub(crate) use export::ExportArgs;
 pub(crate) use fit::{Also, FitArgs};
+pub(crate) use generate::GenerateArgs;
 pub(crate) use imu::ImuArgs;
 pub(crate) use outputs::OutputArgs;
 pub(crate) use pair::PairArgs;
@@ -101,6 +103,8 @@ pub(crate) enum Command {
     Export(ExportArgs),
     /// Render a scene: depth, colour, normals, labels and the output of depth sensors
     Render(Box<RenderArgs>),
+    /// Generate a data set of random scenes from a recipe
+    Generate(Box<GenerateArgs>),
     /// Simulate a model's depth sensor on existing depth images
     Sense(Box<SenseArgs>),
     /// Simulate a model's depth sensor live, between topics of ROS 2

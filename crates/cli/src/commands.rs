@@ -11,6 +11,7 @@ pub(crate) mod coverage;
 pub(crate) mod demo;
 pub(crate) mod export;
 pub(crate) mod fit;
+pub(crate) mod generate;
 pub(crate) mod manual;
 pub(crate) mod models;
 pub(crate) mod params;

@@ -71,6 +71,7 @@ fn run(cli: &Cli) -> Result<Exit> {
         Command::Calibration(args) => commands::calibration::run(&context, args),
         Command::Asset(args) => commands::asset::run(&context, args),
         Command::Export(args) => commands::robot::run(&context, args),
+        Command::Generate(args) => commands::generate::run(&context, args),
         Command::Render(args) => commands::render::run(&context, args),
         Command::Sense(args) => commands::sense::run(&context, args),
         #[cfg(feature = "bridge")]

@@ -14,8 +14,19 @@ pub struct Object {
     pub world_from_model: RigidTransform,
     /// The pixels that it covers, regardless of occlusion.
     pub silhouette: Mask,
+    /// What it covers in the image and around it.
+    pub extent: Extent,
     /// The pixels in which it is visible.
     pub visible: Mask,
+}
+
+/// What an object covers, regardless of occlusion, in an image that is extended by its own size on all sides.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Extent {
+    /// The number of pixels.
+    pub count: u64,
+    /// The first column and row, relative to the image, and the width and height.
+    pub rectangle: [i64; 4],
 }
 
 /// The geometry of an object, which others may share.

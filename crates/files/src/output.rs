@@ -49,6 +49,29 @@ impl OutputFiles {
         &self.files
     }
 
+    /// Returns the complete files since the last call, and forgets them.
+    pub fn take_files(&mut self) -> Vec<WrittenFile> {
+        std::mem::take(&mut self.files)
+    }
+
+    /// Forgets a complete file, relative to the root, that does not belong to those that are listed.
+    pub fn forget(&mut self, path: &Path) {
+        let path = self.root.join(path);
+        self.files.retain(|file| file.path != path);
+    }
+
+    /// Lists a file, relative to the root, that is complete already.
+    ///
+    /// # Errors
+    /// Returns an error if there is no such file.
+    pub fn list(&mut self, path: &Path) -> Result<(), FileError> {
+        let path = self.root.join(path);
+        let metadata = fs::metadata(&path).map_err(|error| FileError::reading(&path, &error))?;
+        let bytes = metadata.len();
+        self.files.push(WrittenFile { path, bytes });
+        Ok(())
+    }
+
     /// Writes a whole file, relative to the root.
     ///
     /// # Errors

@@ -29,10 +29,8 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let output = request::output(args)?;
     let annotators = request::annotators(args)?;
     let size = size::parse("--resolution", args.resolution.as_deref())?;
-    let path = match &args.trajectory {
-        Some(file) => trajectory::read(file)?,
-        None => Vec::new(),
-    };
+    let path = args.trajectory.as_deref().map(trajectory::read);
+    let path = path.transpose()?.unwrap_or_default();
     args.threads.apply();
     let oak = Oak::new(context, args)?;
     let mut scene = SceneFile::open(&args.scene, &args.scene_options.open_options()?)?;
@@ -80,6 +78,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         backend: args.backend,
         strict: args.strict,
         writes_pair: args.writes_pair,
+        describes_pair: false,
     };
     let mut written = progress::watched(|watch| {
         render::write_frames(&renderer, &cameras, &path, &options, outputs, watch)

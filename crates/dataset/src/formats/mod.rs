@@ -1,5 +1,14 @@
 //! The formats of data sets.
 
+mod bop;
+mod coco;
+mod colmap;
+mod common;
+mod nerfstudio;
+mod rle;
+mod stereo;
+mod tum;
+
 use oaktwin_diagnostic::suggest;
 
 use crate::{BasicWriter, Format, Options};
@@ -26,16 +35,71 @@ pub struct Needs {
     pub stereo: bool,
 }
 
+/// Nothing but annotations.
+const ANNOTATIONS: Needs = Needs {
+    objects: false,
+    stereo: false,
+};
+const OBJECTS: Needs = Needs {
+    objects: true,
+    ..ANNOTATIONS
+};
+const STEREO: Needs = Needs {
+    stereo: true,
+    ..ANNOTATIONS
+};
+
 /// All formats; the first is the default.
-pub const FORMATS: &[FormatKind] = &[FormatKind {
-    name: "basic",
-    help: "Replicator's BasicWriter",
-    needs: Needs {
-        objects: false,
-        stereo: false,
+pub const FORMATS: &[FormatKind] = &[
+    FormatKind {
+        name: "basic",
+        help: "Replicator's BasicWriter",
+        needs: ANNOTATIONS,
+        create: |options| Box::new(BasicWriter::new(options)),
     },
-    create: |options| Box::new(BasicWriter::new(options)),
-}];
+    FormatKind {
+        name: "bop",
+        help: "BOP: poses, masks and visibility of objects",
+        needs: OBJECTS,
+        create: |_| Box::new(bop::Bop::default()),
+    },
+    FormatKind {
+        name: "coco",
+        help: "COCO instances",
+        needs: OBJECTS,
+        create: |_| Box::new(coco::Coco),
+    },
+    FormatKind {
+        name: "tum",
+        help: "TUM RGB-D sequences",
+        needs: ANNOTATIONS,
+        create: |_| Box::new(tum::Tum),
+    },
+    FormatKind {
+        name: "nerfstudio",
+        help: "nerfstudio's transforms.json",
+        needs: ANNOTATIONS,
+        create: |_| Box::new(nerfstudio::Nerfstudio),
+    },
+    FormatKind {
+        name: "colmap",
+        help: "COLMAP's text model with rigs",
+        needs: ANNOTATIONS,
+        create: |_| Box::new(colmap::Colmap),
+    },
+    FormatKind {
+        name: "middlebury",
+        help: "Middlebury 2014 stereo pairs with disparity",
+        needs: STEREO,
+        create: |_| Box::new(stereo::Middlebury),
+    },
+    FormatKind {
+        name: "kitti",
+        help: "KITTI 2015 stereo pairs with disparity and depth",
+        needs: STEREO,
+        create: |_| Box::new(stereo::Kitti),
+    },
+];
 
 impl FormatKind {
     /// Returns the format of this name.

@@ -37,6 +37,7 @@
 
 mod cameras;
 mod error;
+mod images;
 mod options;
 #[cfg(test)]
 #[expect(

@@ -38,6 +38,8 @@ pub struct FrameOptions<'a> {
     /// Whether the images of the [`pair`](Self::pair) are written as PNG: `left`, `right`, `rectified_left`,
     /// `rectified_right`.
     pub writes_pair: bool,
+    /// Whether shots describe the [`pair`](Self::pair) for formats that have one.
+    pub describes_pair: bool,
     /// Whether a warning is an error.
     pub strict: bool,
 }
@@ -131,6 +133,21 @@ pub fn write_frames(
     })
 }
 
+/// Renders one frame of the camera with this index at its own pose, with its depth sensor: what [`write_frames`] writes for one pose.
+///
+/// The sensor must not remember earlier frames. Sweeps are not supported.
+#[must_use]
+pub fn render_shot(
+    renderer: &Renderer,
+    cameras: &[PlacedCamera],
+    index: usize,
+    number: usize,
+    options: &FrameOptions<'_>,
+) -> (Shot, Vec<Finding>) {
+    let mut station = Station::new(&cameras[index], index, cameras.len() > 1, options);
+    station.look(renderer, (number, None), None, options)
+}
+
 fn render_all(
     renderer: &Renderer,
     cameras: &[PlacedCamera],
@@ -207,7 +224,7 @@ impl<'a> Station<'a> {
     ) -> (Shot, Vec<Finding>) {
         let mount = *pose.unwrap_or(&self.camera.world_from_mount);
         let view = self.camera.view(&mount);
-        let pair = options.pair.filter(|_| self.matches);
+        let pair = options.pair.filter(|_| self.matches || options.describes_pair);
         let pair = pair.map(|pair| pair.look(renderer, &mount, number as u64));
         let (mut frame, mut findings) =
             renderer.annotate(&view, &self.needed, options.backend, &AnnotateOptions::default());
@@ -229,6 +246,8 @@ impl<'a> Station<'a> {
             .distance_to_image_plane
             .filter(|_| options.annotators.contains(&Annotator::DistanceToImagePlane));
         findings.extend(pair.iter().flat_map(|pair| pair.findings.clone()));
+        let stereo =
+            (pair.as_ref().filter(|_| options.describes_pair)).map(|pair| pair.images(renderer, &view));
         let mut layers: Vec<Layer> = sheet.into_iter().map(sheet_layer).collect();
         if let Some(pair) = pair.filter(|_| options.writes_pair) {
             layers.extend(pair_layers(pair));
@@ -245,6 +264,7 @@ impl<'a> Station<'a> {
                 .filter(|_| wants_params)
                 .map(CameraParams::new),
             view: Some(described),
+            stereo,
             sensor_view,
             camera: self.index,
             world_from_mount: mount,

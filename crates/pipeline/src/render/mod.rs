@@ -58,7 +58,7 @@ pub use camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera}
 pub use depth_sensor::{
     DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators, sense_frame, sensor_input,
 };
-pub use frames::{FrameOptions, FramesError, Outputs, Written, write_frames};
+pub use frames::{FrameOptions, FramesError, Outputs, Written, render_shot, write_frames};
 pub use names::folder_names;
 pub use oak::{OakOptions, check_lens, oak_cameras};
 pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Ray, Renderer, View};

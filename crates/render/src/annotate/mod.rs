@@ -14,7 +14,10 @@ mod tests;
 
 use oaktwin_diagnostic::Finding;
 use oaktwin_image::annotation::{Annotator, Frame};
+use rayon::prelude::*;
 
+use self::coverage::Coverage;
+use self::stencil::Stencil;
 use crate::rays::Rays;
 use crate::shade::{Corners, ShadingInput, corners_of};
 use crate::{Backend, Renderer, View, Visibility};
@@ -76,6 +79,27 @@ impl Renderer {
             frame.distance_to_image_plane = Some(seen.z);
         }
         (frame, findings)
+    }
+
+    /// Returns the pixels that each group of instances covers regardless of occlusion, row by row: the amodal masks of objects.
+    #[must_use]
+    pub fn silhouettes(&self, view: &View, groups: &[Vec<u32>]) -> Vec<Vec<[u32; 2]>> {
+        let rays = Rays::new(view);
+        let coverage = Coverage::new(view, &rays);
+        let size = view.camera.intrinsics.size;
+        groups
+            .par_iter()
+            .map_init(
+                || Stencil::new(size.width, size.height),
+                |stencil, group| {
+                    stencil.clear();
+                    for instance in group {
+                        coverage.add_instance(self.scene(), *instance, stencil);
+                    }
+                    stencil.places().collect()
+                },
+            )
+            .collect()
     }
 
     fn annotate_seen(

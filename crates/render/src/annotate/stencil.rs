@@ -92,6 +92,24 @@ impl Stencil {
         extent
     }
 
+    /// Returns the pixels, row by row.
+    pub(super) fn places(&self) -> impl Iterator<Item = [u32; 2]> {
+        (self.rows[0]..self.rows[1]).flat_map(move |y| {
+            let row = y as usize * self.words_per_row;
+            let words = (0u32..)
+                .step_by(64)
+                .zip(&self.words[row..row + self.words_per_row]);
+            words.flat_map(move |(first, word)| {
+                let mut left = *word;
+                std::iter::from_fn(move || {
+                    let bit = (left != 0).then(|| left.trailing_zeros())?;
+                    left &= left - 1;
+                    Some([first + bit, y])
+                })
+            })
+        })
+    }
+
     pub(super) fn clear(&mut self) {
         for y in self.rows[0]..self.rows[1] {
             let row = y as usize * self.words_per_row;
@@ -118,6 +136,8 @@ mod tests {
             y: [1, 2],
         };
         assert_eq!(stencil.extent(), expected);
+        let places: Vec<_> = stencil.places().collect();
+        assert_eq!(places, [[3, 1], [64, 1], [129, 2]]);
         stencil.clear();
         assert_eq!(stencil.extent(), Extent::EMPTY);
         assert!(!stencil.has(3, 1));

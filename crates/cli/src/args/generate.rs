@@ -1,0 +1,76 @@
+use std::ops::Range;
+use std::path::PathBuf;
+
+use clap::{Args, ValueHint};
+
+use super::ThreadArgs;
+
+#[derive(Args, Debug)]
+#[command(after_help = "A recipe is a TOML file; two lines are enough:\n\n    \
+    scene = \"table.usda\"\n    objects = [{ files = \"cups/\", count = { uniform = [3, 8] } }]\n\n\
+    A frame depends on the recipe and its number only: it has the same bytes on every machine, whichever frames are made before it.")]
+pub(crate) struct GenerateArgs {
+    /// Recipe
+    #[arg(required_unless_present = "schema", value_hint = ValueHint::FilePath)]
+    pub(crate) recipe: Option<PathBuf>,
+
+    /// Folder of the data set; with --preview the PNG file of the contact sheet
+    #[arg(
+        short,
+        long,
+        value_name = "DIR|FILE",
+        required_unless_present_any = ["explain", "schema"],
+        value_hint = ValueHint::AnyPath
+    )]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Make only these frames: from A to before B, counted from 0
+    #[arg(long, value_name = "A..B", value_parser = frames)]
+    pub(crate) frames: Option<Range<u64>>,
+
+    /// Complete a data set that was interrupted, or extend it to more frames
+    #[arg(long)]
+    pub(crate) resume: bool,
+
+    /// Formats, separated by commas, instead of the recipe's
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub(crate) formats: Vec<String>,
+
+    /// Seed of all random numbers, instead of the recipe's
+    #[arg(long, value_name = "N")]
+    pub(crate) seed: Option<u64>,
+
+    /// Print everything that is drawn at random for this frame, as JSON
+    #[arg(long, value_name = "FRAME", conflicts_with_all = ["preview", "resume", "frames"])]
+    pub(crate) explain: Option<u64>,
+
+    /// Write a contact sheet of the first N frames instead of a data set
+    #[arg(long, value_name = "N", conflicts_with_all = ["resume", "frames"])]
+    pub(crate) preview: Option<u64>,
+
+    /// Print the JSON schema of recipes
+    #[arg(long, exclusive = true)]
+    pub(crate) schema: bool,
+
+    /// Number of frames that are made at the same time; by default that of the processors, if there is enough memory
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub(crate) workers: Option<u16>,
+
+    #[command(flatten)]
+    pub(crate) threads: ThreadArgs,
+
+    /// Print the result as JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+fn frames(text: &str) -> Result<Range<u64>, String> {
+    let error = || format!("'{text}' is not a range of frames; write 0..100, say");
+    let (start, end) = text.split_once("..").ok_or_else(error)?;
+    let number = |text: &str| text.trim().parse::<u64>().map_err(|_| error());
+    let (start, end) = (number(start)?, number(end)?);
+    if start >= end {
+        return Err(format!("'{text}' has no frames; the end is excluded"));
+    }
+    Ok(start..end)
+}

@@ -1,0 +1,115 @@
+use std::path::Path;
+use std::time::Instant;
+
+use oaktwin::diagnostic::Finding;
+use oaktwin::files;
+use oaktwin::generate::recipe::{self, RecipeFile, Texts};
+use oaktwin::generate::{GenerateOptions, Generated, Generator};
+use oaktwin::image::png;
+use oaktwin::memory;
+use serde::Serialize;
+
+use crate::args::GenerateArgs;
+use crate::context::{Context, Exit, Result};
+use crate::{output, progress};
+
+/// What `generate` prints as JSON.
+#[derive(Serialize)]
+struct Report<'a> {
+    output: &'a Path,
+    frames: u64,
+    frames_skipped: u64,
+    frames_missing: u64,
+    files: u64,
+    bytes: u64,
+    seconds: f64,
+    is_interrupted: bool,
+    findings: &'a [Finding],
+}
+
+pub(crate) fn run(context: &Context, args: &GenerateArgs) -> Result<Exit> {
+    if args.schema {
+        output::print_json(&recipe::schema())?;
+        return Ok(Exit::Success);
+    }
+    let Some(path) = &args.recipe else {
+        return Err("name a recipe".into());
+    };
+    args.threads.apply();
+    let mut file = RecipeFile::read(path)?;
+    if !args.formats.is_empty() {
+        file.recipe.output.formats = Texts(args.formats.clone());
+    }
+    file.recipe.seed = args.seed.unwrap_or(file.recipe.seed);
+    let generator = Generator::open(file, &context.catalog)?;
+    if let Some(frame) = args.explain {
+        output::print_json(&generator.explain(frame)?)?;
+        return Ok(Exit::Success);
+    }
+    let Some(folder) = &args.output else {
+        return Err("name the folder of the data set with --output".into());
+    };
+    if let Some(frames) = args.preview {
+        let sheet = generator.preview(frames)?;
+        files::write(folder, &png::encode(&sheet)?)?;
+        output::print(&format!("{}\n", folder.display()))?;
+        return Ok(Exit::Success);
+    }
+    let options = GenerateOptions {
+        frames: args.frames.clone(),
+        resume: args.resume,
+        workers: args.workers.map(usize::from),
+        only_frames: false,
+    };
+    let start = Instant::now();
+    let generated = progress::watched(|watch| generator.generate(folder, &options, watch))?;
+    report(args, folder, &generated, start.elapsed().as_secs_f64())
+}
+
+fn report(args: &GenerateArgs, folder: &Path, generated: &Generated, seconds: f64) -> Result<Exit> {
+    if args.json {
+        output::print_json(&Report {
+            output: folder,
+            frames: generated.made,
+            frames_skipped: generated.skipped,
+            frames_missing: generated.missing,
+            files: generated.files,
+            bytes: generated.bytes,
+            seconds,
+            is_interrupted: generated.is_interrupted,
+            findings: &generated.findings,
+        })?;
+    } else {
+        output::say_findings(folder, &generated.findings);
+        output::print(&text(folder, generated, seconds))?;
+    }
+    Ok(if generated.is_interrupted {
+        Exit::Interrupted
+    } else {
+        Exit::Success
+    })
+}
+
+fn text(folder: &Path, generated: &Generated, seconds: f64) -> String {
+    #[expect(clippy::cast_precision_loss, reason = "a rate for people")]
+    let rate = generated.made as f64 / seconds.max(1e-9);
+    let mut text = format!(
+        "{}: {} frames, {rate:.1} per second",
+        folder.display(),
+        generated.made
+    );
+    if generated.skipped > 0 {
+        text += &format!("; {} were complete already", generated.skipped);
+    }
+    if generated.is_interrupted {
+        return text + "; interrupted: continue with --resume\n";
+    }
+    text += &format!("; {} files, {}", generated.files, memory::size(generated.bytes));
+    if generated.missing > 0 {
+        text += &format!(
+            "; {} frames of the recipe are missing: add them with --resume",
+            generated.missing
+        );
+    }
+    text + "\n"
+}

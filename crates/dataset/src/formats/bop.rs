@@ -1,0 +1,353 @@
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use oaktwin_camera::RigidTransform;
+use oaktwin_diagnostic::Finding;
+use oaktwin_files::OutputFiles;
+use oaktwin_image::{Image, png};
+use serde_json::{Map, Value, json};
+
+use super::common::{
+    Depths, FrameFiles, camera_matrix, count_lost, lost, missing, number, pinhole, rows, text,
+};
+use super::rle;
+use crate::{Format, Model, Object, Records, Shot, WriteError, json as files};
+
+/// Depth in millimetres.
+const PER_METRE: f32 = 1000.0;
+const NAME: &str = "bop";
+
+/// The scenewise layout of the BOP benchmark: `train/000000/{rgb,depth,mask,mask_visib}`, `scene_gt.json` and so on, and models in
+/// millimetres.
+///
+/// A sequence is a scene, and the number of a frame is that of its image. `mask_visib` is exact: the pixels in which the object is rendered,
+/// and not those in which measured depth is within 15 mm of its surface. `px_count_all` counts pixels up to one image size beyond the
+/// borders, as in the benchmark's own tools. If depth is measured, `depth` has the measurement and `depth_exact` the truth.
+#[derive(Debug, Default)]
+pub(super) struct Bop {
+    /// What is known about models.
+    models: Mutex<BTreeMap<u32, Value>>,
+}
+
+impl Bop {
+    /// Returns the description of a model, whose file is written on first use.
+    fn model(&self, model: &Arc<Model>, output: &mut OutputFiles) -> Result<Value, WriteError> {
+        let known = self
+            .models
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .get(&model.id)
+            .cloned();
+        if let Some(info) = known {
+            return Ok(info);
+        }
+        let path = PathBuf::from(format!("models/obj_{:06}.ply", model.id));
+        if !output.root().join(&path).exists() {
+            output.write(&path, &ply(model))?;
+            // The file belongs to the whole data set, and not to this frame.
+            output.forget(&path);
+        }
+        let info = info(model);
+        let mut models = self.models.lock().unwrap_or_else(PoisonError::into_inner);
+        Ok(models.entry(model.id).or_insert(info).clone())
+    }
+}
+
+fn split(shot: &Shot) -> String {
+    shot.render_product
+        .as_ref()
+        .map_or("train".to_owned(), |product| format!("train_{product}"))
+}
+
+impl Format for Bop {
+    fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
+        let view = pinhole(NAME, shot)?;
+        let depths = Depths::of(shot);
+        let main = depths.main.ok_or_else(|| missing(NAME, "depth"))?;
+        let size = view.camera.intrinsics.size;
+        let (split, image) = (split(shot), shot.number);
+        let scene = format!("{split}/{:06}", shot.sequence);
+        let mut frame = FrameFiles::default();
+        if let Some(rgb) = &shot.frame.rgb {
+            frame.add_rgb(format!("{scene}/rgb/{image:06}.png"), rgb);
+        }
+        frame.add_depth(format!("{scene}/depth/{image:06}.png"), main, PER_METRE);
+        if let Some(exact) = depths.exact {
+            frame.add_depth(format!("{scene}/depth_exact/{image:06}.png"), exact, PER_METRE);
+        }
+        let (mut poses, mut infos, mut masks) = (Vec::new(), Vec::new(), Vec::new());
+        let camera_from_world = view.world_from_camera.inverse();
+        let mut models = Map::new();
+        for (index, object) in shot.objects.iter().enumerate() {
+            for (folder, mask) in [("mask", &object.silhouette), ("mask_visib", &object.visible)] {
+                let path = format!("{scene}/{folder}/{image:06}_{index:06}.png");
+                frame.add(path, move || {
+                    Ok(png::encode(&mask.image(size.width, size.height))?)
+                });
+            }
+            let model = self.model(&object.model, output)?;
+            models.insert(object.model.id.to_string(), model);
+            poses.push(pose(object, &(camera_from_world * object.world_from_model)));
+            infos.push(visibility(object, main));
+            masks.push(json!({
+                "runs": rle::runs(&object.visible, size.width, size.height),
+                "box": object.extent.rectangle,
+                "area": object.visible.count(),
+                "label": object.model.label,
+            }));
+        }
+        frame.write(output)?;
+        Ok(json!({
+            "split": split,
+            "scene": shot.sequence,
+            "image": image,
+            "size": [size.width, size.height],
+            "camera": {
+                "cam_K": camera_matrix(&view.camera.intrinsics),
+                "depth_scale": 1.0,
+                "cam_R_w2c": rows(&camera_from_world.rotation),
+                "cam_t_w2c": millimetres(&camera_from_world),
+            },
+            "gt": poses,
+            "gt_info": infos,
+            "masks": masks,
+            "models": models,
+            "lost": count_lost(main, PER_METRE),
+        }))
+    }
+
+    fn finish(
+        &self,
+        records: &mut Records<'_>,
+        output: &mut OutputFiles,
+    ) -> Result<Vec<Finding>, WriteError> {
+        let mut scenes: BTreeMap<String, Scene> = BTreeMap::new();
+        let mut models: BTreeMap<u64, Value> = BTreeMap::new();
+        let (mut camera, mut lost_pixels) = (None, 0);
+        for record in records {
+            let record = record?;
+            let folder = format!("{}/{:06}", text(&record, "split"), number(&record, "scene"));
+            // Records are in the order of frames: a new scene means that the one before is complete.
+            if !scenes.contains_key(&folder) {
+                let split = format!("{}/", text(&record, "split"));
+                let done: Vec<String> = scenes
+                    .keys()
+                    .filter(|folder| folder.starts_with(&split))
+                    .cloned()
+                    .collect();
+                for done in done {
+                    if let Some(scene) = scenes.remove(&done) {
+                        scene.write(&done, output)?;
+                    }
+                }
+            }
+            for (id, model) in record["models"].as_object().into_iter().flatten() {
+                models
+                    .entry(id.parse().unwrap_or_default())
+                    .or_insert_with(|| model.clone());
+            }
+            camera.get_or_insert_with(|| camera_file(&record));
+            lost_pixels += number(&record, "lost");
+            scenes.entry(folder).or_default().add(&record);
+        }
+        for (folder, scene) in scenes {
+            scene.write(&folder, output)?;
+        }
+        for id in models.keys() {
+            output.list(&PathBuf::from(format!("models/obj_{id:06}.ply")))?;
+        }
+        let infos: Map<String, Value> = (models.iter())
+            .map(|(id, model)| (id.to_string(), model["info"].clone()))
+            .collect();
+        output.write("models/models_info.json".as_ref(), &files::encode(&infos))?;
+        let names: Map<String, Value> = (models.iter())
+            .map(|(id, model)| {
+                (
+                    id.to_string(),
+                    json!({"name": model["name"], "label": model["label"]}),
+                )
+            })
+            .collect();
+        output.write("models/models_names.json".as_ref(), &files::encode(&names))?;
+        if let Some(camera) = camera {
+            output.write("camera.json".as_ref(), &files::encode(&camera))?;
+        }
+        Ok(lost(NAME, lost_pixels, 65.5).into_iter().collect())
+    }
+}
+
+/// The files of a scene.
+#[derive(Default)]
+struct Scene {
+    camera: Map<String, Value>,
+    gt: Map<String, Value>,
+    gt_info: Map<String, Value>,
+    images: Vec<Value>,
+    annotations: Vec<Value>,
+    labels: BTreeMap<u64, String>,
+}
+
+impl Scene {
+    fn add(&mut self, record: &Value) {
+        let image = number(record, "image");
+        let (width, height) = (&record["size"][0], &record["size"][1]);
+        self.camera.insert(image.to_string(), record["camera"].clone());
+        self.gt.insert(image.to_string(), record["gt"].clone());
+        self.gt_info.insert(image.to_string(), record["gt_info"].clone());
+        self.images.push(json!({
+            "id": image, "file_name": format!("rgb/{image:06}.png"), "width": width, "height": height,
+        }));
+        let poses = record["gt"].as_array().into_iter().flatten();
+        for (pose, mask) in poses.zip(record["masks"].as_array().into_iter().flatten()) {
+            let id = number(pose, "obj_id");
+            self.labels
+                .entry(id)
+                .or_insert_with(|| text(mask, "label").to_owned());
+            self.annotations.push(json!({
+                "id": self.annotations.len(),
+                "image_id": image,
+                "category_id": id,
+                "iscrowd": 0,
+                "area": mask["area"],
+                "bbox": mask["box"],
+                "segmentation": {"size": [height, width], "counts": mask["runs"]},
+                "width": width,
+                "height": height,
+                "ignore": number(mask, "area") == 0,
+            }));
+        }
+    }
+
+    fn write(self, folder: &str, output: &mut OutputFiles) -> Result<(), WriteError> {
+        let categories = self.labels.iter();
+        let categories: Vec<Value> = categories
+            .map(|(id, label)| json!({"id": id, "name": id.to_string(), "supercategory": label}))
+            .collect();
+        let coco = json!({"images": self.images, "annotations": self.annotations, "categories": categories});
+        for (name, contents) in [
+            ("scene_camera", Value::Object(self.camera)),
+            ("scene_gt", Value::Object(self.gt)),
+            ("scene_gt_info", Value::Object(self.gt_info)),
+            ("scene_gt_coco", coco),
+        ] {
+            let path = PathBuf::from(format!("{folder}/{name}.json"));
+            output.write(&path, &files::encode(&contents))?;
+        }
+        Ok(())
+    }
+}
+
+fn camera_file(record: &Value) -> Value {
+    let matrix = &record["camera"]["cam_K"];
+    json!({
+        "fx": matrix[0], "fy": matrix[4], "cx": matrix[2], "cy": matrix[5],
+        "width": record["size"][0], "height": record["size"][1], "depth_scale": 1.0,
+    })
+}
+
+fn millimetres(transform: &RigidTransform) -> [f64; 3] {
+    (transform.translation * 1000.0).to_array()
+}
+
+fn pose(object: &Object, camera_from_model: &RigidTransform) -> Value {
+    json!({
+        "cam_R_m2c": rows(&camera_from_model.rotation),
+        "cam_t_m2c": millimetres(camera_from_model),
+        "obj_id": object.model.id,
+    })
+}
+
+#[expect(clippy::cast_precision_loss, reason = "numbers of pixels")]
+fn visibility(object: &Object, depth: &Image<f32>) -> Value {
+    let whole = &object.silhouette;
+    let is_valid = |[x, y]: &[u32; 2]| depth.get(*x, *y).is_some_and(|z| *z > 0.0 && z.is_finite());
+    let visible = object.visible.count();
+    let none = [-1; 4];
+    let visible_box = object
+        .visible
+        .bounding_box()
+        .map_or(none, |found| found.map(i64::from));
+    json!({
+        "bbox_obj": if object.extent.count > 0 { object.extent.rectangle } else { none },
+        "bbox_visib": visible_box,
+        "px_count_all": object.extent.count,
+        "px_count_valid": whole.places().filter(is_valid).count(),
+        "px_count_visib": visible,
+        "visib_fract": if object.extent.count > 0 { visible as f64 / object.extent.count as f64 } else { 0.0 },
+    })
+}
+
+/// Describes a model: its size in millimetres, its name and its class.
+fn info(model: &Model) -> Value {
+    let points: Vec<[f64; 3]> = model
+        .positions
+        .iter()
+        .map(|p| p.map(|x| 1000.0 * f64::from(x)))
+        .collect();
+    let reduce =
+        |axis: usize, f: fn(f64, f64) -> f64| points.iter().map(|p| p[axis]).reduce(f).unwrap_or_default();
+    let low = [0, 1, 2].map(|axis| reduce(axis, f64::min));
+    let high = [0, 1, 2].map(|axis| reduce(axis, f64::max));
+    json!({
+        "name": model.name,
+        "label": model.label,
+        "info": {
+            "diameter": diameter(&points),
+            "min_x": low[0], "min_y": low[1], "min_z": low[2],
+            "size_x": high[0] - low[0], "size_y": high[1] - low[1], "size_z": high[2] - low[2],
+        },
+    })
+}
+
+/// Returns the largest distance between two points.
+///
+/// Only points that are extreme in one of many directions can be its ends, of which 2000 suffice for a relative error below 1e-5.
+fn diameter(points: &[[f64; 3]]) -> f64 {
+    const DIRECTIONS: u32 = 2000;
+    let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let mut extremes: Vec<[f64; 3]> = if points.len() <= 3000 {
+        points.to_vec()
+    } else {
+        let directions = (0..DIRECTIONS).map(|index| {
+            let z = 1.0 - (2.0 * f64::from(index) + 1.0) / f64::from(DIRECTIONS);
+            let (sine, cosine) = (f64::from(index) * 2.399_963_229_728_653).sin_cos();
+            let radius = (1.0 - z * z).sqrt();
+            [radius * cosine, radius * sine, z]
+        });
+        let extreme = |direction: [f64; 3]| {
+            points
+                .iter()
+                .copied()
+                .max_by(|a, b| dot(a, &direction).total_cmp(&dot(b, &direction)))
+        };
+        directions.filter_map(extreme).collect()
+    };
+    extremes.dedup();
+    let mut largest: f64 = 0.0;
+    for (at, a) in extremes.iter().enumerate() {
+        for b in &extremes[..at] {
+            let d = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+            largest = largest.max(dot(&d, &d));
+        }
+    }
+    largest.sqrt()
+}
+
+/// A model in millimetres as binary PLY.
+fn ply(model: &Model) -> Vec<u8> {
+    let (vertices, faces) = (model.positions.len(), model.triangles.len());
+    let mut bytes = format!(
+        "ply\nformat binary_little_endian 1.0\nelement vertex {vertices}\nproperty float x\nproperty float y\n\
+         property float z\nelement face {faces}\nproperty list uchar int vertex_indices\nend_header\n"
+    )
+    .into_bytes();
+    for position in &model.positions {
+        bytes.extend(position.iter().flat_map(|x| (x * 1000.0).to_le_bytes()));
+    }
+    for triangle in &model.triangles {
+        bytes.push(3);
+        bytes.extend(triangle.iter().flat_map(|index| index.to_le_bytes()));
+    }
+    bytes
+}

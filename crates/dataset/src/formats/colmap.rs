@@ -1,0 +1,189 @@
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use oaktwin_camera::Usd;
+use oaktwin_diagnostic::Finding;
+use oaktwin_files::OutputFiles;
+use serde_json::{Value, json};
+
+use super::common::{FrameFiles, missing, pinhole, quaternion, text};
+use crate::{Format, Records, Shot, WriteError};
+
+const NAME: &str = "colmap";
+
+/// COLMAP's text model with known poses, one folder for each sequence: `images/` and `sparse/0/{cameras,images,points3D,rigs,frames}.txt`.
+/// The cameras of a frame form a rig whose reference is the first camera. The centre of the first pixel is at 0.5.
+#[derive(Debug, Default)]
+pub(super) struct Colmap;
+
+impl Format for Colmap {
+    fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
+        let view = pinhole(NAME, shot)?;
+        let rgb = shot
+            .frame
+            .rgb
+            .as_ref()
+            .ok_or_else(|| missing(NAME, "the annotator rgb"))?;
+        let folder = PathBuf::from(format!("{:06}", shot.sequence));
+        let name = match &shot.render_product {
+            Some(product) => format!("{product}/{:06}.png", shot.number),
+            None => format!("{:06}.png", shot.number),
+        };
+        let mut frame = FrameFiles::default();
+        frame.add_rgb(folder.join("images").join(&name), rgb);
+        frame.write(output)?;
+        let intrinsics = &view.camera.intrinsics;
+        let center = intrinsics.principal_point::<Usd>();
+        let pose = |transform: oaktwin_camera::RigidTransform| {
+            let [x, y, z, w] = quaternion(&transform.rotation);
+            let [tx, ty, tz] = transform.translation.to_array();
+            format!("{w:.15} {x:.15} {y:.15} {z:.15} {tx:.12} {ty:.12} {tz:.12}")
+        };
+        Ok(json!({
+            "folder": folder.to_string_lossy(),
+            "frame": shot.number,
+            "camera": shot.camera + 1,
+            "name": name,
+            "camera_line": format!(
+                "PINHOLE {} {} {:.12} {:.12} {:.12} {:.12}",
+                intrinsics.size.width, intrinsics.size.height, intrinsics.fx, intrinsics.fy, center.x, center.y
+            ),
+            "camera_from_world": pose(view.world_from_camera.inverse()),
+            "sensor_from_mount": pose(view.world_from_camera.inverse() * shot.world_from_mount),
+            "mount_from_world": pose(shot.world_from_mount.inverse()),
+        }))
+    }
+
+    fn finish(
+        &self,
+        records: &mut Records<'_>,
+        output: &mut OutputFiles,
+    ) -> Result<Vec<Finding>, WriteError> {
+        let mut sequences: BTreeMap<String, Model> = BTreeMap::new();
+        for record in records {
+            let record = record?;
+            sequences
+                .entry(text(&record, "folder").to_owned())
+                .or_default()
+                .add(&record);
+        }
+        for (folder, model) in sequences {
+            let folder = PathBuf::from(folder).join("sparse/0");
+            for (name, text) in model.files() {
+                output.write(&folder.join(name), text.as_bytes())?;
+            }
+        }
+        Ok(Vec::new())
+    }
+}
+
+/// The text model of a sequence. Intrinsics may differ between frames, in which case each has cameras and a rig of its own.
+#[derive(Default)]
+struct Model {
+    /// The cameras by their description and their place in the rig.
+    cameras: Vec<(u64, String)>,
+    images: String,
+    frames: BTreeMap<u64, Vec<(usize, usize, String, String)>>,
+    count: usize,
+}
+
+impl Model {
+    fn add(&mut self, record: &Value) {
+        let key = (
+            record["camera"].as_u64().unwrap_or(1),
+            text(record, "camera_line").to_owned(),
+        );
+        let known = self.cameras.iter().position(|camera| *camera == key);
+        let camera = known.unwrap_or_else(|| {
+            self.cameras.push(key);
+            self.cameras.len() - 1
+        }) + 1;
+        self.count += 1;
+        let line = format!(
+            "{} {} {camera} {}\n\n",
+            self.count,
+            text(record, "camera_from_world"),
+            text(record, "name")
+        );
+        self.images += &line;
+        self.frames
+            .entry(record["frame"].as_u64().unwrap_or_default())
+            .or_default()
+            .push((
+                camera,
+                self.count,
+                text(record, "sensor_from_mount").to_owned(),
+                text(record, "camera_from_world").to_owned(),
+            ));
+    }
+
+    fn files(&self) -> [(&'static str, String); 5] {
+        let mut cameras = "# CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]\n".to_owned();
+        for (index, (_, line)) in self.cameras.iter().enumerate() {
+            cameras += &format!("{} {line}\n", index + 1);
+        }
+        let images = format!(
+            "# IMAGE_ID, QW, QX, QY, QZ, TX, TY, TZ, CAMERA_ID, NAME\n# POINTS2D[] as (X, Y, POINT3D_ID)\n{}",
+            self.images
+        );
+        let (mut rigs, mut frames) = (
+            "# RIG_ID, NUM_SENSORS, REF_SENSOR_TYPE, REF_SENSOR_ID, SENSORS[]\n".to_owned(),
+            "# FRAME_ID, RIG_ID, RIG_FROM_WORLD[], NUM_DATA_IDS, DATA_IDS[]\n".to_owned(),
+        );
+        // A rig is a list of cameras; the first one is its reference.
+        let mut known: Vec<Vec<usize>> = Vec::new();
+        for (index, sensors) in self.frames.values().enumerate() {
+            let ids: Vec<usize> = sensors.iter().map(|(camera, ..)| *camera).collect();
+            let rig = known.iter().position(|other| *other == ids).unwrap_or_else(|| {
+                known.push(ids.clone());
+                let mut line = format!("{} {} CAMERA {}", known.len(), ids.len(), ids[0]);
+                for (camera, _, sensor_from_mount, _) in &sensors[1..] {
+                    line += &format!(
+                        " CAMERA {camera} 1 {}",
+                        relative(sensor_from_mount, &sensors[0].2)
+                    );
+                }
+                rigs += &format!("{line}\n");
+                known.len() - 1
+            });
+            let (_, _, _, reference_from_world) = &sensors[0];
+            let mut line = format!(
+                "{} {} {reference_from_world} {}",
+                index + 1,
+                rig + 1,
+                sensors.len()
+            );
+            for (camera, image, ..) in sensors {
+                line += &format!(" CAMERA {camera} {image}");
+            }
+            frames += &format!("{line}\n");
+        }
+        let points = "# POINT3D_ID, X, Y, Z, R, G, B, ERROR, TRACK[] as (IMAGE_ID, POINT2D_IDX)\n".to_owned();
+        [
+            ("cameras.txt", cameras),
+            ("images.txt", images),
+            ("points3D.txt", points),
+            ("rigs.txt", rigs),
+            ("frames.txt", frames),
+        ]
+    }
+}
+
+/// Returns the pose of a sensor relative to the reference, from both poses relative to the mount, as text.
+fn relative(sensor_from_mount: &str, reference_from_mount: &str) -> String {
+    use oaktwin_camera::RigidTransform;
+    use oaktwin_camera::math::{DMat3, DQuat, DVec3};
+
+    let parse = |text: &str| -> RigidTransform {
+        let numbers: Vec<f64> = text.split(' ').filter_map(|word| word.parse().ok()).collect();
+        let [w, x, y, z, tx, ty, tz] = numbers[..] else {
+            return RigidTransform::IDENTITY;
+        };
+        let rotation = DMat3::from_quat(DQuat::from_xyzw(x, y, z, w).normalize());
+        RigidTransform::new(rotation, DVec3::new(tx, ty, tz))
+    };
+    let transform = parse(sensor_from_mount) * parse(reference_from_mount).inverse();
+    let [x, y, z, w] = quaternion(&transform.rotation);
+    let [tx, ty, tz] = transform.translation.to_array();
+    format!("{w:.15} {x:.15} {y:.15} {z:.15} {tx:.12} {ty:.12} {tz:.12}")
+}

@@ -1,0 +1,235 @@
+//! What the formats share: depth, cameras, files by path, and JSON that is written piece by piece.
+
+use std::path::{Path, PathBuf};
+
+use oaktwin_camera::math::{DMat3, DQuat};
+use oaktwin_camera::{Intrinsics, LensModel, OpenCv, RigidTransform};
+use oaktwin_diagnostic::{Finding, Level, message, opt};
+use oaktwin_files::{AtomicFile, OutputFiles};
+use oaktwin_image::{Image, png};
+use serde_json::Value;
+
+use crate::file::{Content, DatasetFile, Fault, write_all};
+use crate::{DatasetError, Shot, View, WriteError};
+
+/// The files of a frame, which are encoded in parallel.
+#[derive(Default)]
+pub(super) struct FrameFiles<'a> {
+    files: Vec<(PathBuf, DatasetFile<'a>)>,
+}
+
+impl<'a> FrameFiles<'a> {
+    pub(super) fn add(
+        &mut self,
+        path: impl Into<PathBuf>,
+        encode: impl Fn() -> Result<Vec<u8>, Fault> + Send + Sync + 'a,
+    ) {
+        let file = DatasetFile {
+            folder: "",
+            name: String::new(),
+            extension: "",
+            content: Content::Whole(Box::new(encode)),
+        };
+        self.files.push((path.into(), file));
+    }
+
+    /// Adds the colour image without its coverage.
+    pub(super) fn add_rgb(&mut self, path: impl Into<PathBuf>, rgb: &'a Image<[u8; 4]>) {
+        self.add(path, move || {
+            Ok(png::encode(&rgb.map(|[r, g, b, _]| [*r, *g, *b]))?)
+        });
+    }
+
+    /// Adds depth as 16-bit PNG with this many units per metre; 0 where there is none, or where it does not fit.
+    pub(super) fn add_depth(&mut self, path: impl Into<PathBuf>, metres: &'a Image<f32>, per_metre: f32) {
+        self.add(path, move || Ok(png::encode(&fixed(metres, per_metre))?));
+    }
+
+    pub(super) fn write(self, output: &mut OutputFiles) -> Result<(), WriteError> {
+        write_all(&self.files, output)
+    }
+}
+
+/// Returns numbers of fixed steps; 0 for values that are not positive and finite, or do not fit.
+pub(super) fn fixed(values: &Image<f32>, per_unit: f32) -> Image<u16> {
+    values.map(|value| {
+        let steps = (value * per_unit).round_ties_even();
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "checked to fit"
+        )]
+        let whole = steps as u16;
+        if steps > 0.0 && steps <= 65535.0 { whole } else { 0 }
+    })
+}
+
+/// Returns the number of positive, finite values that do not fit into 16 bits with these steps.
+pub(super) fn count_lost(values: &Image<f32>, per_unit: f32) -> usize {
+    let is_lost = |value: &&f32| value.is_finite() && (**value * per_unit).round_ties_even() > 65535.0;
+    values.pixels().iter().filter(is_lost).count()
+}
+
+/// Returns the finding about depth that a format cannot hold, if there is any.
+pub(super) fn lost(format: &str, pixels: u64, limit_m: f64) -> Option<Finding> {
+    (pixels > 0).then(|| {
+        Finding::new(
+            "depth-out-of-range",
+            Level::Warning,
+            format,
+            format!("{pixels} pixels are further than {limit_m:.1} m, which the format cannot hold; they have no depth"),
+            "use a format with floating-point depth, such as basic, or nearer scenes",
+        )
+    })
+}
+
+/// The depth of a frame: what a network gets as input, and the truth beside it.
+pub(super) struct Depths<'a> {
+    /// Measured depth if it was written and is an image of the colour camera, else exact depth.
+    pub(super) main: Option<&'a Image<f32>>,
+    /// Exact depth, if `main` is measured.
+    pub(super) exact: Option<&'a Image<f32>>,
+}
+
+impl<'a> Depths<'a> {
+    pub(super) fn of(shot: &'a Shot) -> Self {
+        let exact = shot.frame.distance_to_image_plane.as_ref().map(|depth| &depth.0);
+        let measured = shot.frame.depth_sensor_distance.as_ref().map(|depth| &depth.0);
+        let is_same_camera = match (&shot.view, &shot.sensor_view) {
+            (Some(view), Some(sensor)) => {
+                view.camera == sensor.camera && view.world_from_camera == sensor.world_from_camera
+            }
+            _ => false,
+        };
+        match measured.filter(|_| is_same_camera) {
+            Some(measured) => Self {
+                main: Some(measured),
+                exact,
+            },
+            None => Self {
+                main: exact,
+                exact: None,
+            },
+        }
+    }
+}
+
+/// Returns the view of a shot, which must be a pinhole.
+pub(super) fn pinhole<'a>(format: &'static str, shot: &'a Shot) -> Result<&'a View, WriteError> {
+    let view = shot
+        .view
+        .as_ref()
+        .ok_or_else(|| missing(format, "the camera of each frame"))?;
+    if view.camera.lens != LensModel::Pinhole {
+        return Err(DatasetError::Missing {
+            format,
+            what: "images without lens distortion",
+            remedy: message!["choose the depth camera, or another ", opt("lens")],
+        }
+        .into());
+    }
+    Ok(view)
+}
+
+/// Creates the error of a frame without something that annotators or recipes provide.
+pub(super) fn missing(format: &'static str, what: &'static str) -> WriteError {
+    DatasetError::Missing {
+        format,
+        what,
+        remedy: "generate the data set from a recipe with it, or choose another format".into(),
+    }
+    .into()
+}
+
+/// The principal point with the first pixel's centre at 0.
+pub(super) fn center(intrinsics: &Intrinsics) -> [f64; 2] {
+    let point = intrinsics.principal_point::<OpenCv>();
+    [point.x, point.y]
+}
+
+/// The nine numbers of a camera matrix, row by row, with the first pixel's centre at 0.
+pub(super) fn camera_matrix(intrinsics: &Intrinsics) -> [f64; 9] {
+    let [cx, cy] = center(intrinsics);
+    [intrinsics.fx, 0.0, cx, 0.0, intrinsics.fy, cy, 0.0, 0.0, 1.0]
+}
+
+/// The nine numbers of a rotation, row by row.
+pub(super) fn rows(rotation: &DMat3) -> [f64; 9] {
+    rotation.transpose().to_cols_array()
+}
+
+/// The quaternion of a rotation in the order x, y, z, w, with w not negative.
+pub(super) fn quaternion(rotation: &DMat3) -> [f64; 4] {
+    let quaternion = DQuat::from_mat3(rotation).normalize().to_array();
+    if quaternion[3] < 0.0 {
+        quaternion.map(|part| -part)
+    } else {
+        quaternion
+    }
+}
+
+/// The 16 numbers of a transform, row by row.
+pub(super) fn matrix(transform: &RigidTransform) -> [[f64; 4]; 4] {
+    let [x, y, z] = [0, 1, 2].map(|row| {
+        let rotation = transform.rotation.row(row);
+        [rotation.x, rotation.y, rotation.z, transform.translation[row]]
+    });
+    [x, y, z, [0.0, 0.0, 0.0, 1.0]]
+}
+
+/// The folder of a sequence, in which a camera has a folder of its own if there are several.
+pub(super) fn sequence_folder(shot: &Shot) -> PathBuf {
+    let sequence = PathBuf::from(format!("{:06}", shot.sequence));
+    match &shot.render_product {
+        Some(product) => sequence.join(product),
+        None => sequence,
+    }
+}
+
+/// Seconds with nine decimals.
+pub(super) fn seconds(time_ns: u64) -> String {
+    format!("{}.{:09}", time_ns / 1_000_000_000, time_ns % 1_000_000_000)
+}
+
+/// A file of lines or JSON members that is written piece by piece.
+pub(super) struct Pieces {
+    file: AtomicFile,
+    is_empty: bool,
+}
+
+impl Pieces {
+    pub(super) fn create(output: &mut OutputFiles, path: &Path) -> Result<Self, WriteError> {
+        Ok(Self {
+            file: output.create(path)?,
+            is_empty: true,
+        })
+    }
+
+    pub(super) fn write(&mut self, text: &str) -> Result<(), WriteError> {
+        Ok(self.file.append(text.as_bytes())?)
+    }
+
+    /// Writes an element, after a comma unless it is the first.
+    pub(super) fn element(&mut self, text: &str) -> Result<(), WriteError> {
+        let separator = if std::mem::replace(&mut self.is_empty, false) {
+            "\n"
+        } else {
+            ",\n"
+        };
+        self.write(&format!("{separator}{text}"))
+    }
+
+    pub(super) fn finish(self, output: &mut OutputFiles) -> Result<(), WriteError> {
+        Ok(output.finish(self.file)?)
+    }
+}
+
+/// Returns a text member of a record.
+pub(super) fn text<'a>(record: &'a Value, name: &str) -> &'a str {
+    record[name].as_str().unwrap_or_default()
+}
+
+/// Returns a whole number of a record.
+pub(super) fn number(record: &Value, name: &str) -> u64 {
+    record[name].as_u64().unwrap_or_default()
+}

@@ -1,0 +1,98 @@
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_camera::{RigidTransform, Usd};
+use oaktwin_diagnostic::Finding;
+use oaktwin_files::OutputFiles;
+use serde_json::{Value, json};
+
+use super::common::{
+    Depths, FrameFiles, count_lost, lost, matrix, missing, number, pinhole, sequence_folder, text,
+};
+use crate::{Format, Records, Shot, WriteError, json as files};
+
+const NAME: &str = "nerfstudio";
+const PER_METRE: f32 = 1000.0;
+
+/// nerfstudio's `transforms.json`, one folder for each sequence, with `images/` and `depth/` in millimetres. Cameras have OpenGL's axes, and the
+/// centre of the first pixel is at 0.5.
+#[derive(Debug, Default)]
+pub(super) struct Nerfstudio;
+
+impl Format for Nerfstudio {
+    fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
+        let view = pinhole(NAME, shot)?;
+        let rgb = shot
+            .frame
+            .rgb
+            .as_ref()
+            .ok_or_else(|| missing(NAME, "the annotator rgb"))?;
+        let depths = Depths::of(shot);
+        let (folder, number) = (sequence_folder(shot), shot.number);
+        let (image, depth) = (
+            format!("images/{number:06}.png"),
+            format!("depth/{number:06}.png"),
+        );
+        let mut frame = FrameFiles::default();
+        frame.add_rgb(folder.join(&image), rgb);
+        let mut record = json!({"file_path": image});
+        if let Some(main) = depths.main {
+            frame.add_depth(folder.join(&depth), main, PER_METRE);
+            record["depth_file_path"] = depth.into();
+        }
+        if let Some(exact) = depths.exact {
+            frame.add_depth(
+                folder.join(format!("depth_exact/{number:06}.png")),
+                exact,
+                PER_METRE,
+            );
+        }
+        frame.write(output)?;
+        // From OpenGL's axes to those of OpenCV.
+        let flip = RigidTransform::new(DMat3::from_diagonal(DVec3::new(1.0, -1.0, -1.0)), DVec3::ZERO);
+        record["transform_matrix"] = json!(matrix(&(view.world_from_camera * flip)));
+        let intrinsics = &view.camera.intrinsics;
+        let center = intrinsics.principal_point::<Usd>();
+        for (name, value) in [
+            ("fl_x", intrinsics.fx),
+            ("fl_y", intrinsics.fy),
+            ("cx", center.x),
+            ("cy", center.y),
+        ] {
+            record[name] = value.into();
+        }
+        record["w"] = intrinsics.size.width.into();
+        record["h"] = intrinsics.size.height.into();
+        let lost = depths.main.map_or(0, |depth| count_lost(depth, PER_METRE));
+        Ok(json!({"folder": folder.to_string_lossy(), "frame": record, "lost": lost}))
+    }
+
+    fn finish(
+        &self,
+        records: &mut Records<'_>,
+        output: &mut OutputFiles,
+    ) -> Result<Vec<Finding>, WriteError> {
+        let mut sequences: BTreeMap<String, Vec<Value>> = BTreeMap::new();
+        let mut lost_pixels = 0;
+        for record in records {
+            let record = record?;
+            lost_pixels += number(&record, "lost");
+            let frames = sequences.entry(text(&record, "folder").to_owned()).or_default();
+            frames.push(record["frame"].clone());
+        }
+        for (folder, frames) in sequences {
+            let transforms = json!({
+                "camera_model": "OPENCV",
+                "k1": 0.0, "k2": 0.0, "p1": 0.0, "p2": 0.0,
+                "depth_unit_scale_factor": 0.001,
+                "frames": frames,
+            });
+            output.write(
+                &PathBuf::from(folder).join("transforms.json"),
+                &files::encode(&transforms),
+            )?;
+        }
+        Ok(lost(NAME, lost_pixels, 65.5).into_iter().collect())
+    }
+}

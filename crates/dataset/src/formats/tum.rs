@@ -1,0 +1,115 @@
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use oaktwin_diagnostic::Finding;
+use oaktwin_files::OutputFiles;
+use serde_json::{Value, json};
+
+use super::common::{
+    Depths, FrameFiles, camera_matrix, count_lost, lost, missing, number, pinhole, quaternion, seconds,
+    sequence_folder, text,
+};
+use crate::{Format, Records, Shot, WriteError, json as files};
+
+const NAME: &str = "tum";
+const PER_METRE: f32 = 5000.0;
+
+/// The layout of TUM's RGB-D benchmark, one folder for each sequence: `rgb/TIME.png`, `depth/TIME.png` in 1/5000 m, `rgb.txt`, `depth.txt`,
+/// `associations.txt` and `groundtruth.txt`; the intrinsics, for which the benchmark has no file, are in `camera.json`.
+#[derive(Debug, Default)]
+pub(super) struct Tum;
+
+impl Format for Tum {
+    fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
+        let view = pinhole(NAME, shot)?;
+        let depths = Depths::of(shot);
+        let main = depths.main.ok_or_else(|| missing(NAME, "depth"))?;
+        let (folder, time) = (sequence_folder(shot), seconds(shot.time_ns));
+        let mut frame = FrameFiles::default();
+        if let Some(rgb) = &shot.frame.rgb {
+            frame.add_rgb(folder.join(format!("rgb/{time}.png")), rgb);
+        }
+        frame.add_depth(folder.join(format!("depth/{time}.png")), main, PER_METRE);
+        if let Some(exact) = depths.exact {
+            frame.add_depth(folder.join(format!("depth_exact/{time}.png")), exact, PER_METRE);
+        }
+        frame.write(output)?;
+        let pose = &view.world_from_camera;
+        let [x, y, z] = pose.translation.to_array();
+        let [qx, qy, qz, qw] = quaternion(&pose.rotation);
+        let size = view.camera.intrinsics.size;
+        Ok(json!({
+            "folder": folder.to_string_lossy(),
+            "time": time,
+            "rgb": shot.frame.rgb.is_some(),
+            "pose": format!("{time} {x:.9} {y:.9} {z:.9} {qx:.12} {qy:.12} {qz:.12} {qw:.12}"),
+            "camera": {
+                "width": size.width, "height": size.height, "camera_matrix": camera_matrix(&view.camera.intrinsics),
+                "depth_per_metre": PER_METRE,
+            },
+            "lost": count_lost(main, PER_METRE),
+        }))
+    }
+
+    fn finish(
+        &self,
+        records: &mut Records<'_>,
+        output: &mut OutputFiles,
+    ) -> Result<Vec<Finding>, WriteError> {
+        let mut sequences: BTreeMap<String, Sequence> = BTreeMap::new();
+        let mut lost_pixels = 0;
+        for record in records {
+            let record = record?;
+            lost_pixels += number(&record, "lost");
+            sequences
+                .entry(text(&record, "folder").to_owned())
+                .or_default()
+                .add(&record);
+        }
+        for (folder, sequence) in sequences {
+            let folder = PathBuf::from(folder);
+            for (name, header, lines) in [
+                ("rgb.txt", "# timestamp filename", &sequence.rgb),
+                ("depth.txt", "# timestamp filename", &sequence.depth),
+                (
+                    "associations.txt",
+                    "# timestamp depth timestamp rgb",
+                    &sequence.pairs,
+                ),
+                (
+                    "groundtruth.txt",
+                    "# timestamp tx ty tz qx qy qz qw",
+                    &sequence.poses,
+                ),
+            ] {
+                let text = format!("{header}\n{lines}");
+                output.write(&folder.join(name), text.as_bytes())?;
+            }
+            output.write(&folder.join("camera.json"), &files::encode(&sequence.camera))?;
+        }
+        Ok(lost(NAME, lost_pixels, 13.1).into_iter().collect())
+    }
+}
+
+/// The lines of a sequence's files.
+#[derive(Default)]
+struct Sequence {
+    rgb: String,
+    depth: String,
+    pairs: String,
+    poses: String,
+    camera: Value,
+}
+
+impl Sequence {
+    fn add(&mut self, record: &Value) {
+        let time = text(record, "time");
+        self.depth += &format!("{time} depth/{time}.png\n");
+        if record["rgb"] == true {
+            self.rgb += &format!("{time} rgb/{time}.png\n");
+            self.pairs += &format!("{time} depth/{time}.png {time} rgb/{time}.png\n");
+        }
+        self.poses += &format!("{}\n", text(record, "pose"));
+        self.camera = record["camera"].clone();
+    }
+}

@@ -1,0 +1,102 @@
+//! What a scene contains: everything that is drawn at random once for all frames of an arrangement.
+
+mod light;
+mod look;
+mod objects;
+mod stage;
+
+use oaktwin_camera::RigidTransform;
+use serde::Serialize;
+
+pub(crate) use light::{DrawnLight, direction};
+pub(crate) use look::DrawnLook;
+pub(crate) use objects::Placed;
+use objects::place_objects;
+pub(crate) use stage::Stage;
+
+use crate::GenerateError;
+use crate::context::Context;
+
+/// Everything that is drawn at random for an arrangement.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Arrangement {
+    /// The number of the arrangement.
+    pub(crate) number: u64,
+    /// The base scene, as an index into those of the recipe.
+    #[serde(skip)]
+    pub(crate) base: usize,
+    /// Its path in the recipe.
+    pub(crate) scene: String,
+    pub(crate) model: String,
+    pub(crate) objects: Vec<Placed>,
+    pub(crate) looks: Vec<DrawnLook>,
+    pub(crate) lights: Vec<DrawnLight>,
+    pub(crate) infrared_ambient: f64,
+    pub(crate) projector: f64,
+}
+
+impl Arrangement {
+    /// Draws the arrangement of this number.
+    ///
+    /// # Errors
+    /// Returns an error if an object cannot be read, or has no place.
+    pub(crate) fn draw(context: &Context, number: u64) -> Result<Self, GenerateError> {
+        let recipe = &context.file.recipe;
+        let random = context.random;
+        let bases: Vec<usize> = (0..context.bases.len()).collect();
+        let base = random
+            .numbers("scene", number)
+            .pick(&bases)
+            .copied()
+            .unwrap_or_default();
+        let model = random
+            .numbers("camera.model", number)
+            .pick(&recipe.camera.model.0)
+            .cloned();
+        let objects = place_objects(context, base, number)?;
+        let light = &recipe.light;
+        let mut looks = Vec::new();
+        for (rule, textures) in (0..).zip(&context.look_textures) {
+            let mut numbers = random.numbers(&format!("looks.{rule}"), number);
+            looks.push(look::draw(&recipe.looks[rule].look, textures, &mut numbers));
+        }
+        Ok(Self {
+            number,
+            base,
+            scene: context.bases[base].name.clone(),
+            model: model.unwrap_or_default(),
+            lights: light::draw(context, base, &objects, number),
+            objects,
+            looks,
+            infrared_ambient: light
+                .infrared_ambient
+                .draw(&mut random.numbers("light.infrared_ambient", number)),
+            projector: light
+                .projector
+                .draw(&mut random.numbers("light.projector", number)),
+        })
+    }
+}
+
+/// A pose as it is explained: a position in metres and a quaternion x, y, z, w.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(crate) struct ExplainedPose {
+    position: [f64; 3],
+    orientation: [f64; 4],
+}
+
+impl From<&RigidTransform> for ExplainedPose {
+    fn from(pose: &RigidTransform) -> Self {
+        Self {
+            position: pose.translation.to_array(),
+            orientation: oaktwin_camera::math::DQuat::from_mat3(&pose.rotation).to_array(),
+        }
+    }
+}
+
+pub(crate) fn serialize_pose<S: serde::Serializer>(
+    pose: &RigidTransform,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    ExplainedPose::from(pose).serialize(serializer)
+}

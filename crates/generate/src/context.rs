@@ -1,0 +1,179 @@
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use oaktwin_catalog::{Catalog, Twin};
+use oaktwin_dataset::{FormatKind, Model};
+use oaktwin_diagnostic::{Finding, Message};
+use oaktwin_image::annotation::Annotator;
+use oaktwin_pipeline::render::annotator;
+use oaktwin_pipeline::render::trajectory::{self, TimedPose};
+use oaktwin_pipeline::unit;
+
+use crate::GenerateError;
+use crate::arrange::Placed;
+use crate::frame::Models;
+use crate::random::Random;
+use crate::recipe::{Appearance, ObjectRule, RecipeFile};
+use crate::world::{Base, Library, files_of, is_image};
+
+/// What all frames of a recipe share.
+#[derive(Debug)]
+pub(crate) struct Context {
+    pub(crate) file: RecipeFile,
+    pub(crate) random: Random,
+    pub(crate) bases: Vec<Base>,
+    pub(crate) library: Library,
+    /// The images of each rule's look.
+    pub(crate) object_textures: Vec<Vec<PathBuf>>,
+    pub(crate) look_textures: Vec<Vec<PathBuf>>,
+    pub(crate) sky_images: Vec<PathBuf>,
+    pub(crate) trajectory: Vec<TimedPose>,
+    pub(crate) annotators: Vec<Annotator>,
+    pub(crate) formats: Vec<&'static FormatKind>,
+    /// The twin of each model.
+    twins: BTreeMap<String, Twin>,
+    models: Models,
+    /// Findings about the recipe and its files.
+    pub(crate) findings: Vec<Finding>,
+}
+
+impl Context {
+    /// Opens the base scenes and lists the objects of a recipe.
+    pub(crate) fn open(file: RecipeFile, catalog: &Catalog) -> Result<Self, GenerateError> {
+        let recipe = &file.recipe;
+        let (twins, findings) = twins(&file, catalog)?;
+        let formats = formats(&file)?;
+        let annotators = recipe.output.annotators.0.iter().map(|name| annotator(name));
+        let annotators = annotators.collect::<Result<Vec<_>, _>>()?;
+        let images = |look: Option<&Appearance>| match look {
+            Some(look) => files_of(&file, &look.textures, "images", is_image),
+            None => Ok(Vec::new()),
+        };
+        let object_textures = recipe.objects.iter().map(|rule| images(rule.look.as_ref()));
+        let look_textures = recipe.looks.iter().map(|rule| images(Some(&rule.look)));
+        let (object_textures, look_textures) = (
+            object_textures.collect::<Result<_, _>>()?,
+            look_textures.collect::<Result<_, _>>()?,
+        );
+        let sky_images = match &recipe.light.sky {
+            Some(sky) => files_of(&file, &sky.images, "images", is_image)?,
+            None => Vec::new(),
+        };
+        let trajectory = match &recipe.camera.trajectory {
+            Some(path) => trajectory::read(&file.resolve(path))?,
+            None => Vec::new(),
+        };
+        let library = Library::new(&file)?;
+        let mut bases = Vec::new();
+        for name in &recipe.scene.0 {
+            bases.push(Base::open(name, &file.resolve(name), &recipe.scene_options)?);
+        }
+        if bases.is_empty() {
+            bases.extend(Base::floor());
+        }
+        Ok(Self {
+            random: Random::new(recipe.seed),
+            bases,
+            library,
+            object_textures,
+            look_textures,
+            sky_images,
+            trajectory,
+            annotators,
+            formats,
+            twins,
+            models: Models::default(),
+            findings,
+            file,
+        })
+    }
+
+    /// Returns the twin of a model of the recipe.
+    pub(crate) fn twin(&self, model: &str) -> &Twin {
+        &self.twins[model]
+    }
+
+    /// Returns the model of a placed object.
+    pub(crate) fn model(&self, object: &Placed) -> Arc<Model> {
+        self.models.get(object, &self.library.entries[object.entry].name)
+    }
+
+    /// Creates an error about a value of the recipe.
+    pub(crate) fn unfit(
+        &self,
+        place: &str,
+        problem: impl Into<Message>,
+        remedy: impl Into<Message>,
+    ) -> GenerateError {
+        unfit(&self.file, place, problem, remedy)
+    }
+}
+
+fn unfit(
+    file: &RecipeFile,
+    place: &str,
+    problem: impl Into<Message>,
+    remedy: impl Into<Message>,
+) -> GenerateError {
+    GenerateError::Unfit {
+        recipe: file.path.clone(),
+        place: place.to_owned(),
+        problem: problem.into(),
+        remedy: remedy.into(),
+    }
+}
+
+/// Returns the twin of each model of a recipe.
+fn twins(
+    file: &RecipeFile,
+    catalog: &Catalog,
+) -> Result<(BTreeMap<String, Twin>, Vec<Finding>), GenerateError> {
+    let recipe = &file.recipe;
+    let (mut twins, mut findings) = (BTreeMap::new(), Vec::new());
+    for model in &recipe.camera.model.0 {
+        let device = catalog.device(model).map_err(|error| GenerateError::Model {
+            recipe: file.path.clone(),
+            error,
+        })?;
+        let twin = match &recipe.unit.calibration {
+            Some(path) => {
+                let (twin, more) = unit::open(catalog, device, &file.resolve(path), false)?;
+                findings.extend(more);
+                twin
+            }
+            None => catalog.nominal(device),
+        };
+        twins.insert(model.clone(), twin);
+    }
+    Ok((twins, findings))
+}
+
+/// Returns the formats of a recipe.
+fn formats(file: &RecipeFile) -> Result<Vec<&'static FormatKind>, GenerateError> {
+    let mut formats: Vec<&'static FormatKind> = Vec::new();
+    for name in &file.recipe.output.formats.0 {
+        let format = FormatKind::find(name)
+            .map_err(|remedy| unfit(file, "output.formats", format!("unknown format '{name}'"), remedy))?;
+        if formats.iter().any(|other| other.name == format.name) {
+            return Err(unfit(
+                file,
+                "output.formats",
+                format!("{name} appears twice"),
+                "remove one of the two",
+            ));
+        }
+        formats.push(format);
+    }
+    let scales = |rule: &ObjectRule| rule.scale.range()[0] != rule.scale.range()[1];
+    let describes = formats.iter().find(|format| format.needs.objects);
+    if let (Some(format), Some(rule)) = (describes, file.recipe.objects.iter().position(scales)) {
+        return Err(unfit(
+            file,
+            &format!("objects.{rule}.scale"),
+            format!("{} describes objects by models of one size", format.name),
+            "give a number instead of a distribution, or several rules with a scale each",
+        ));
+    }
+    Ok(formats)
+}

@@ -1,0 +1,100 @@
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use oaktwin_catalog::UnknownModel;
+use oaktwin_dataset::WriteError;
+use oaktwin_diagnostic::Message;
+use oaktwin_files::FileError;
+use oaktwin_memory::Shortage;
+use oaktwin_pipeline::pair::PairError;
+use oaktwin_pipeline::render::{CameraError, DepthSensorError, SceneFileError, UnknownAnnotator};
+use oaktwin_pipeline::sensor::ParameterError;
+use oaktwin_pipeline::unit::UnitError;
+
+use crate::recipe::RecipeError;
+
+/// An error that prevents a data set from being generated.
+#[derive(Debug, thiserror::Error)]
+pub enum GenerateError {
+    /// The recipe is invalid.
+    #[error(transparent)]
+    Recipe(#[from] RecipeError),
+    /// A file cannot be read or written.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// A frame cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+    /// A scene or an object cannot be opened.
+    #[error(transparent)]
+    Scene(#[from] SceneFileError),
+    /// An error that several frames have in common.
+    #[error(transparent)]
+    Shared(Arc<GenerateError>),
+    /// A file has no triangles.
+    #[error("{}: has no triangles; remove it, or name another file", file.display())]
+    Empty {
+        /// The file.
+        file: PathBuf,
+    },
+    /// There is not enough memory for a file.
+    #[error("{}: {}; {}", file.display(), shortage.what(), shortage.remedy())]
+    Memory {
+        /// The file.
+        file: PathBuf,
+        /// What is missing.
+        shortage: Shortage,
+    },
+    /// The camera model is unknown.
+    #[error("{}: camera.model: {error}", recipe.display())]
+    Model {
+        /// The recipe.
+        recipe: PathBuf,
+        /// What is wrong.
+        error: UnknownModel,
+    },
+    /// A value of the recipe does not fit the camera, the scene or another value.
+    #[error("{}: {place}: {problem}; {remedy}", recipe.display())]
+    Unfit {
+        /// The recipe.
+        recipe: PathBuf,
+        /// The key.
+        place: String,
+        /// What is wrong.
+        problem: Message,
+        /// What to do.
+        remedy: Message,
+    },
+    /// Nothing of a rule could be placed.
+    #[error("{}: {place}: frame {frame}: {problem}; {remedy}", recipe.display())]
+    NoPlace {
+        /// The recipe.
+        recipe: PathBuf,
+        /// The rule that failed.
+        place: String,
+        /// The frame.
+        frame: u64,
+        /// Which attempts failed, and why.
+        problem: String,
+        /// What to do.
+        remedy: String,
+    },
+    /// The cameras of a model cannot be chosen.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+    /// An annotator is unknown.
+    #[error(transparent)]
+    Annotator(#[from] UnknownAnnotator),
+    /// The depth sensor cannot be created.
+    #[error(transparent)]
+    Sensor(#[from] DepthSensorError),
+    /// A parameter of the depth sensor is invalid.
+    #[error(transparent)]
+    Parameter(#[from] ParameterError),
+    /// The stereo pair cannot be rendered.
+    #[error(transparent)]
+    Pair(#[from] PairError),
+    /// The calibration does not describe a unit of the model.
+    #[error(transparent)]
+    Unit(#[from] UnitError),
+}

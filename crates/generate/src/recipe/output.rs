@@ -1,0 +1,81 @@
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{Quantity, Texts};
+
+/// The unit that frames are taken with.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct UnitRule {
+    /// The calibration of one unit, a DepthAI export, relative to the recipe.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub calibration: Option<String>,
+}
+
+/// The depth sensor.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct SensorRule {
+    /// The engine: `stereo-noise`, `stereo-matching`, `time-of-flight` or `single-view`; by default that of the kind of sensor.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub engine: Option<String>,
+    /// The DepthAI preset. Its temporal filter is not allowed, because a frame does not depend on the frames before it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub preset: Option<String>,
+    /// Filters, first to last, as in `oaktwin sense --filter`.
+    pub filters: Texts,
+    /// Parameters of the engine by name: numbers, distributions, names or true and false.
+    pub parameters: BTreeMap<String, ParameterValue>,
+    /// Whether the extended disparity range is enabled.
+    pub extended_disparity: bool,
+}
+
+/// The value of a parameter.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(
+    untagged,
+    expecting = "expected a number, a distribution, a name, true or false"
+)]
+pub enum ParameterValue {
+    /// `true` or `false`.
+    Flag(bool),
+    /// A name.
+    Text(String),
+    /// A number or a distribution.
+    Number(Quantity),
+}
+
+/// What is written.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct OutputRule {
+    /// The annotators, as in `oaktwin render --annotators`.
+    pub annotators: Texts,
+    /// The formats. With several, each has a folder of its own.
+    pub formats: Texts,
+    /// The time between the frames of an arrangement, seconds, in formats with times.
+    pub interval_s: f64,
+}
+
+impl Default for OutputRule {
+    fn default() -> Self {
+        Self {
+            annotators: Texts(
+                [
+                    "rgb",
+                    "distance_to_image_plane",
+                    "depth_sensor_distance",
+                    "instance_id_segmentation",
+                    "semantic_segmentation",
+                    "camera_params",
+                ]
+                .map(str::to_owned)
+                .into(),
+            ),
+            formats: Texts(vec!["basic".to_owned()]),
+            interval_s: 1.0 / 30.0,
+        }
+    }
+}

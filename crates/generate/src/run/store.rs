@@ -1,0 +1,305 @@
+//! The state of a data set on disk: its recipe, the records of finished frames, and a lock.
+
+use std::collections::BTreeSet;
+use std::fs::{self, File};
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use oaktwin_files::{self as files, FileError, WrittenFile};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use sha2::{Digest, Sha256};
+
+use crate::GenerateError;
+use crate::recipe::{Recipe, RecipeFile};
+
+/// The folder of the state, within that of the data set.
+const FOLDER: &str = ".oaktwin";
+/// The maximum size of a record.
+const MAX_BYTES: u64 = 256 << 20;
+
+/// The state of a data set.
+#[derive(Debug)]
+pub(crate) struct Store {
+    /// The folder of the data set.
+    pub(crate) root: PathBuf,
+    /// Held while this process writes the data set.
+    _lock: Option<File>,
+}
+
+/// A finished frame.
+#[derive(Debug, Deserialize, Serialize)]
+pub(crate) struct FrameRecord {
+    pub(crate) frame: u64,
+    /// Its files, relative to the data set.
+    pub(crate) files: Vec<FileRecord>,
+    /// The records of each format, one for each camera.
+    pub(crate) formats: Vec<Vec<Value>>,
+}
+
+/// A file with its checksum.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub(crate) struct FileRecord {
+    pub(crate) path: String,
+    pub(crate) bytes: u64,
+    pub(crate) sha256: String,
+}
+
+impl Store {
+    /// Opens or creates the state of a data set in a folder. A worker of another process, which holds the lock, does not lock.
+    ///
+    /// # Errors
+    /// Returns an error if the folder has a data set that is not to be resumed or has another recipe, or if another process writes
+    /// it.
+    pub(crate) fn open(
+        root: &Path,
+        file: &RecipeFile,
+        resume: bool,
+        is_worker: bool,
+    ) -> Result<Self, GenerateError> {
+        let folder = root.join(FOLDER);
+        let is_known = folder.join("recipe.json").exists();
+        if is_known && !resume && !is_worker {
+            return Err(FileError::new(
+                root,
+                "already has a data set",
+                oaktwin_diagnostic::message![
+                    "add to it with ",
+                    oaktwin_diagnostic::opt("resume"),
+                    ", or choose another folder"
+                ],
+            )
+            .into());
+        }
+        files::make_folder(&folder.join("frames"))?;
+        let lock = match is_worker {
+            true => None,
+            false => Some(lock(root, &folder.join("lock"))?),
+        };
+        let path = folder.join("recipe.json");
+        let own = serde_json::to_value(&file.recipe).unwrap_or_default();
+        if is_known {
+            let bytes = files::read(&path, MAX_BYTES, "a recipe")?;
+            let known: Value = serde_json::from_slice(&bytes).unwrap_or_default();
+            reject_change(root, &known, &own)?;
+        }
+        if !is_worker {
+            files::write(&path, &pretty(&own))?;
+        }
+        Ok(Self {
+            root: root.to_owned(),
+            _lock: lock,
+        })
+    }
+
+    /// Returns the numbers of the frames that are complete.
+    pub(crate) fn frames(&self) -> Result<BTreeSet<u64>, GenerateError> {
+        let folder = self.root.join(FOLDER).join("frames");
+        let entries = fs::read_dir(&folder).map_err(|error| FileError::reading(&folder, &error))?;
+        let names = entries.flatten().map(|entry| entry.file_name());
+        let number = |name: std::ffi::OsString| name.to_str()?.strip_suffix(".json")?.parse().ok();
+        Ok(names.filter_map(number).collect())
+    }
+
+    /// Whether all files of a finished frame are there.
+    pub(crate) fn is_intact(&self, frame: u64) -> bool {
+        let has = |file: &FileRecord| {
+            fs::metadata(self.root.join(&file.path)).is_ok_and(|metadata| metadata.len() == file.bytes)
+        };
+        self.frame(frame).is_ok_and(|record| record.files.iter().all(has))
+    }
+
+    /// Reads the record of a frame.
+    pub(crate) fn frame(&self, frame: u64) -> Result<FrameRecord, FileError> {
+        let path = self.frame_path(frame);
+        let bytes = files::read(&path, MAX_BYTES, "the record of a frame")?;
+        serde_json::from_slice(&bytes).map_err(|error| {
+            FileError::new(
+                &path,
+                format!("is not a record ({error})"),
+                "remove it, and resume",
+            )
+        })
+    }
+
+    /// Writes the record of a frame, which is complete from then on.
+    pub(crate) fn add(&self, record: &FrameRecord) -> Result<(), FileError> {
+        let bytes = serde_json::to_vec(record).unwrap_or_default();
+        files::write(&self.frame_path(record.frame), &bytes)
+    }
+
+    fn frame_path(&self, frame: u64) -> PathBuf {
+        self.root
+            .join(FOLDER)
+            .join("frames")
+            .join(format!("{frame:08}.json"))
+    }
+
+    /// Describes files that were written, with their checksums.
+    pub(crate) fn describe(&self, written: &[WrittenFile]) -> Result<Vec<FileRecord>, FileError> {
+        let describe = |file: &WrittenFile| {
+            let path = file.path.strip_prefix(&self.root).unwrap_or(&file.path);
+            Ok(FileRecord {
+                path: path.to_string_lossy().replace('\\', "/"),
+                bytes: file.bytes,
+                sha256: checksum(&file.path)?,
+            })
+        };
+        written.iter().map(describe).collect()
+    }
+}
+
+fn checksum(path: &Path) -> Result<String, FileError> {
+    let reading = |error: std::io::Error| FileError::reading(path, &error);
+    let mut file = File::open(path).map_err(reading)?;
+    let (mut digest, mut buffer) = (Sha256::new(), vec![0; 1 << 16]);
+    loop {
+        match file.read(&mut buffer).map_err(reading)? {
+            0 => break,
+            length => digest.update(&buffer[..length]),
+        }
+    }
+    Ok(digest
+        .finalize()
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect())
+}
+
+fn lock(root: &Path, path: &Path) -> Result<File, GenerateError> {
+    let file = File::create(path).map_err(|error| FileError::writing(path, &error))?;
+    file.try_lock().map_err(|_| {
+        FileError::new(
+            root,
+            "another process is writing this data set",
+            "wait for it, or choose another folder",
+        )
+    })?;
+    Ok(file)
+}
+
+pub(crate) fn pretty(value: &impl Serialize) -> Vec<u8> {
+    let mut bytes = serde_json::to_vec_pretty(value).unwrap_or_default();
+    bytes.push(b'\n');
+    bytes
+}
+
+/// Rejects a recipe that differs from that of the data set in more than the number of frames.
+fn reject_change(root: &Path, known: &Value, own: &Value) -> Result<(), GenerateError> {
+    let mut changes = Vec::new();
+    differences("", known, own, &mut changes);
+    changes.retain(|change| !change.starts_with("frames:"));
+    if changes.is_empty() {
+        return Ok(());
+    }
+    let shown = changes.iter().take(5).cloned().collect::<Vec<_>>().join("; ");
+    let more = changes.len().saturating_sub(5);
+    let more = if more > 0 {
+        format!("; and {more} more")
+    } else {
+        String::new()
+    };
+    let message = format!("was generated from another recipe: {shown}{more}");
+    Err(FileError::new(root, message, "restore the recipe, or choose another folder").into())
+}
+
+/// Collects the keys whose values differ, with both values.
+fn differences(place: &str, old: &Value, new: &Value, changes: &mut Vec<String>) {
+    let join = |key: &str| {
+        if place.is_empty() {
+            key.to_owned()
+        } else {
+            format!("{place}.{key}")
+        }
+    };
+    match (old, new) {
+        (Value::Object(old), Value::Object(new)) => {
+            let keys: BTreeSet<&String> = old.keys().chain(new.keys()).collect();
+            for key in keys {
+                let of = |map: &serde_json::Map<String, Value>| map.get(key).cloned().unwrap_or_default();
+                differences(&join(key), &of(old), &of(new), changes);
+            }
+        }
+        (Value::Array(old), Value::Array(new)) if old.len() == new.len() => {
+            for (index, (old, new)) in old.iter().zip(new).enumerate() {
+                differences(&join(&index.to_string()), old, new, changes);
+            }
+        }
+        _ if old == new => {}
+        _ => changes.push(format!("{place}: {old} became {new}")),
+    }
+}
+
+impl Recipe {
+    /// Returns the keys in which another recipe differs, with both values.
+    #[must_use]
+    pub fn differences(&self, other: &Self) -> Vec<String> {
+        let [old, new] = [self, other].map(|recipe| serde_json::to_value(recipe).unwrap_or_default());
+        let mut changes = Vec::new();
+        differences("", &old, &new, &mut changes);
+        changes
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn recipe(text: &str) -> RecipeFile {
+        let path = PathBuf::from("r.toml");
+        RecipeFile {
+            recipe: Recipe::parse(&path, text).unwrap(),
+            path,
+        }
+    }
+
+    #[test]
+    fn a_data_set_has_one_recipe_and_one_writer() {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path();
+        let first = recipe("seed = 1");
+        let store = Store::open(root, &first, false, false).unwrap();
+        let error =
+            |file: &RecipeFile, resume| Store::open(root, file, resume, false).unwrap_err().to_string();
+        assert!(error(&first, false).contains("already has a data set"));
+        assert!(error(&first, true).contains("another process is writing"));
+        assert!(Store::open(root, &first, true, true).is_ok());
+        drop(store);
+        assert!(Store::open(root, &recipe("seed = 1\nframes = 7"), true, false).is_ok());
+        let changed = recipe("seed = 2\n[camera]\nclearance_m = 0.2");
+        let error = error(&changed, true);
+        assert!(
+            error.contains("camera.clearance_m: 0.1 became 0.2; seed: 1 became 2"),
+            "{error}"
+        );
+    }
+
+    #[test]
+    fn frames_are_intact_while_their_files_are() {
+        let folder = tempfile::tempdir().unwrap();
+        let store = Store::open(folder.path(), &recipe("seed = 1"), false, false).unwrap();
+        let path = folder.path().join("a.txt");
+        fs::write(&path, "abc").unwrap();
+        let files = store
+            .describe(&[WrittenFile {
+                path: path.clone(),
+                bytes: 3,
+            }])
+            .unwrap();
+        assert_eq!(files[0].path, "a.txt");
+        assert_eq!(
+            files[0].sha256,
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
+        );
+        let record = FrameRecord {
+            frame: 12,
+            files,
+            formats: vec![vec![Value::Null]],
+        };
+        store.add(&record).unwrap();
+        assert_eq!(store.frames().unwrap(), [12].into());
+        assert!(store.is_intact(12) && !store.is_intact(13));
+        fs::write(&path, "ab").unwrap();
+        assert!(!store.is_intact(12));
+    }
+}

@@ -1,0 +1,11 @@
+//! What can be placed, and where: base scenes, objects and their hulls.
+
+mod asset;
+mod base;
+mod hull;
+mod library;
+
+pub(crate) use asset::Asset;
+pub(crate) use base::{Base, fall};
+pub(crate) use hull::{Hull, pose_to_parry};
+pub(crate) use library::{Library, files_of, is_image};
