@@ -1,6 +1,8 @@
 use std::io::Write;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, sync_channel};
+use std::thread;
 
 use rayon::prelude::*;
 
@@ -143,15 +145,32 @@ struct Given {
 }
 
 impl<'a> Run<'a, '_, '_> {
+    /// Processes the files of a sequence. Each is read while the one before it is measured.
     fn sequence(&mut self, sequence: &Sequence<'a>) -> Result<ControlFlow<()>, SenseError> {
+        let scale = self.options.depth_scale;
+        thread::scope(|scope| {
+            let (sender, sources) = sync_channel(0);
+            scope.spawn(move || {
+                for file in &sequence.files {
+                    let source = open(file, scale);
+                    let is_last = source.is_err();
+                    if sender.send(source).is_err() || is_last {
+                        return;
+                    }
+                }
+            });
+            self.sources(sequence, sources)
+        })
+    }
+
+    fn sources(
+        &mut self,
+        sequence: &Sequence<'a>,
+        sources: Receiver<Result<Source, FileError>>,
+    ) -> Result<ControlFlow<()>, SenseError> {
         let mut current: Option<(Session<'a>, Sensor)> = None;
-        for file in &sequence.files {
-            let scale = self.options.depth_scale;
-            let source = if file.is_standard_input {
-                Source::read(&file.path, Box::new(std::io::stdin()), None, scale)?
-            } else {
-                Source::open(&file.path, scale)?
-            };
+        for (file, source) in sequence.files.iter().zip(sources) {
+            let source = source?;
             limits::check_memory(&file.path, source.size, limits::sense_bytes(source.size))?;
             let count = source.batch.unwrap_or(1);
             self.producer.expect_more(count as u64 - 1);
@@ -329,6 +348,14 @@ impl Session<'_> {
         let capture = sensor::capture(sensor, &self.output.camera, shot.into(), &request)?;
         let params = self.output.params(file.params.as_deref());
         Ok(self.output.shot(sensor, capture, rgb.as_ref(), params, input))
+    }
+}
+
+fn open(file: &DepthFile, scale: f64) -> Result<Source, FileError> {
+    if file.is_standard_input {
+        Source::read(&file.path, Box::new(std::io::stdin()), None, scale)
+    } else {
+        Source::open(&file.path, scale)
     }
 }
 
