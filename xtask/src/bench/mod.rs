@@ -3,6 +3,7 @@
 mod assets;
 mod bridge;
 mod depth;
+mod generate;
 mod load;
 mod python;
 mod render;
@@ -21,6 +22,8 @@ pub(crate) enum Bench {
     Render(render::Args),
     /// The engines and filters, compared with NumPy and DepthAI
     Depth(depth::Args),
+    /// Data sets from a recipe, compared with Open3D and NumPy
+    Generate(generate::Args),
     /// The stereo matcher, compared with OpenCV's
     Stereo(stereo::Args),
     /// Opening USD stages, compared with OpenUSD in Python; then the cost of colour relative to depth
@@ -37,6 +40,7 @@ pub(crate) fn run(bench: &Bench) -> Result<(), String> {
         Bench::Bridge(args) => bridge::run(args),
         Bench::Render(args) => render::run(args),
         Bench::Depth(args) => depth::run(args),
+        Bench::Generate(args) => generate::run(args),
         Bench::Stereo(args) => stereo::run(args),
         Bench::Load(args) => load::run(args),
         Bench::Python(args) => python::run(args),

@@ -1,0 +1,29 @@
+//! Data sets: the table-top recipe, compared with a script that uses Open3D and NumPy.
+
+use std::process::Command;
+
+use crate::python::PEERS;
+use crate::workspace::{self, check};
+
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// Number of frames
+    #[arg(long, default_value_t = 40)]
+    frames: usize,
+}
+
+/// Runs the benchmark and prints both rates.
+pub(crate) fn run(args: &Args) -> Result<(), String> {
+    let program = workspace::build_program("oaktwin", &["--release", "--package", "oaktwin-cli"])?;
+    let python = PEERS.ready()?;
+    let root = workspace::root();
+    let script = root.join("tests/oracles/bench_generate.py");
+    let recipe = root.join("examples/recipes/table_top.toml");
+    check(
+        Command::new(&python)
+            .arg(script)
+            .arg(program)
+            .arg(recipe)
+            .arg(args.frames.to_string()),
+    )
+}
