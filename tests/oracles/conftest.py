@@ -18,7 +18,7 @@ NEEDS = {
     "test_camera_maths.py": ("cv2",),
     "test_dataset.py": ("cv2",),
     "test_filters.py": ("cv2", "depthai"),
-    "test_generate.py": ("evo", "pycocotools", "pycolmap", "trimesh"),
+    "test_generate.py": ("cv2", "evo", "pycocotools", "pycolmap", "trimesh"),
     "test_importers.py": ("trimesh",),
     "test_rectify.py": ("cv2", "depthai"),
     "test_render.py": ("open3d", "libusb_package"),

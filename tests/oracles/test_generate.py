@@ -5,6 +5,7 @@ import json
 import subprocess
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pycolmap
 import pytest
@@ -331,6 +332,28 @@ def test_occlusion_is_that_of_the_right_view(root: Path, bop: Bop) -> None:
         # The table hides nothing that stands on it.
         found.extend(mask[pixels[hidden, 1], pixels[hidden, 0]] == 128)
     assert len(found) > 10 and np.mean(found) > 0.85
+
+
+def test_opencv_finds_the_written_disparity(program: Path, tmp_path: Path) -> None:
+    """On the stereo recipe, OpenCV's matcher and the device's have errors of a third of a pixel, without bias."""
+    command = [program, "generate", RECIPES / "stereo_training.toml", "-o", tmp_path, "--frames", "0..3"]
+    subprocess.run(command, check=True)
+    for folder in sorted(tmp_path.glob("0*")):
+        left, right = (image(folder / f"im{index}.png") for index in range(2))
+        truth, calib = pfm(folder / "disp0.pfm"), calibration(folder / "calib.txt")
+        matcher = cv2.StereoSGBM_create(
+            0, 96, 5, P1=200, P2=800, disp12MaxDiff=1, uniquenessRatio=10, speckleWindowSize=100, speckleRange=2
+        )
+        found = matcher.compute(left, right) / 16
+        depth = pfm(folder / "depth_sensor.pfm")
+        focal_baseline = float(calib["cam0"].strip("[").split()[0]) * float(calib["baseline"]) / 1000
+        measured = np.where(depth > 0, focal_baseline / np.where(depth > 0, depth, 1), 0)
+        known = (image(folder / "mask0nocc.png") == 255) & (truth < 94)
+        for disparity in (found, measured):
+            valid = known & (disparity > 0)
+            error = (disparity - truth)[valid]
+            assert valid.sum() > 0.4 * known.sum()
+            assert np.median(np.abs(error)) < 0.5 and abs(np.median(error)) < 0.15
 
 
 def test_quaternions_are_rotations(root: Path) -> None:
