@@ -1,4 +1,5 @@
 use std::path::PathBuf;
+use std::sync::OnceLock;
 
 use oaktwin_diagnostic::Finding;
 use oaktwin_files::OutputFiles;
@@ -7,6 +8,9 @@ use serde_json::{Value, json};
 use crate::file::write_all;
 use crate::listing::list;
 use crate::{Format, Options, Records, Shot, WriteError, json};
+
+/// The file that describes the whole data set.
+const METADATA: &str = "metadata.txt";
 
 /// The layout of Replicator's `BasicWriter` 0.0.2: names, types, shapes and keys.
 ///
@@ -37,13 +41,33 @@ use crate::{Format, Options, Records, Shot, WriteError, json};
 #[derive(Clone, Debug, Default)]
 pub struct BasicWriter {
     options: Options,
+    has_metadata: OnceLock<()>,
 }
 
 impl BasicWriter {
     /// Creates a writer.
     #[must_use]
     pub fn new(options: Options) -> Self {
-        Self { options }
+        Self {
+            options,
+            has_metadata: OnceLock::new(),
+        }
+    }
+
+    /// Writes the file that describes the whole data set once, without listing it among the files of a frame.
+    fn write_metadata(&self, output: &mut OutputFiles) -> Result<(), WriteError> {
+        if self.has_metadata.set(()).is_err() {
+            return Ok(());
+        }
+        // The colon within the last key is `BasicWriter`'s own.
+        let metadata = json::encode(&json!({
+            "name": "BasicWriter",
+            "version": "0.0.2",
+            "replicator_global_seed:": self.options.seed,
+        }));
+        output.write(METADATA.as_ref(), &metadata)?;
+        output.forget(METADATA.as_ref());
+        Ok(())
     }
 
     fn path(&self, shot: &Shot, annotator: &str, name: &str, extension: &str) -> PathBuf {
@@ -58,6 +82,7 @@ impl BasicWriter {
 
 impl Format for BasicWriter {
     fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
+        self.write_metadata(output)?;
         let files = list(shot, &self.options).into_iter();
         let files = files.map(|file| (self.path(shot, file.folder, &file.name, file.extension), file));
         write_all(&files.collect::<Vec<_>>(), output)?;
@@ -69,13 +94,8 @@ impl Format for BasicWriter {
         _records: &mut Records<'_>,
         output: &mut OutputFiles,
     ) -> Result<Vec<Finding>, WriteError> {
-        // The colon within the last key is `BasicWriter`'s own.
-        let metadata = json::encode(&json!({
-            "name": "BasicWriter",
-            "version": "0.0.2",
-            "replicator_global_seed:": self.options.seed,
-        }));
-        output.write("metadata.txt".as_ref(), &metadata)?;
+        self.write_metadata(output)?;
+        output.list(METADATA.as_ref())?;
         Ok(Vec::new())
     }
 }

@@ -12,7 +12,7 @@ use oaktwin_pipeline::unit;
 
 use crate::GenerateError;
 use crate::arrange::Placed;
-use crate::frame::Models;
+use crate::described::Models;
 use crate::random::Random;
 use crate::recipe::{Appearance, ObjectRule, RecipeFile};
 use crate::world::{Base, Library, files_of, is_image};

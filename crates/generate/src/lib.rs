@@ -26,6 +26,7 @@
 
 mod arrange;
 mod context;
+mod described;
 mod error;
 mod frame;
 mod random;

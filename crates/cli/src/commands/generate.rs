@@ -23,7 +23,7 @@ struct Report<'a> {
     files: u64,
     bytes: u64,
     seconds: f64,
-    is_interrupted: bool,
+    interrupted: bool,
     findings: &'a [Finding],
 }
 
@@ -76,7 +76,7 @@ fn report(args: &GenerateArgs, folder: &Path, generated: &Generated, seconds: f6
             files: generated.files,
             bytes: generated.bytes,
             seconds,
-            is_interrupted: generated.is_interrupted,
+            interrupted: generated.is_interrupted,
             findings: &generated.findings,
         })?;
     } else {
@@ -91,13 +91,12 @@ fn report(args: &GenerateArgs, folder: &Path, generated: &Generated, seconds: f6
 }
 
 fn text(folder: &Path, generated: &Generated, seconds: f64) -> String {
-    #[expect(clippy::cast_precision_loss, reason = "a rate for people")]
-    let rate = generated.made as f64 / seconds.max(1e-9);
-    let mut text = format!(
-        "{}: {} frames, {rate:.1} per second",
-        folder.display(),
-        generated.made
-    );
+    let mut text = format!("{}: {} frames", folder.display(), generated.made);
+    if generated.made > 0 {
+        #[expect(clippy::cast_precision_loss, reason = "a rate for people")]
+        let rate = generated.made as f64 / seconds.max(1e-9);
+        text += &format!(", {rate:.1} per second");
+    }
     if generated.skipped > 0 {
         text += &format!("; {} were complete already", generated.skipped);
     }

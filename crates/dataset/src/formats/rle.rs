@@ -6,7 +6,7 @@ pub(super) fn runs(mask: &Mask, width: u32, height: u32) -> Vec<u32> {
     let [left, top] = mask.origin;
     let [across, down] = mask.size;
     let mut push = |is_inside: bool, length: u32| {
-        if is_inside == inside {
+        if length == 0 || is_inside == inside {
             run += length;
         } else {
             runs.push(run);
