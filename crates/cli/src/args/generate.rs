@@ -32,6 +32,11 @@ pub(crate) struct GenerateArgs {
     #[arg(long)]
     pub(crate) resume: bool,
 
+    /// Leave the files that span frames to a later run with --resume, so that several processes or machines can make different frames
+    /// of one data set in a common folder
+    #[arg(long, conflicts_with = "resume")]
+    pub(crate) only_frames: bool,
+
     /// Formats, separated by commas, instead of the recipe's
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub(crate) formats: Vec<String>,
@@ -41,11 +46,11 @@ pub(crate) struct GenerateArgs {
     pub(crate) seed: Option<u64>,
 
     /// Print everything that is drawn at random for this frame, as JSON
-    #[arg(long, value_name = "FRAME", conflicts_with_all = ["preview", "resume", "frames"])]
+    #[arg(long, value_name = "FRAME", conflicts_with_all = ["preview", "resume", "frames", "only_frames"])]
     pub(crate) explain: Option<u64>,
 
     /// Write a contact sheet of the first N frames instead of a data set
-    #[arg(long, value_name = "N", conflicts_with_all = ["resume", "frames"])]
+    #[arg(long, value_name = "N", conflicts_with_all = ["resume", "frames", "only_frames"])]
     pub(crate) preview: Option<u64>,
 
     /// Print the JSON schema of recipes

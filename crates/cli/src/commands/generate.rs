@@ -59,7 +59,7 @@ pub(crate) fn run(context: &Context, args: &GenerateArgs) -> Result<Exit> {
         frames: args.frames.clone(),
         resume: args.resume,
         workers: args.workers.map(usize::from),
-        only_frames: false,
+        only_frames: args.only_frames,
     };
     let start = Instant::now();
     let generated = progress::watched(|watch| generator.generate(folder, &options, watch))?;
@@ -102,6 +102,9 @@ fn text(folder: &Path, generated: &Generated, seconds: f64) -> String {
     }
     if generated.is_interrupted {
         return text + "; interrupted: continue with --resume\n";
+    }
+    if generated.files == 0 {
+        return text + "; the data set is completed by --resume\n";
     }
     text += &format!("; {} files, {}", generated.files, memory::size(generated.bytes));
     if generated.missing > 0 {

@@ -11,6 +11,7 @@ mod coverage;
 mod every_model;
 mod export;
 mod fit;
+mod generate;
 mod memory;
 mod named_files;
 mod optics;

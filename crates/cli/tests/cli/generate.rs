@@ -1,0 +1,135 @@
+//! Data sets from recipes.
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::program::Program;
+
+fn words(line: &str) -> Vec<&str> {
+    line.split_whitespace().collect()
+}
+
+/// A table with blocks, at any size of image.
+fn case(resolution: &str) -> Program {
+    let program = Program::new();
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/recipes");
+    program.put("table.usda", fs::read(examples.join("table.usda")).unwrap());
+    program.put(
+        "block.usda",
+        fs::read(examples.join("objects/block.usda")).unwrap(),
+    );
+    program.put(
+        "recipe.toml",
+        format!(
+            "frames = 6\nscene = 'table.usda'\n[[objects]]\nfiles = 'block.usda'\ncount = 3\non = '/World/Table'\n\
+             [camera]\nresolution = {resolution}\n"
+        ),
+    );
+    program
+}
+
+/// The files of a data set with their bytes.
+fn files(program: &Program, folder: &str) -> Vec<(String, Vec<u8>)> {
+    let names = program.names().into_iter();
+    let own = names
+        .filter(|name| program.path(name).is_file())
+        .filter_map(|name| Some((name.strip_prefix(folder)?.to_owned(), name)));
+    let read = |(short, name): (String, String)| (short, fs::read(program.path(&name)).unwrap());
+    own.map(read).collect()
+}
+
+#[test]
+fn generates_explains_and_previews() {
+    let program = case("[80, 50]");
+    let done = program.good(&words("generate recipe.toml -o set --formats bop,coco --json"));
+    let report: Value = serde_json::from_str(&done).unwrap();
+    assert_eq!(
+        (&report["frames"], &report["interrupted"]),
+        (&6.into(), &false.into())
+    );
+    assert!(program.path("set/bop/train/000005/scene_gt.json").exists());
+    assert!(program.path("set/coco/annotations/instances.json").exists());
+    let drawn = program.good(&words("generate recipe.toml --explain 5"));
+    let drawn: Value = serde_json::from_str(&drawn).unwrap();
+    assert_eq!(drawn["arrangement"]["objects"].as_array().unwrap().len(), 3);
+    program.good(&words("generate recipe.toml --preview 2 -o sheet.png"));
+    assert!(program.path("sheet.png").exists());
+    let schema = program.good(&words("generate --schema"));
+    let schema: Value = serde_json::from_str(&schema).unwrap();
+    assert_eq!(schema["title"], "A recipe of oaktwin generate");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_killed_run_is_completed_to_the_same_bytes() {
+    let program = case("[640, 400]");
+    program.good(&words("generate recipe.toml -o whole"));
+    let ended = program.signalled(
+        &["KILL"],
+        &words("generate recipe.toml -o killed --workers 1"),
+        |program| program.path("killed/.oaktwin/frames/00000001.json").exists(),
+    );
+    assert_eq!(ended.code, -9);
+    assert!(!program.path("killed/manifest.json").exists());
+    let done = program.good(&words("generate recipe.toml -o killed --resume"));
+    assert!(done.contains("were complete already"), "{done}");
+    assert!(files(&program, "whole/") == files(&program, "killed/"));
+    let ended = program.signalled(
+        &["INT"],
+        &words("generate recipe.toml -o stopped --workers 1"),
+        |program| program.path("stopped/.oaktwin/frames/00000000.json").exists(),
+    );
+    assert_eq!(ended.code, 130);
+    assert!(
+        ended.stdout.contains("continue with --resume"),
+        "{}",
+        ended.stdout
+    );
+}
+
+#[test]
+fn several_runs_share_a_folder() {
+    let program = case("[80, 50]");
+    program.good(&words("generate recipe.toml -o whole"));
+    for frames in ["4..6", "0..2", "2..4"] {
+        let done = program.good(&words(&format!(
+            "generate recipe.toml -o parts --frames {frames} --only-frames"
+        )));
+        assert!(done.contains("completed by --resume"), "{done}");
+    }
+    program.good(&words("generate recipe.toml -o parts --resume"));
+    assert!(files(&program, "whole/") == files(&program, "parts/"));
+}
+
+#[test]
+fn bad_input_is_explained() {
+    let program = case("[80, 50]");
+    program.put("wrong.toml", "frames = 6\ncamra = {}\n");
+    for (command, expected) in [
+        (
+            "generate wrong.toml -o set",
+            "wrong.toml:2: unknown key 'camra'; did you mean 'camera'?",
+        ),
+        ("generate none.toml -o set", "none.toml: there is no such file"),
+        (
+            "generate recipe.toml -o set --frames 5..9",
+            "frames: there are no frames 5..9 of 6",
+        ),
+        ("generate recipe.toml -o set --frames 5..5", "has no frames"),
+        (
+            "generate recipe.toml -o set --formats bip",
+            "unknown format 'bip'; did you mean 'bop'",
+        ),
+        ("generate recipe.toml", "--output"),
+        (
+            "generate recipe.toml -o recipe.toml",
+            "a part of its path is a file, not a folder",
+        ),
+    ] {
+        let ended = program.run(&words(command));
+        assert_eq!(ended.code, 2, "{command}: {}", ended.stderr);
+        assert!(ended.stderr.contains(expected), "{command}: {}", ended.stderr);
+    }
+}
