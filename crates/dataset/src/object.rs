@@ -14,13 +14,13 @@ pub struct Object {
     pub world_from_model: RigidTransform,
     /// The pixels that it covers, regardless of occlusion.
     pub silhouette: Mask,
-    /// What it covers in the image and around it.
+    /// The area that it covers in the image and around it.
     pub extent: Extent,
     /// The pixels in which it is visible.
     pub visible: Mask,
 }
 
-/// What an object covers, regardless of occlusion, in an image that is extended by its own size on all sides.
+/// The area that an object covers, regardless of occlusion, in an image that is extended by its own size on all sides.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Extent {
     /// The number of pixels.

@@ -17,7 +17,7 @@ use crate::random::Random;
 use crate::recipe::{Appearance, ObjectRule, RecipeFile};
 use crate::world::{Base, Library, files_of, is_image};
 
-/// What all frames of a recipe share.
+/// The data that all frames of a recipe share.
 #[derive(Debug)]
 pub(crate) struct Context {
     pub(crate) file: RecipeFile,

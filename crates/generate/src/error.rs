@@ -42,7 +42,7 @@ pub enum GenerateError {
     Memory {
         /// The file.
         file: PathBuf,
-        /// What is missing.
+        /// The missing memory.
         shortage: Shortage,
     },
     /// The camera model is unknown.
@@ -50,7 +50,7 @@ pub enum GenerateError {
     Model {
         /// The recipe.
         recipe: PathBuf,
-        /// What is wrong.
+        /// The problem.
         error: UnknownModel,
     },
     /// A value of the recipe does not fit the camera, the scene or another value.
@@ -60,9 +60,9 @@ pub enum GenerateError {
         recipe: PathBuf,
         /// The key.
         place: String,
-        /// What is wrong.
+        /// The problem.
         problem: Message,
-        /// What to do.
+        /// The remedy.
         remedy: Message,
     },
     /// Nothing of a rule could be placed.
@@ -74,9 +74,9 @@ pub enum GenerateError {
         place: String,
         /// The frame.
         frame: u64,
-        /// Which attempts failed, and why.
+        /// The number of failed attempts by reason.
         problem: String,
-        /// What to do.
+        /// The remedy.
         remedy: String,
     },
     /// The cameras of a model cannot be chosen.

@@ -13,7 +13,7 @@ use crate::args::GenerateArgs;
 use crate::context::{Context, Exit, Result};
 use crate::{output, progress};
 
-/// What `generate` prints as JSON.
+/// The JSON output of `generate`.
 #[derive(Serialize)]
 struct Report<'a> {
     output: &'a Path,

@@ -24,7 +24,7 @@ const NAME: &str = "bop";
 /// borders, as in the benchmark's own tools. If depth is measured, `depth` has the measurement and `depth_exact` the truth.
 #[derive(Debug, Default)]
 pub(super) struct Bop {
-    /// What is known about models.
+    /// Descriptions of models by their number.
     models: Mutex<BTreeMap<u32, Value>>,
 }
 

@@ -73,7 +73,7 @@ pub(super) fn count_lost(values: &Image<f32>, per_unit: f32) -> usize {
     values.pixels().iter().filter(is_lost).count()
 }
 
-/// What the frames of a data set have that its format cannot hold.
+/// The data of frames that a format cannot hold.
 #[derive(Default)]
 pub(super) struct Losses {
     depth: u64,

@@ -20,13 +20,13 @@ pub struct FormatKind {
     pub name: &'static str,
     /// One line of help.
     pub help: &'static str,
-    /// What its shots must contain.
+    /// The requirements on its shots.
     pub needs: Needs,
     /// Creates the format.
     pub create: fn(Options) -> Box<dyn Format>,
 }
 
-/// What the shots of a format must contain besides annotations.
+/// The requirements of a format on its shots, besides annotations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Needs {
     /// Whether objects are described.

@@ -17,7 +17,7 @@ use crate::random::{Numbers, rotation_around, rotation_between};
 use crate::recipe::{ObjectRule, Pose};
 use crate::world::{Asset, Base, Hull, fall, pose_to_parry};
 
-/// How often all objects are placed again if one finds no place.
+/// The maximum number of attempts to place all objects.
 const REDRAWS: u32 = 8;
 /// The cosine of the maximum slope of surfaces on which objects stand: 5 degrees.
 const LEVEL: f64 = 0.9962;

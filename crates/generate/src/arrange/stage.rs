@@ -21,7 +21,7 @@ const MAX_TRIANGLES: usize = 20_000_000;
 pub(crate) struct Stage {
     base: usize,
     renderer: Renderer,
-    /// What the base scene consists of.
+    /// The contents of the base scene.
     own: Own,
     /// The first mesh and the first texture of each object that was added, by its entry in the library.
     added: HashMap<usize, [u32; 2]>,

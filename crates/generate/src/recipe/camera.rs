@@ -24,7 +24,7 @@ pub struct CameraRule {
     /// pose; after the last pose the trajectory begins again.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub trajectory: Option<String>,
-    /// What the camera looks at: `objects`, `scene`, the path of a prim or a point [x, y, z]. `objects` is one of the objects, and
+    /// The target of the camera: `objects`, `scene`, the path of a prim or a point [x, y, z]. `objects` is one of the objects, and
     /// the centre of the base scene if there are none.
     pub look_at: Target,
     /// The standard deviation of the target around its place, metres.
@@ -106,7 +106,7 @@ fn level() -> Quantity {
     0.0.into()
 }
 
-/// What a camera looks at.
+/// The target of a camera.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(
     untagged,

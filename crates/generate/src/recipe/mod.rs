@@ -37,7 +37,7 @@ pub struct Recipe {
     /// The base scenes: files that `oaktwin render` opens, relative to the recipe. Each arrangement uses one of them. Without
     /// a scene, objects are placed on a grey floor.
     pub scene: Texts,
-    /// How scene files are read.
+    /// Options of reading scene files.
     pub scene_options: SceneRule,
     /// The objects to place.
     pub objects: Vec<ObjectRule>,
@@ -51,7 +51,7 @@ pub struct Recipe {
     pub unit: UnitRule,
     /// The depth sensor.
     pub sensor: SensorRule,
-    /// What is written.
+    /// The annotations and the formats to write.
     pub output: OutputRule,
 }
 
@@ -82,7 +82,7 @@ impl Recipe {
     }
 }
 
-/// How scene files are read.
+/// Options of reading scene files.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct SceneRule {

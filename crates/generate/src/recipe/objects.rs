@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::{Quantity, Texts};
 
 choice! {
-    /// How objects are posed.
+    /// The pose of objects.
     Pose {
         /// On a horizontal surface with their up axis upright, turned by any angle.
         Upright = "upright",
@@ -36,7 +36,7 @@ pub struct ObjectRule {
     pub up: Option<Up>,
     /// The number of objects, rounded to a whole number.
     pub count: Quantity,
-    /// How they are posed.
+    /// Their pose.
     #[serde(with = "super::choice")]
     #[schemars(with = "String", extend("enum" = ["upright", "resting", "piled", "floating"]))]
     pub pose: Pose,

@@ -47,7 +47,7 @@ pub enum ParameterValue {
     Number(Quantity),
 }
 
-/// What is written.
+/// The annotations and the formats to write.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct OutputRule {

@@ -27,7 +27,7 @@ use store::{FrameRecord, Store, pretty};
 /// The maximum number of consecutive frames that a worker makes at a time.
 const MAX_BATCH: u64 = 16;
 
-/// How a data set is generated.
+/// Options of the generation of a data set.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct GenerateOptions {
     /// The frames to make; by default all.
@@ -40,7 +40,7 @@ pub struct GenerateOptions {
     pub only_frames: bool,
 }
 
-/// What was generated.
+/// The result of a generation.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Generated {
     /// The number of frames that were made.

@@ -12,7 +12,7 @@ use crate::recipe::{RecipeFile, Texts};
 /// The maximum number of files that a recipe may name.
 const MAX_FILES: usize = 100_000;
 
-/// How many folders deep files are found.
+/// The maximum depth of folders.
 const MAX_DEPTH: usize = 16;
 
 /// All objects of a recipe, read when they are first used.
