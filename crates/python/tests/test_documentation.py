@@ -57,6 +57,7 @@ def inputs(tmp_path_factory, program):
     np.save(folder / "depth.npy", np.full((40, 64), 2.0, np.float32))
     (folder / "poses.tum").write_text("0 2 -1 1.2 0 0 0 1\n0.1 2.1 -1 1.2 0 0 0 1\n")
     (folder / "measured.csv").write_text("distance_m,depth_error_percent\n3,1.1\n4,1.5\n5,2.1\n6,2.9\n7,3.2\n")
+    (folder / "cups.toml").write_text("frames = 20\n[camera]\nresolution = [64, 40]\n")
     record_wall(folder / "wall")
     program("asset", "OAK-D-Pro-PoE", "-o", folder / "oak_d_pro_poe.usd")
     program("demo", "-o", folder / "oaktwin-demo")
