@@ -73,33 +73,35 @@ pub struct Mask {
 }
 
 impl Mask {
-    /// Creates the set of the pixels of an image that fulfil a condition, within the smallest rectangle.
+    /// Creates the set of some pixels, in any order and possibly repeated.
     #[must_use]
-    pub fn of(width: u32, height: u32, contains: impl Fn(u32, u32) -> bool) -> Self {
-        let (mut low, mut high) = ([u32::MAX; 2], [0; 2]);
-        for y in 0..height {
-            for x in 0..width {
-                if contains(x, y) {
-                    low = [low[0].min(x), low[1].min(y)];
-                    high = [high[0].max(x + 1), high[1].max(y + 1)];
-                }
-            }
+    pub fn from_places(places: &[[u32; 2]]) -> Self {
+        let corners = places
+            .iter()
+            .fold(None, |corners: Option<[[u32; 2]; 2]>, [x, y]| {
+                let [low, high] = corners.unwrap_or([[*x, *y]; 2]);
+                Some([
+                    [low[0].min(*x), low[1].min(*y)],
+                    [high[0].max(*x), high[1].max(*y)],
+                ])
+            });
+        let Some([origin, last]) = corners else {
+            return Self::default();
+        };
+        let size = [last[0] - origin[0] + 1, last[1] - origin[1] + 1];
+        let mut pixels = vec![false; size[0] as usize * size[1] as usize];
+        for [x, y] in places {
+            pixels[(y - origin[1]) as usize * size[0] as usize + (x - origin[0]) as usize] = true;
         }
-        Self::within(low, high, contains)
+        Self { origin, size, pixels }
     }
 
-    /// Creates the set of the pixels that fulfil a condition between two corners, the second of which is excluded.
-    #[must_use]
-    pub fn within(low: [u32; 2], high: [u32; 2], contains: impl Fn(u32, u32) -> bool) -> Self {
-        if low[0] >= high[0] || low[1] >= high[1] {
-            return Self::default();
-        }
-        let pixels = (low[1]..high[1]).flat_map(|y| (low[0]..high[0]).map(move |x| (x, y)));
-        Self {
-            origin: low,
-            size: [high[0] - low[0], high[1] - low[1]],
-            pixels: pixels.map(|(x, y)| contains(x, y)).collect(),
-        }
+    /// Creates the set of the pixels of an image that fulfil a condition.
+    #[cfg(test)]
+    pub(crate) fn of(width: u32, height: u32, contains: impl Fn(u32, u32) -> bool) -> Self {
+        let places = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
+        let places: Vec<[u32; 2]> = places.filter(|[x, y]| contains(*x, *y)).collect();
+        Self::from_places(&places)
     }
 
     /// Returns the number of pixels.

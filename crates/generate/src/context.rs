@@ -3,7 +3,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use oaktwin_catalog::{Catalog, Twin};
-use oaktwin_dataset::{FormatKind, Model};
+use oaktwin_dataset::{FormatKind, Model, Needs};
 use oaktwin_diagnostic::{Finding, Message};
 use oaktwin_image::annotation::Annotator;
 use oaktwin_pipeline::render::annotator;
@@ -15,7 +15,7 @@ use crate::arrange::Placed;
 use crate::described::Models;
 use crate::random::Random;
 use crate::recipe::{Appearance, ObjectRule, RecipeFile};
-use crate::world::{Base, Library, files_of, is_image};
+use crate::world::{Base, ObjectFiles, files_of, is_image};
 
 /// The data that all frames of a recipe share.
 #[derive(Debug)]
@@ -23,7 +23,7 @@ pub(crate) struct Context {
     pub(crate) file: RecipeFile,
     pub(crate) random: Random,
     pub(crate) bases: Vec<Base>,
-    pub(crate) library: Library,
+    pub(crate) object_files: ObjectFiles,
     /// The images of each rule's look.
     pub(crate) object_textures: Vec<Vec<PathBuf>>,
     pub(crate) look_textures: Vec<Vec<PathBuf>>,
@@ -31,6 +31,8 @@ pub(crate) struct Context {
     pub(crate) trajectory: Vec<TimedPose>,
     pub(crate) annotators: Vec<Annotator>,
     pub(crate) formats: Vec<&'static FormatKind>,
+    /// What at least one of the formats requires.
+    pub(crate) needs: Needs,
     /// The twin of each model.
     twins: BTreeMap<String, Twin>,
     models: Models,
@@ -64,7 +66,7 @@ impl Context {
             Some(path) => trajectory::read(&file.resolve(path))?,
             None => Vec::new(),
         };
-        let library = Library::new(&file)?;
+        let object_files = ObjectFiles::new(&file)?;
         let mut bases = Vec::new();
         for name in &recipe.scene.0 {
             bases.push(Base::open(
@@ -80,12 +82,16 @@ impl Context {
         Ok(Self {
             random: Random::new(recipe.seed),
             bases,
-            library,
+            object_files,
             object_textures,
             look_textures,
             sky_images,
             trajectory,
             annotators,
+            needs: Needs {
+                objects: formats.iter().any(|format| format.needs.objects),
+                stereo: formats.iter().any(|format| format.needs.stereo),
+            },
             formats,
             twins,
             models: Models::default(),
@@ -101,7 +107,8 @@ impl Context {
 
     /// Returns the model of a placed object.
     pub(crate) fn model(&self, object: &Placed) -> Arc<Model> {
-        self.models.get(object, &self.library.entries[object.entry].name)
+        self.models
+            .get(object, &self.object_files.entries[object.entry].name)
     }
 
     /// Creates an error about a value of the recipe.

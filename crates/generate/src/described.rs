@@ -40,7 +40,7 @@ pub(crate) fn objects(
             });
             // Both have the same rules, but not the same rounding.
             let inside: Vec<[u32; 2]> = inside.chain(visible.places()).collect();
-            let whole = mask(&silhouette);
+            let whole = Mask::from_places(&silhouette);
             let [left, top, width, height] = whole.bounding_box().unwrap_or_default().map(i64::from);
             Object {
                 extent: Extent {
@@ -55,7 +55,7 @@ pub(crate) fn objects(
                 model: context.model(object),
                 path: object.path.clone(),
                 world_from_model: object.world_from_object,
-                silhouette: mask(&inside),
+                silhouette: Mask::from_places(&inside),
                 visible,
             }
         })
@@ -105,29 +105,7 @@ fn visible(objects: &[Placed], ids: Option<&Segmentation>) -> Vec<Mask> {
             places[object].push([index % width, index / width]);
         }
     }
-    places.iter().map(|places| mask(places)).collect()
-}
-
-/// Creates the mask of some pixels.
-fn mask(places: &[[u32; 2]]) -> Mask {
-    let corners = places
-        .iter()
-        .fold(None, |corners: Option<[[u32; 2]; 2]>, [x, y]| {
-            let [low, high] = corners.unwrap_or([[*x, *y]; 2]);
-            Some([
-                [low[0].min(*x), low[1].min(*y)],
-                [high[0].max(*x), high[1].max(*y)],
-            ])
-        });
-    let Some([origin, last]) = corners else {
-        return Mask::default();
-    };
-    let size = [last[0] - origin[0] + 1, last[1] - origin[1] + 1];
-    let mut pixels = vec![false; size[0] as usize * size[1] as usize];
-    for [x, y] in places {
-        pixels[(y - origin[1]) as usize * size[0] as usize + (x - origin[0]) as usize] = true;
-    }
-    Mask { origin, size, pixels }
+    places.iter().map(|places| Mask::from_places(places)).collect()
 }
 
 /// Creates the model of a placed object: all of its meshes, in metres with the file's axes.

@@ -1,6 +1,6 @@
 //! One frame: everything that is drawn for it, rendered and measured.
 
-use oaktwin_camera::{ImageSize, RigidTransform};
+use oaktwin_camera::RigidTransform;
 use oaktwin_catalog::{DepthKind, Twin};
 use oaktwin_dataset::Shot;
 use oaktwin_depth::filter::Filter;
@@ -28,9 +28,14 @@ use crate::view::{DrawnView, Search};
 #[derive(Debug)]
 pub(crate) struct FrameMaker<'a> {
     context: &'a Context,
-    /// The arrangement that is shown.
-    arrangement: Option<Arrangement>,
-    stage: Option<Stage>,
+    shown: Option<Shown>,
+}
+
+/// An arrangement on its stage.
+#[derive(Debug)]
+struct Shown {
+    arrangement: Arrangement,
+    stage: Stage,
 }
 
 /// A finished frame.
@@ -60,11 +65,7 @@ struct Rig {
 
 impl<'a> FrameMaker<'a> {
     pub(crate) const fn new(context: &'a Context) -> Self {
-        Self {
-            context,
-            arrangement: None,
-            stage: None,
-        }
+        Self { context, shown: None }
     }
 
     /// Returns everything that is drawn for a frame.
@@ -72,14 +73,13 @@ impl<'a> FrameMaker<'a> {
     /// # Errors
     /// Returns an error if an object or the camera has no place.
     pub(crate) fn explain(&mut self, frame: u64) -> Result<Value, GenerateError> {
-        self.show(frame)?;
-        let (arrangement, stage) = self.shown();
-        let camera = self.view(arrangement, stage, frame)?;
+        let context = self.context;
+        let shown = self.show(frame)?;
         let explained = Explained {
             frame,
-            arrangement,
-            camera,
-            parameters: self.parameters(frame),
+            arrangement: &shown.arrangement,
+            camera: context.view(shown, frame)?,
+            parameters: context.parameters(frame),
         };
         Ok(json!(explained))
     }
@@ -97,20 +97,13 @@ impl<'a> FrameMaker<'a> {
     /// # Errors
     /// Returns the errors of [`make`](Self::make).
     pub(crate) fn make_with(&mut self, frame: u64, wanted: &[Annotator]) -> Result<Made, GenerateError> {
-        self.show(frame)?;
-        let (arrangement, stage) = self.shown();
         let context = self.context;
-        let view = self.view(arrangement, stage, frame)?;
-        let twin = context.twin(&arrangement.model);
-        let mut rig = self.rig(twin, arrangement, &view.world_from_body, frame)?;
-        let is_described =
-            |need: fn(&oaktwin_dataset::Needs) -> bool| context.formats.iter().any(|kind| need(&kind.needs));
-        let (with_objects, with_stereo) = (
-            is_described(|needs| needs.objects),
-            is_described(|needs| needs.stereo),
-        );
+        let shown = self.show(frame)?;
+        let Shown { arrangement, stage } = shown;
+        let view = context.view(shown, frame)?;
+        let mut rig = context.rig(arrangement, &view.world_from_body, frame)?;
         let mut annotators = wanted.to_vec();
-        if with_objects && !annotators.contains(&Annotator::InstanceIdSegmentation) {
+        if context.needs.objects && !annotators.contains(&Annotator::InstanceIdSegmentation) {
             annotators.push(Annotator::InstanceIdSegmentation);
         }
         let options = FrameOptions {
@@ -120,7 +113,7 @@ impl<'a> FrameMaker<'a> {
             sweep: None,
             backend: Backend::Auto,
             writes_pair: false,
-            describes_pair: with_stereo,
+            describes_pair: context.needs.stereo,
             strict: false,
         };
         let recipe = &context.file.recipe;
@@ -131,7 +124,7 @@ impl<'a> FrameMaker<'a> {
             rig.findings.extend(more);
             shot.sequence = arrangement.number;
             shot.time_ns = time_ns(frame % recipe.frames_per_scene, recipe.output.interval_s);
-            if with_objects {
+            if context.needs.objects {
                 let camera = &rig.cameras[index];
                 let view = camera.view(&camera.world_from_mount);
                 let ids = match wanted.contains(&Annotator::InstanceIdSegmentation) {
@@ -149,46 +142,37 @@ impl<'a> FrameMaker<'a> {
     }
 
     /// Shows the arrangement that a frame sees.
-    fn show(&mut self, frame: u64) -> Result<(), GenerateError> {
+    fn show(&mut self, frame: u64) -> Result<&Shown, GenerateError> {
         let number = self.context.file.recipe.scene_of(frame);
-        if self
-            .arrangement
-            .as_ref()
-            .is_some_and(|shown| shown.number == number)
-        {
-            return Ok(());
-        }
-        self.arrangement = None;
-        let arrangement = Arrangement::draw(self.context, number)?;
-        if !self.stage.as_ref().is_some_and(|stage| stage.suits(&arrangement)) {
-            self.stage = Some(Stage::new(self.context, arrangement.base));
-        }
-        if let Some(stage) = &mut self.stage {
-            stage.show(self.context, &arrangement);
-        }
-        self.arrangement = Some(arrangement);
-        Ok(())
+        let shown = match self.shown.take() {
+            Some(shown) if shown.arrangement.number == number => shown,
+            before => {
+                let arrangement = Arrangement::draw(self.context, number)?;
+                let stage = before.map(|before| before.stage);
+                let stage = stage.filter(|stage| stage.suits(&arrangement));
+                let mut stage = stage.unwrap_or_else(|| Stage::new(self.context, arrangement.base));
+                stage.show(self.context, &arrangement);
+                Shown { arrangement, stage }
+            }
+        };
+        Ok(self.shown.insert(shown))
     }
+}
 
-    fn shown(&self) -> (&Arrangement, &Stage) {
-        match (&self.arrangement, &self.stage) {
-            (Some(arrangement), Some(stage)) => (arrangement, stage),
-            _ => unreachable!("`show` comes first"),
-        }
-    }
-
-    fn view(&self, arrangement: &Arrangement, stage: &Stage, frame: u64) -> Result<DrawnView, GenerateError> {
-        let twin = self.context.twin(&arrangement.model);
+impl Context {
+    fn view(&self, shown: &Shown, frame: u64) -> Result<DrawnView, GenerateError> {
+        let Shown { arrangement, stage } = shown;
+        let twin = self.twin(&arrangement.model);
         let (cameras, _) = self.cameras(twin, &RigidTransform::IDENTITY)?;
         let Some(camera) = cameras.first() else {
-            return Err(self.context.unfit(
+            return Err(self.unfit(
                 "camera.cameras",
                 "the model has none of these cameras",
                 "name others",
             ));
         };
         let search = Search {
-            context: self.context,
+            context: self,
             arrangement,
             stage,
             camera: camera.camera,
@@ -202,12 +186,10 @@ impl<'a> FrameMaker<'a> {
         twin: &Twin,
         world_from_body: &RigidTransform,
     ) -> Result<(Vec<PlacedCamera>, Vec<Finding>), GenerateError> {
-        let rule = &self.context.file.recipe.camera;
+        let rule = &self.file.recipe.camera;
         let options = OakOptions {
             cameras: &rule.cameras.0,
-            size: rule
-                .resolution
-                .map(|[width, height]| ImageSize::new(width, height)),
+            size: rule.size(),
             ..OakOptions::default()
         };
         Ok(oak_cameras(twin, world_from_body, &options)?)
@@ -215,15 +197,12 @@ impl<'a> FrameMaker<'a> {
 
     /// Returns the drawn parameters of the engine.
     fn parameters(&self, frame: u64) -> Vec<(String, String)> {
-        let parameters = &self.context.file.recipe.sensor.parameters;
+        let parameters = &self.file.recipe.sensor.parameters;
         let value = |name: &String, value: &ParameterValue| match value {
             ParameterValue::Flag(flag) => flag.to_string(),
             ParameterValue::Text(text) => text.clone(),
             ParameterValue::Number(quantity) => {
-                let mut numbers = self
-                    .context
-                    .random
-                    .numbers(&format!("sensor.parameters.{name}"), frame);
+                let mut numbers = self.random.numbers(&format!("sensor.parameters.{name}"), frame);
                 quantity.draw(&mut numbers).to_string()
             }
         };
@@ -235,12 +214,12 @@ impl<'a> FrameMaker<'a> {
 
     fn rig(
         &self,
-        twin: &Twin,
         arrangement: &Arrangement,
         world_from_body: &RigidTransform,
         frame: u64,
     ) -> Result<Rig, GenerateError> {
-        let recipe = &self.context.file.recipe;
+        let twin = self.twin(&arrangement.model);
+        let recipe = &self.file.recipe;
         let (mut cameras, mut findings) = self.cameras(twin, world_from_body)?;
         let engine = match &recipe.sensor.engine {
             Some(name) => Some(EngineKind::parse(name)?),
@@ -259,16 +238,12 @@ impl<'a> FrameMaker<'a> {
             .iter()
             .map(|camera| engine_of(twin, camera, engine))
             .collect();
-        let with_stereo = self.context.formats.iter().any(|kind| kind.needs.stereo);
         let is_matching = kinds.iter().flatten().any(|kind| kind.input == EngineInput::Pair);
-        let pair = (is_matching || with_stereo).then(|| {
+        let pair = (is_matching || self.needs.stereo).then(|| {
             let pair = PairOptions {
                 projector: arrangement.projector,
                 ambient: arrangement.infrared_ambient,
-                size: recipe
-                    .camera
-                    .resolution
-                    .map(|[width, height]| ImageSize::new(width, height)),
+                size: recipe.camera.size(),
                 bias_px: options.calibration_error_px()?,
                 seed: recipe.seed,
                 ..PairOptions::default()
@@ -320,7 +295,7 @@ impl<'a> FrameMaker<'a> {
         if !sensors.iter().flatten().any(filters) {
             return Ok(());
         }
-        Err(self.context.unfit(
+        Err(self.unfit(
             "sensor",
             "the temporal filter makes a frame depend on the frames before it",
             "choose another preset, or list the filters without it in sensor.filters",

@@ -93,6 +93,13 @@ pub struct Instance {
 }
 
 impl Instance {
+    /// Whether the instance is a prim or one of its descendants; the empty path is the root.
+    #[must_use]
+    pub fn is_below(&self, prim: &str) -> bool {
+        let rest = self.path.strip_prefix(prim.trim_end_matches('/'));
+        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
+    }
+
     /// Returns the index of a material of the mesh in the scene.
     #[must_use]
     #[inline]

@@ -301,36 +301,26 @@ fn info(model: &Model) -> Value {
 
 /// Returns the largest distance between two points.
 ///
-/// Only points that are extreme in one of many directions can be its ends, of which 2000 suffice for a relative error below 1e-5.
+/// Points are compared from the outermost inwards, so that most pairs cannot be further apart than one that is known.
 fn diameter(points: &[[f64; 3]]) -> f64 {
-    const DIRECTIONS: u32 = 2000;
-    let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let mut extremes: Vec<[f64; 3]> = if points.len() <= 3000 {
-        points.to_vec()
-    } else {
-        let directions = (0..DIRECTIONS).map(|index| {
-            let z = 1.0 - (2.0 * f64::from(index) + 1.0) / f64::from(DIRECTIONS);
-            let (sine, cosine) = (f64::from(index) * 2.399_963_229_728_653).sin_cos();
-            let radius = (1.0 - z * z).sqrt();
-            [radius * cosine, radius * sine, z]
-        });
-        let extreme = |direction: [f64; 3]| {
-            points
-                .iter()
-                .copied()
-                .max_by(|a, b| dot(a, &direction).total_cmp(&dot(b, &direction)))
-        };
-        directions.filter_map(extreme).collect()
+    let distance = |a: &[f64; 3], b: &[f64; 3]| {
+        let [x, y, z] = [0, 1, 2].map(|axis| a[axis] - b[axis]);
+        (x * x + y * y + z * z).sqrt()
     };
-    extremes.dedup();
+    #[expect(clippy::cast_precision_loss, reason = "a number of points")]
+    let mean = [0, 1, 2].map(|axis| points.iter().map(|p| p[axis]).sum::<f64>() / points.len().max(1) as f64);
+    let mut outermost: Vec<(f64, &[f64; 3])> = points.iter().map(|p| (distance(p, &mean), p)).collect();
+    outermost.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut largest: f64 = 0.0;
-    for (at, a) in extremes.iter().enumerate() {
-        for b in &extremes[..at] {
-            let d = [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-            largest = largest.max(dot(&d, &d));
+    for (at, (radius, point)) in outermost.iter().enumerate() {
+        for (other_radius, other) in &outermost[..at] {
+            if radius + other_radius <= largest {
+                break;
+            }
+            largest = largest.max(distance(point, other));
         }
     }
-    largest.sqrt()
+    largest
 }
 
 /// A model in millimetres as binary PLY.

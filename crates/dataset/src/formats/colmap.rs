@@ -6,7 +6,7 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_files::OutputFiles;
 use serde_json::{Value, json};
 
-use super::common::{FrameFiles, missing, pinhole, quaternion, text};
+use super::common::{FrameFiles, by_folder, missing, pinhole, quaternion, text};
 use crate::{Format, Records, Shot, WriteError};
 
 const NAME: &str = "colmap";
@@ -50,7 +50,6 @@ impl Format for Colmap {
             ),
             "camera_from_world": pose(view.world_from_camera.inverse()),
             "sensor_from_mount": pose(view.world_from_camera.inverse() * shot.world_from_mount),
-            "mount_from_world": pose(shot.world_from_mount.inverse()),
         }))
     }
 
@@ -59,14 +58,7 @@ impl Format for Colmap {
         records: &mut Records<'_>,
         output: &mut OutputFiles,
     ) -> Result<Vec<Finding>, WriteError> {
-        let mut sequences: BTreeMap<String, Model> = BTreeMap::new();
-        for record in records {
-            let record = record?;
-            sequences
-                .entry(text(&record, "folder").to_owned())
-                .or_default()
-                .add(&record);
-        }
+        let (sequences, _) = by_folder(records, Model::add)?;
         for (folder, model) in sequences {
             let folder = PathBuf::from(folder).join("sparse/0");
             for (name, text) in model.files() {

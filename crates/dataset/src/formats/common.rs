@@ -1,5 +1,6 @@
 //! What the formats share: depth, cameras, files by path, and JSON that is written piece by piece.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use oaktwin_camera::math::{DMat3, DQuat};
@@ -10,7 +11,7 @@ use oaktwin_image::{Image, png};
 use serde_json::Value;
 
 use crate::file::{Content, DatasetFile, Fault, write_all};
-use crate::{DatasetError, Shot, View, WriteError};
+use crate::{DatasetError, Records, Shot, View, WriteError};
 
 /// The files of a frame, which are encoded in parallel.
 #[derive(Default)]
@@ -90,6 +91,15 @@ impl Losses {
         self.foreign += number(record, "foreign_sensor");
     }
 
+    /// Adds up the losses of all frames.
+    pub(super) fn of(records: &mut Records<'_>) -> Result<Self, WriteError> {
+        let mut losses = Self::default();
+        for record in records {
+            losses.add(&record?);
+        }
+        Ok(losses)
+    }
+
     /// Returns the findings; `limit_m` is the largest depth of the format.
     pub(super) fn findings(&self, format: &str, limit_m: f64) -> Vec<Finding> {
         let warning = |count: u64, code: &'static str, text: &str, remedy: &'static str| {
@@ -164,8 +174,30 @@ impl Depths<'_> {
         let depths = [self.main, self.exact].into_iter().flatten();
         let lost: usize = depths.map(|depth| count_lost(depth, per_metre)).sum();
         record["lost_depth"] = lost.into();
+        self.add_foreign(record);
+    }
+
+    /// Adds whether measured depth is left out to a frame's record.
+    pub(super) fn add_foreign(&self, record: &mut Value) {
         record["foreign_sensor"] = u64::from(self.is_foreign).into();
     }
+}
+
+/// Collects the records of each folder, and the losses of all frames.
+pub(super) fn by_folder<T: Default>(
+    records: &mut Records<'_>,
+    add: impl Fn(&mut T, &Value),
+) -> Result<(BTreeMap<String, T>, Losses), WriteError> {
+    let (mut folders, mut losses) = (BTreeMap::new(), Losses::default());
+    for record in records {
+        let record = record?;
+        losses.add(&record);
+        add(
+            folders.entry(text(&record, "folder").to_owned()).or_default(),
+            &record,
+        );
+    }
+    Ok((folders, losses))
 }
 
 /// Returns the view of a shot, which must be a pinhole.

@@ -1,4 +1,3 @@
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use oaktwin_camera::math::{DMat3, DVec3};
@@ -7,7 +6,7 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_files::OutputFiles;
 use serde_json::{Value, json};
 
-use super::common::{Depths, FrameFiles, Losses, matrix, missing, pinhole, sequence_folder, text};
+use super::common::{Depths, FrameFiles, by_folder, matrix, missing, pinhole, sequence_folder};
 use crate::{Format, Records, Shot, WriteError, json as files};
 
 const NAME: &str = "nerfstudio";
@@ -72,14 +71,8 @@ impl Format for Nerfstudio {
         records: &mut Records<'_>,
         output: &mut OutputFiles,
     ) -> Result<Vec<Finding>, WriteError> {
-        let mut sequences: BTreeMap<String, Vec<Value>> = BTreeMap::new();
-        let mut losses = Losses::default();
-        for record in records {
-            let record = record?;
-            losses.add(&record);
-            let frames = sequences.entry(text(&record, "folder").to_owned()).or_default();
-            frames.push(record["frame"].clone());
-        }
+        let add = |frames: &mut Vec<Value>, record: &Value| frames.push(record["frame"].clone());
+        let (sequences, losses) = by_folder(records, add)?;
         for (folder, frames) in sequences {
             let transforms = json!({
                 "camera_model": "OPENCV",

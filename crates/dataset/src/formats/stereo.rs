@@ -43,17 +43,12 @@ impl Format for Middlebury {
         }
         frame.write(output)?;
         let mut record = json!({});
-        depths.add_losses(0.0, &mut record);
-        record["lost_depth"] = 0.into();
+        depths.add_foreign(&mut record);
         Ok(record)
     }
 
     fn finish(&self, records: &mut Records<'_>, _: &mut OutputFiles) -> Result<Vec<Finding>, WriteError> {
-        let mut losses = Losses::default();
-        for record in records {
-            losses.add(&record?);
-        }
-        Ok(losses.findings(MIDDLEBURY, f64::INFINITY))
+        Ok(Losses::of(records)?.findings(MIDDLEBURY, f64::INFINITY))
     }
 }
 
@@ -102,11 +97,7 @@ impl Format for Kitti {
     }
 
     fn finish(&self, records: &mut Records<'_>, _: &mut OutputFiles) -> Result<Vec<Finding>, WriteError> {
-        let mut losses = Losses::default();
-        for record in records {
-            losses.add(&record?);
-        }
-        Ok(losses.findings(KITTI, 256.0))
+        Ok(Losses::of(records)?.findings(KITTI, 256.0))
     }
 }
 

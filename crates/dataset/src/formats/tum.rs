@@ -1,4 +1,3 @@
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use oaktwin_diagnostic::Finding;
@@ -6,7 +5,8 @@ use oaktwin_files::OutputFiles;
 use serde_json::{Value, json};
 
 use super::common::{
-    Depths, FrameFiles, Losses, camera_matrix, missing, pinhole, quaternion, seconds, sequence_folder, text,
+    Depths, FrameFiles, by_folder, camera_matrix, missing, pinhole, quaternion, seconds, sequence_folder,
+    text,
 };
 use crate::{Format, Records, Shot, WriteError, json as files};
 
@@ -56,16 +56,7 @@ impl Format for Tum {
         records: &mut Records<'_>,
         output: &mut OutputFiles,
     ) -> Result<Vec<Finding>, WriteError> {
-        let mut sequences: BTreeMap<String, Sequence> = BTreeMap::new();
-        let mut losses = Losses::default();
-        for record in records {
-            let record = record?;
-            losses.add(&record);
-            sequences
-                .entry(text(&record, "folder").to_owned())
-                .or_default()
-                .add(&record);
-        }
+        let (sequences, losses) = by_folder(records, Sequence::add)?;
         for (folder, sequence) in sequences {
             let folder = PathBuf::from(folder);
             for (name, header, lines) in [

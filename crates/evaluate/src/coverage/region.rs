@@ -23,11 +23,10 @@ impl Region {
         self.check_box()?;
         let mut chosen = BTreeSet::new();
         for object in &self.objects {
-            let path = object.trim_end_matches('/');
             let before = chosen.len();
             let mut known = false;
             for (index, instance) in scene.instances.iter().enumerate() {
-                if is_at_or_below(&instance.path, path) {
+                if instance.is_below(object) {
                     known = true;
                     chosen.insert(index);
                 }
@@ -73,12 +72,6 @@ impl Region {
         }
         Ok(())
     }
-}
-
-/// Whether a path is that of a prim or of one of its descendants. The empty path is the root.
-fn is_at_or_below(path: &str, prim: &str) -> bool {
-    path.strip_prefix(prim)
-        .is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
 }
 
 /// The error for an object that is not in the scene. It suggests prims with this name before those with a similar path.

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::Placed;
 use crate::context::Context;
-use crate::random::{Numbers, rotation_around};
+use crate::random::{Numbers, rotation_around, rotation_between};
 use crate::recipe::{Lamps, Sky, Sun};
 
 /// The kind of a drawn light.
@@ -74,7 +74,7 @@ impl DrawnLight {
             Kind::Sky => {
                 let turn = rotation_around(up, self.azimuth_deg.to_radians());
                 // The pole of a dome is +y.
-                let upright = crate::random::rotation_between(DVec3::Y, up);
+                let upright = rotation_between(DVec3::Y, up);
                 (LightKind::Dome { texture }, DAffine3::from_mat3(turn * upright))
             }
         };
@@ -90,7 +90,7 @@ impl DrawnLight {
 
 /// Returns axes whose z points in a direction, so that a light shines against it.
 fn facing(direction: DVec3) -> DMat3 {
-    crate::random::rotation_between(DVec3::Z, direction.normalize())
+    rotation_between(DVec3::Z, direction.normalize())
 }
 
 pub(super) fn draw(context: &Context, base: usize, objects: &[Placed], number: u64) -> Vec<DrawnLight> {

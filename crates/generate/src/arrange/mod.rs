@@ -78,7 +78,7 @@ impl Arrangement {
     }
 }
 
-/// A pose as it is explained: a position in metres and a quaternion x, y, z, w.
+/// A pose in the output of `--explain`: a position in metres and a unit quaternion in the order x, y, z, w.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub(crate) struct ExplainedPose {
     position: [f64; 3],

@@ -38,7 +38,7 @@ pub(crate) struct Placed {
     #[serde(serialize_with = "serialize_pose")]
     pub(crate) world_from_object: RigidTransform,
     pub(crate) look: DrawnLook,
-    /// The index of its file in the library.
+    /// The index of its file.
     #[serde(skip)]
     pub(crate) entry: usize,
     #[serde(skip)]
@@ -152,11 +152,11 @@ fn try_place(
         for index in 0..count {
             let name = format!("objects.{rule}.{index}");
             let mut numbers = context.random.numbers(&format!("{name}#{redraw}"), number);
-            let entries: Vec<usize> = context.library.of_rule[rule].clone().collect();
+            let entries: Vec<usize> = context.object_files.of_rule[rule].clone().collect();
             let entry = numbers.pick(&entries).copied().unwrap_or_default();
             let scale = objects.scale.draw(&mut numbers);
-            let asset = context.library.asset(&context.file, entry)?;
-            let file = &context.library.entries[entry];
+            let asset = context.object_files.asset(&context.file, entry)?;
+            let file = &context.object_files.entries[entry];
             let hull = asset.hull.scaled(scale).ok_or_else(|| GenerateError::Empty {
                 file: file.path.clone(),
             })?;

@@ -23,7 +23,7 @@ pub(crate) struct Stage {
     renderer: Renderer,
     /// The contents of the base scene.
     own: Own,
-    /// The first mesh and the first texture of each object that was added, by its entry in the library.
+    /// The first mesh and the first texture of each object that was added, by the entry of its file.
     added: HashMap<usize, [u32; 2]>,
     images: HashMap<PathBuf, u32>,
     triangles: usize,

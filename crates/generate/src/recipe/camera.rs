@@ -1,3 +1,4 @@
+use oaktwin_camera::ImageSize;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -61,6 +62,15 @@ impl Default for CameraRule {
             min_objects: 1,
             attempts: 200,
         }
+    }
+}
+
+impl CameraRule {
+    /// Returns the size of the images, if the recipe states it.
+    #[must_use]
+    pub fn size(&self) -> Option<ImageSize> {
+        self.resolution
+            .map(|[width, height]| ImageSize::new(width, height))
     }
 }
 

@@ -64,7 +64,7 @@ impl From<f64> for Quantity {
     }
 }
 
-/// A distribution as it is written: exactly one of the keys.
+/// The TOML table of a distribution, which has exactly one of these keys.
 #[derive(Default, Deserialize, Serialize)]
 #[serde(default, deny_unknown_fields)]
 struct Written {

@@ -206,7 +206,7 @@ impl Base {
         let Some(instance) = self.scene.instances.get(instance as usize) else {
             return false;
         };
-        prims.is_empty() || prims.iter().any(|prim| is_below(&instance.path, prim))
+        prims.is_empty() || prims.iter().any(|prim| instance.is_below(prim))
     }
 
     /// Returns the bounding box of some prims with their descendants; `None` if there are none.
@@ -219,7 +219,7 @@ impl Base {
             Some(bounds.transformed(instance.world_from_mesh))
         };
         let chosen = self.scene.instances.iter();
-        let chosen = chosen.filter(|instance| prims.iter().any(|prim| is_below(&instance.path, prim)));
+        let chosen = chosen.filter(|instance| prims.iter().any(|prim| instance.is_below(prim)));
         chosen.filter_map(of).reduce(Bounds::union)
     }
 }
@@ -250,11 +250,6 @@ pub(crate) fn fall(
         options,
     );
     hit.ok().flatten().map(|hit| hit.time_of_impact)
-}
-
-fn is_below(path: &str, prim: &str) -> bool {
-    let rest = path.strip_prefix(prim.trim_end_matches('/'));
-    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('/'))
 }
 
 #[cfg(test)]

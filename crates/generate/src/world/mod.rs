@@ -3,9 +3,9 @@
 mod asset;
 mod base;
 mod hull;
-mod library;
+mod object_files;
 
 pub(crate) use asset::Asset;
 pub(crate) use base::{Base, fall};
 pub(crate) use hull::{Hull, pose_to_parry};
-pub(crate) use library::{Library, files_of, is_image};
+pub(crate) use object_files::{ObjectFiles, files_of, is_image};

@@ -17,7 +17,7 @@ const MAX_DEPTH: usize = 16;
 
 /// All objects of a recipe, read when they are first used.
 #[derive(Debug)]
-pub(crate) struct Library {
+pub(crate) struct ObjectFiles {
     pub(crate) entries: Vec<Entry>,
     /// The entries of each rule.
     pub(crate) of_rule: Vec<std::ops::Range<usize>>,
@@ -34,7 +34,7 @@ pub(crate) struct Entry {
     asset: OnceLock<Result<Arc<Asset>, Arc<GenerateError>>>,
 }
 
-impl Library {
+impl ObjectFiles {
     /// Lists the files of all rules.
     pub(crate) fn new(file: &RecipeFile) -> Result<Self, GenerateError> {
         let (mut entries, mut of_rule) = (Vec::new(), Vec::new());
