@@ -18,10 +18,12 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
-import open3d as o3d
 from PIL import Image
 from scipy.ndimage import gaussian_filter
 
+from open3d_import import open3d
+
+o3d = open3d()
 WALLS = [((6, 0.02, 2.5), (0, 3, 1.25)), ((6, 0.02, 2.5), (0, -3, 1.25)), ((0.02, 6, 2.5), (-3, 0, 1.25)), ((0.02, 6, 2.5), (3, 0, 1.25))]
 LEGS = [((0.05, 0.05, 0.7), (x, y, 0.35)) for x in (-0.525, 0.525) for y in (-0.325, 0.325)]
 BOXES = [((1.2, 0.8, 0.04), (0, 0, 0.72)), ((6, 6, 0.02), (0, 0, -0.01)), *WALLS, *LEGS]

@@ -8,10 +8,14 @@ from types import ModuleType
 @cache
 def open3d() -> ModuleType:
     """Returns the package, or raises an ImportError that names what is missing."""
-    import libusb_package
-
-    # Loaded first, so that Open3D's library finds this libusb.
-    ctypes.CDLL(str(libusb_package.get_library_path()), mode=ctypes.RTLD_GLOBAL)
+    try:
+        import libusb_package
+    except ImportError:
+        # The system may have one.
+        pass
+    else:
+        # Loaded first, so that Open3D's library finds this libusb.
+        ctypes.CDLL(str(libusb_package.get_library_path()), mode=ctypes.RTLD_GLOBAL)
     import open3d
 
     return open3d

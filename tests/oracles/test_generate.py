@@ -10,14 +10,18 @@ import numpy as np
 import pycolmap
 import pytest
 import trimesh
+import webdataset
 from evo.tools import file_interface
-from PIL import Image
 from pycocotools.coco import COCO
+from ruamel.yaml import YAML
 from scipy.spatial.distance import pdist
 from scipy.spatial.transform import Rotation
 
+from generated import Bop, cast, image, matrix_of, pfm, world_from_camera
+
+yaml = YAML(typ="safe")
 RECIPES = Path(__file__).resolve().parents[2] / "examples/recipes"
-FORMATS = ["basic", "bop", "coco", "tum", "nerfstudio", "colmap", "middlebury", "kitti"]
+FORMATS = ["basic", "bop", "coco", "tum", "euroc", "nerfstudio", "colmap", "webdataset", "middlebury", "kitti", "sceneflow"]
 RECIPE = f"""
 frames = 4
 frames_per_scene = 2
@@ -37,59 +41,10 @@ resolution = [320, 200]
 min_objects = 3
 [sensor]
 extended_disparity = true
+[output]
+shard_frames = 3
+annotators = ['rgb', 'distance_to_image_plane', 'depth_sensor_distance', 'depth_sensor_reason', 'camera_params']
 """
-
-
-def image(path: Path) -> np.ndarray:
-    return np.array(Image.open(path))
-
-
-def pfm(path: Path) -> np.ndarray:
-    kind, size, scale, data = path.read_bytes().split(b"\n", 3)
-    assert kind == b"Pf" and float(scale) < 0
-    width, height = map(int, size.split())
-    return np.frombuffer(data, "<f4").reshape(height, width)[::-1]
-
-
-class Bop:
-    """A data set in BOP's layout; lengths in millimetres."""
-
-    def __init__(self, root: Path) -> None:
-        self.root = root
-        self.models = {}
-        self.frames = {}
-        for scene in sorted((root / "train").iterdir()):
-            read = lambda name: json.loads((scene / f"scene_{name}.json").read_text())
-            cameras, poses, infos = read("camera"), read("gt"), read("gt_info")
-            for key, camera in cameras.items():
-                self.frames[int(key)] = (scene, camera, poses[key], infos[key])
-
-    def model(self, number: int) -> trimesh.Trimesh:
-        if number not in self.models:
-            path = self.root / f"models/obj_{number:06}.ply"
-            self.models[number] = trimesh.load(path, process=False)
-        return self.models[number]
-
-    def triangles(self, pose: dict) -> np.ndarray:
-        """The triangles of an object in the camera's frame."""
-        rotation = np.array(pose["cam_R_m2c"]).reshape(3, 3)
-        return self.model(pose["obj_id"]).triangles @ rotation.T + np.array(pose["cam_t_m2c"])
-
-
-def cast(triangles: np.ndarray, matrix: np.ndarray, pixels: np.ndarray) -> np.ndarray:
-    """The depth of the first triangle behind each pixel's centre, infinite for a miss: Moeller and Trumbore's test."""
-    rays = np.column_stack([pixels, np.ones(len(pixels))]) @ np.linalg.inv(matrix).T
-    a = triangles[:, 0]
-    e1, e2 = triangles[:, 1] - a, triangles[:, 2] - a
-    p = np.cross(rays[:, None], e2[None])
-    det = np.einsum("rti,ti->rt", p, e1)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        u = np.einsum("rti,ti->rt", p, -a) / det
-        q = np.cross(-a, e1)
-        v = rays @ q.T / det
-        t = np.einsum("ti,ti->t", e2, q)[None] / det
-    inside = (u >= 0) & (v >= 0) & (u + v <= 1) & (t > 0)
-    return np.where(inside, t, np.inf).min(axis=1)
 
 
 @pytest.fixture(scope="session")
@@ -104,19 +59,6 @@ def root(program: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="session")
 def bop(root: Path) -> Bop:
     return Bop(root / "bop")
-
-
-def matrix_of(camera: dict) -> np.ndarray:
-    return np.array(camera["cam_K"]).reshape(3, 3)
-
-
-def world_from_camera(camera: dict) -> np.ndarray:
-    """In metres."""
-    pose = np.eye(4)
-    rotation = np.array(camera["cam_R_w2c"]).reshape(3, 3)
-    pose[:3, :3] = rotation.T
-    pose[:3, 3] = -rotation.T @ np.array(camera["cam_t_w2c"]) * 1e-3
-    return pose
 
 
 def test_bop_depth_is_that_of_the_models_at_their_poses(bop: Bop) -> None:
@@ -241,6 +183,30 @@ def test_tum_has_the_trajectory(root: Path, bop: Bop) -> None:
             assert image(folder / line[3]).shape == (200, 320, 3)
 
 
+def test_euroc(root: Path, bop: Bop) -> None:
+    for sequence in range(2):
+        folder = root / f"euroc/{sequence:06}/mav0"
+        trajectory = file_interface.read_euroc_csv_trajectory(folder / "state_groundtruth_estimate0/data.csv")
+        np.testing.assert_allclose(trajectory.timestamps, [0, 1 / 30], atol=1e-9)
+        sensor = yaml.load((folder / "cam0/sensor.yaml").read_text())
+        body_from_camera = np.reshape(sensor["T_BS"]["data"], (4, 4))
+        # x forward, y left, z up, with the camera at most a few centimetres from the middle.
+        np.testing.assert_allclose(body_from_camera[:3, :3], [[0, 0, 1], [-1, 0, 0], [0, -1, 0]], atol=1e-9)
+        assert np.abs(body_from_camera[:3, 3]).max() < 0.1 and sensor["rate_hz"] == pytest.approx(30)
+        lines = (folder / "cam0/data.csv").read_text().splitlines()
+        assert lines[0] == "#timestamp [ns],filename" and len(lines) == 3
+        for index, pose in enumerate(trajectory.poses_se3):
+            scene, camera, _, _ = bop.frames[2 * sequence + index]
+            np.testing.assert_allclose(pose @ body_from_camera, world_from_camera(camera), atol=1e-8)
+            matrix = matrix_of(camera)
+            expected = [matrix[0, 0], matrix[1, 1], matrix[0, 2], matrix[1, 2]]
+            np.testing.assert_allclose(sensor["intrinsics"], expected, atol=1e-6)
+            time, name = lines[1 + index].split(",")
+            assert name == f"{time}.png" and int(time) == round(index / 30 * 1e9)
+            assert np.array_equal(image(folder / "cam0/data" / name), image(scene / f"rgb/{2 * sequence + index:06}.png"))
+            assert np.array_equal(image(folder / "depth0/data" / name), image(scene / f"depth/{2 * sequence + index:06}.png"))
+
+
 def test_nerfstudio_has_opengl_cameras(root: Path, bop: Bop) -> None:
     for sequence in range(2):
         folder = root / f"nerfstudio/{sequence:06}"
@@ -288,6 +254,44 @@ def test_disparity_is_that_of_exact_depth(root: Path, bop: Bop) -> None:
         lines = (root / f"kitti/training/calib_cam_to_cam/{number:06}.txt").read_text().splitlines()
         right = [float(value) for value in lines[1].split()[1:]]
         assert -right[3] / right[0] * 1000 == pytest.approx(float(calib["baseline"]), rel=1e-6)
+
+
+def test_scene_flow_has_the_same_pairs(root: Path, bop: Bop) -> None:
+    # The patterns by which loaders of FlyingThings3D find their files.
+    things = root / "sceneflow/FlyingThings3D"
+    lefts = sorted(things.glob("frames_cleanpass/TRAIN/*/*/left/*.png"))
+    assert sorted(int(path.stem) for path in lefts) == sorted(bop.frames)
+    for path in lefts:
+        folder = root / f"middlebury/{int(path.stem):06}"
+        right = path.parents[1] / "right" / path.name
+        for index, file in enumerate([path, right]):
+            colour = image(file)
+            assert colour.shape[2] == 3 and (colour[..., 0] == image(folder / f"im{index}.png")).all()
+            of = Path(str(file).replace("frames_cleanpass", "disparity")).with_suffix(".pfm")
+            # OpenCV's reader of PFM.
+            disparity = cv2.imread(str(of), cv2.IMREAD_UNCHANGED)
+            np.testing.assert_array_equal(disparity, pfm(folder / f"disp{index}.pfm"))
+            occluded = image(Path(str(file).replace("frames_cleanpass", "disparity_occlusions")))
+            assert ((occluded == 255) == (image(folder / f"mask{index}nocc.png") == 128)).all()
+
+
+def test_the_disparities_of_both_images_agree(root: Path, bop: Bop) -> None:
+    """Where a surface is seen twice, both images have its disparity at the places that it connects."""
+    for number in bop.frames:
+        folder = root / f"middlebury/{number:06}"
+        disparities = [pfm(folder / f"disp{index}.pfm") for index in range(2)]
+        masks = [image(folder / f"mask{index}nocc.png") for index in range(2)]
+        for own, sign in [(0, -1), (1, 1)]:
+            ys, xs = np.nonzero(masks[own] == 255)
+            there = np.rint(xs + sign * disparities[own][ys, xs]).astype(int)
+            difference = np.abs(disparities[1 - own][ys, there] - disparities[own][ys, xs])
+            assert np.median(difference) < 0.1 and np.mean(difference < 1) > 0.97
+            # What lies beyond the other image's border is not seen in it.
+            ys, xs = np.nonzero(masks[own] == 128)
+            there = np.rint(xs + sign * disparities[own][ys, xs]).astype(int)
+            outside = (there < 0) | (there >= masks[own].shape[1])
+            columns = xs[outside]
+            assert outside.any() and (columns < 160 if own == 0 else columns >= 160).all()
 
 
 def test_the_images_of_a_pair_match(root: Path, bop: Bop) -> None:
@@ -370,3 +374,41 @@ def test_the_manifest_has_every_file(root: Path) -> None:
     assert set(listed) <= present
     for path, file in list(listed.items())[::7]:
         assert hashlib.sha256((root / path).read_bytes()).hexdigest() == file["sha256"]
+
+
+def test_webdataset(root: Path) -> None:
+    """Read by its own package; the arrays and images are those of BasicWriter."""
+    shards = sorted(str(path) for path in (root / "webdataset").glob("*.tar"))
+    assert [Path(shard).name for shard in shards] == ["shard-000000.tar", "shard-000001.tar"]
+    samples = list(webdataset.WebDataset(shards, shardshuffle=False).decode("rgb8"))
+    assert [sample["__key__"] for sample in samples] == [f"{number:08}" for number in range(4)]
+    for number, sample in enumerate(samples):
+        for name in ["distance_to_image_plane", "depth_sensor_distance"]:
+            expected = np.load(root / f"basic/{name}_{number:04}.npy")
+            assert np.array_equal(sample[f"{name}.npy"], expected)
+        assert np.array_equal(sample["rgb.png"], image(root / f"basic/rgb_{number:04}.png")[..., :3])
+        camera = json.loads((root / f"bop/train/{number // 2:06}/scene_camera.json").read_text())[str(number)]
+        assert sample["json"]["frame"] == number and np.allclose(sample["json"]["camera_matrix"], camera["cam_K"])
+        assert np.allclose(sample["json"]["world_from_camera"], world_from_camera(camera), atol=1e-6)
+        assert sample["camera_params.json"]["renderProductResolution"] == [320, 200]
+
+
+def test_reasons_for_missing_depth(root: Path) -> None:
+    """In every format with depth: 0 where there is depth, else a code of the legend."""
+    expected = [image(root / f"basic/depth_sensor_reason_{number:04}.png") for number in range(4)]
+    measured = [np.load(root / f"basic/depth_sensor_distance_{number:04}.npy") for number in range(4)]
+    paths = {
+        "bop": [f"train/{number // 2:06}/depth_reason/{number:06}.png" for number in range(4)],
+        "tum": [str(path.relative_to(root / "tum")) for path in sorted((root / "tum").glob("*/depth_reason/*.png"))],
+        "nerfstudio": [f"{number // 2:06}/depth_reason/{number:06}.png" for number in range(4)],
+        "kitti": [f"training/depth_reason/{number:06}_10.png" for number in range(4)],
+        "middlebury": [f"{number:06}/depth_reason.png" for number in range(4)],
+        "sceneflow": [f"FlyingThings3D/depth_reason/TRAIN/A/{number // 2:04}/left/{number:04}.png" for number in range(4)],
+    }
+    for name, files in paths.items():
+        legend = {int(code) for code in json.loads((root / name / "depth_reasons.json").read_text())}
+        assert len(files) == 4
+        for file, codes, depth in zip(files, expected, measured):
+            found = image(root / name / file)
+            assert np.array_equal(found, codes), name
+            assert np.array_equal(found == 0, depth > 0) and set(np.unique(found)) - {0} <= legend

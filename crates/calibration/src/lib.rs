@@ -22,7 +22,7 @@ pub use against::check_against;
 pub use check::force;
 pub use error::CalibrationError;
 pub use model::{Board, Calibration, CameraCalibration, CameraKind, Link, StereoRectification};
-pub use nominal::nominal_calibration;
+pub use nominal::{calibration_of, nominal_calibration};
 pub use raw::Raw;
 pub use rectify::StereoPair;
 pub use socket::Socket;

@@ -1,3 +1,4 @@
+use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{OpenCvLens, RigidTransform};
 use oaktwin_catalog::{Role, Twin, TwinCamera};
 
@@ -8,12 +9,18 @@ use crate::rectify::rectifying_rotations;
 
 const CM_PER_M: f64 = 100.0;
 
-/// Converts a twin to a `DepthAI` JSON of version 7. For a nominal twin, this is the calibration of the ideal device.
+/// Converts a nominal twin to a `DepthAI` JSON of version 7: the calibration of the ideal device. See [`calibration_of`].
+#[must_use]
+pub fn nominal_calibration(twin: &Twin) -> Raw {
+    calibration_of(twin, twin)
+}
+
+/// Converts a twin to a `DepthAI` JSON of version 7, with the translations of another twin of the same device as those of the design.
 ///
 /// Principal points are in OpenCV's convention, with the centre of an image at (W − 1)/2. As in factory files, the extrinsics
 /// of left refer to right and those of right to the camera on socket 0.
 #[must_use]
-pub fn nominal_calibration(twin: &Twin) -> Raw {
+pub fn calibration_of(twin: &Twin, design: &Twin) -> Raw {
     let device = &twin.device;
     let product = device.aliases.first().unwrap_or(&device.name);
     let mut cameras: Vec<_> = twin
@@ -28,14 +35,15 @@ pub fn nominal_calibration(twin: &Twin) -> Raw {
         .map(|(socket, camera)| {
             vec![
                 Node::from(i64::from(socket.number())),
-                self::camera(twin, root, camera),
+                self::camera([twin, design], root, camera),
             ]
             .into()
         })
         .collect();
     let imu = match (root, twin.body_from_imu) {
         (Some((socket, camera)), Some(body_from_imu)) => {
-            extrinsics(socket, &(camera.body_from_camera.inverse() * body_from_imu))
+            let camera_from_imu = camera.body_from_camera.inverse() * body_from_imu;
+            extrinsics(socket, &camera_from_imu, camera_from_imu.translation)
         }
         _ => no_extrinsics(),
     };
@@ -67,7 +75,7 @@ pub fn nominal_calibration(twin: &Twin) -> Raw {
     }
 }
 
-fn camera(twin: &Twin, root: Option<(Socket, &TwinCamera)>, camera: &TwinCamera) -> Node {
+fn camera([twin, design]: [&Twin; 2], root: Option<(Socket, &TwinCamera)>, camera: &TwinCamera) -> Node {
     let (kind, coefficients) = match camera.lens.as_opencv() {
         Some(OpenCvLens::Pinhole(coefficients)) => (0, coefficients.to_vec()),
         Some(OpenCvLens::Fisheye(k)) => (1, k.to_vec()),
@@ -78,10 +86,15 @@ fn camera(twin: &Twin, root: Option<(Socket, &TwinCamera)>, camera: &TwinCamera)
     // Including distortion, if known.
     let spec_hfov_deg = camera.spec.fisheye_hfov_deg.unwrap_or(camera.spec.hfov_deg);
     let extrinsics = match next(twin, root, camera) {
-        Some((socket, next)) => extrinsics(
-            socket,
-            &(next.body_from_camera.inverse() * camera.body_from_camera),
-        ),
+        Some((socket, next)) => {
+            let next_from_camera = next.body_from_camera.inverse() * camera.body_from_camera;
+            let pose = |camera: &TwinCamera| Some(design.camera(camera.spec.role)?.body_from_camera);
+            let designed = match (pose(next), pose(camera)) {
+                (Some(next), Some(camera)) => (next.inverse() * camera).translation,
+                _ => next_from_camera.translation,
+            };
+            extrinsics(socket, &next_from_camera, designed)
+        }
         None => no_extrinsics(),
     };
     Node::from([
@@ -136,11 +149,10 @@ fn stereo(twin: &Twin) -> Node {
     ])
 }
 
-fn extrinsics(to: Socket, transform: &RigidTransform) -> Node {
+fn extrinsics(to: Socket, transform: &RigidTransform, designed: DVec3) -> Node {
     // Rounding to 1e-10 cm, a picometre, hides rounding errors of the conversion from metres.
     let cm = |m: f64| tidy((m * CM_PER_M * 1e10).round() / 1e10);
-    let t = transform.translation;
-    let translation = || {
+    let translation = |t: DVec3| {
         Node::from([
             ("x", cm(t.x).into()),
             ("y", cm(t.y).into()),
@@ -152,9 +164,9 @@ fn extrinsics(to: Socket, transform: &RigidTransform) -> Node {
             "rotationMatrix",
             matrix(transform.rotation.transpose().to_cols_array_2d()),
         ),
-        ("specTranslation", translation()),
+        ("specTranslation", translation(designed)),
         ("toCameraSocket", i64::from(to.number()).into()),
-        ("translation", translation()),
+        ("translation", translation(transform.translation)),
     ])
 }
 

@@ -9,6 +9,7 @@
 
 mod aperture;
 mod camera;
+mod drift;
 mod intrinsics;
 mod lens;
 mod map;
@@ -21,6 +22,7 @@ mod stereo;
 
 pub use aperture::{ApertureOffsets, UsdOptics, tenths_of_stage_unit};
 pub use camera::Camera;
+pub use drift::{DriftedMatches, MatchError, StereoDrift};
 pub use intrinsics::Intrinsics;
 pub use lens::{
     FTheta, LensError, LensFamily, LensModel, LensNames, OpenCvFisheye, OpenCvLens, OpenCvPinhole,

@@ -16,6 +16,7 @@ mod limit;
 mod outputs;
 mod pair;
 mod place;
+mod population;
 mod render;
 mod scene;
 mod sense;
@@ -49,6 +50,7 @@ pub(crate) use imu::ImuArgs;
 pub(crate) use outputs::OutputArgs;
 pub(crate) use pair::PairArgs;
 pub(crate) use place::PlaceArgs;
+pub(crate) use population::PopulationArgs;
 pub(crate) use render::RenderArgs;
 pub(crate) use scene::SceneArgs;
 pub(crate) use sense::SenseArgs;
@@ -97,6 +99,8 @@ pub(crate) enum Command {
     Compare(CompareArgs),
     /// Inspect a DepthAI calibration, or export it to other formats
     Calibration(CalibrationArgs),
+    /// Write the calibrations of units of a model that differ as real units do
+    Population(PopulationArgs),
     /// Write a model as a USD asset
     Asset(AssetArgs),
     /// Describe a model for robots and simulators: URDF, SDF, MJCF, Webots, Blender

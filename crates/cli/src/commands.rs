@@ -15,6 +15,7 @@ pub(crate) mod generate;
 pub(crate) mod manual;
 pub(crate) mod models;
 pub(crate) mod params;
+pub(crate) mod population;
 pub(crate) mod render;
 pub(crate) mod robot;
 pub(crate) mod sense;

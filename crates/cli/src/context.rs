@@ -1,7 +1,7 @@
 //! The state shared by all commands: the catalog, models with or without a calibration, exit codes.
 
 use std::borrow::Cow;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use oaktwin::catalog::{Catalog, Device, Twin};
 use oaktwin::diagnostic::Finding;
@@ -34,6 +34,8 @@ impl Exit {
 
 pub(crate) struct Context {
     pub(crate) catalog: Cow<'static, Catalog>,
+    /// The folder of additional models.
+    pub(crate) catalog_folder: Option<PathBuf>,
 }
 
 impl Context {
@@ -43,6 +45,7 @@ impl Context {
                 Some(folder) => Cow::Owned(Catalog::with_dir(folder)?),
                 None => Cow::Borrowed(Catalog::builtin()),
             },
+            catalog_folder: catalog.map(Path::to_owned),
         })
     }
 

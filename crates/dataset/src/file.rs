@@ -54,7 +54,7 @@ impl From<CodecError> for Fault {
 }
 
 impl Fault {
-    fn at(self, path: &Path) -> DatasetError {
+    pub(crate) fn at(self, path: &Path) -> DatasetError {
         let path = path.display().to_string();
         match self {
             Self::Codec(source) => DatasetError::Codec { path, source },

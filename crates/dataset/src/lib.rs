@@ -49,6 +49,6 @@ pub use flat::FlatWriter;
 pub use formats::{FORMATS, FormatKind, Needs};
 pub use imu::ImuSample;
 pub use object::{Extent, Mask, Model, Object, StereoImages};
-pub use options::{Extras, Options};
+pub use options::{Extras, Options, SHARD_FRAMES};
 pub use shot::{CloudAxes, InputName, Layer, LayerData, Shot};
 pub use writer::{Format, FormatWriter, Records, WriteError, Writer};

@@ -223,7 +223,7 @@ impl<'a> Files<'a> {
 }
 
 /// The legend of reasons: `{"2": {"name": …, "documentation": …}}`.
-fn reason_legend(legend: &BTreeMap<u8, ReasonLabel>) -> Value {
+pub(crate) fn reason_legend(legend: &BTreeMap<u8, ReasonLabel>) -> Value {
     let entry = |(code, label): (&u8, &ReasonLabel)| {
         let label = json!({"name": label.name, "documentation": label.documentation});
         (code.to_string(), label)

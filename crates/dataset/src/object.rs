@@ -47,18 +47,16 @@ pub struct Model {
 /// The images of a rectified stereo pair.
 #[derive(Clone, Debug)]
 pub struct StereoImages {
-    /// The left image, 8 bits.
-    pub left: Image<u8>,
-    /// The right image, 8 bits.
-    pub right: Image<u8>,
+    /// The left and the right image, 8 bits.
+    pub images: [Image<u8>; 2],
     /// The rectified cameras.
     pub cameras: [Camera; 2],
     /// The baseline in metres.
     pub baseline_m: f64,
-    /// The exact disparity of the left image, px: the column in the left image minus that in the right; `+inf` for a miss.
-    pub disparity: Image<f32>,
-    /// Whether the surface in a pixel of the left image is visible in the right image.
-    pub is_matched: Image<bool>,
+    /// The exact disparity of each image, px: the column in the left image minus that in the right; `+inf` for a miss.
+    pub disparities: [Image<f32>; 2],
+    /// Whether the surface in a pixel of each image is visible in the other one.
+    pub is_matched: [Image<bool>; 2],
 }
 
 /// A set of pixels within a rectangle of an image.

@@ -1,4 +1,6 @@
-/// The options of the writers of files. All but the extras are those of Replicator's `BasicWriter`.
+use std::num::NonZeroU64;
+
+/// The options of the writers of files. All but the extras and the shards are those of Replicator's `BasicWriter`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
     /// The minimum number of digits of a frame number.
@@ -11,7 +13,13 @@ pub struct Options {
     pub seed: u64,
     /// The additional files.
     pub extras: Extras,
+    /// The number of consecutive frames in a shard, for formats with shards.
+    pub shard_frames: NonZeroU64,
 }
+
+// Evaluated by the compiler, so that it cannot panic.
+/// The number of consecutive frames in a shard, unless it is chosen.
+pub const SHARD_FRAMES: NonZeroU64 = NonZeroU64::new(100).unwrap();
 
 impl Default for Options {
     /// `BasicWriter`'s defaults, and no extras.
@@ -22,6 +30,7 @@ impl Default for Options {
             colorize_instance_id_segmentation: true,
             seed: 0,
             extras: Extras::default(),
+            shard_frames: SHARD_FRAMES,
         }
     }
 }

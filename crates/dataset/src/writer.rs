@@ -82,6 +82,10 @@ impl Writer for FormatWriter {
     fn finish(&mut self, output: &mut OutputFiles) -> Result<(), WriteError> {
         let mut records = std::mem::take(&mut self.records).into_iter().map(Ok);
         self.findings = self.format.finish(&mut records, output)?;
+        for packed in output.take_packed() {
+            packed.remove_members()?;
+            packed.members.iter().for_each(|member| output.forget(member));
+        }
         Ok(())
     }
 

@@ -40,6 +40,6 @@ pub use capture::{Capture, FixedDisparity, Layer};
 pub use engine::{BatchEngine, Comparable, Engine, EngineInput, EngineKind, Input, Technology};
 pub use error::{BatchError, ParameterError, ShotError};
 pub use reason::{Reason, ReasonCodes};
-pub use sensor::{OutputCamera, Sensor};
+pub use sensor::{DriftedPair, OutputCamera, Sensor};
 pub use setup::{PresetConfig, Setup};
 pub use shot::Shot;

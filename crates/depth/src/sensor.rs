@@ -1,4 +1,5 @@
 mod batch;
+mod drifted;
 
 use std::sync::Arc;
 
@@ -9,6 +10,8 @@ use oaktwin_image::annotation::Annotator;
 use crate::filter::{Chain, Filter};
 use crate::random::Stream;
 use crate::{Capture, Engine, Input, ParameterError};
+
+pub use drifted::DriftedPair;
 
 /// An engine with its filters, which measures one input after the other.
 ///
@@ -24,6 +27,7 @@ pub struct Sensor {
     engine: Arc<dyn Engine>,
     filters: Chain,
     random: Stream,
+    drifted: Option<DriftedPair>,
 }
 
 impl Sensor {
@@ -34,7 +38,21 @@ impl Sensor {
             engine,
             filters,
             random,
+            drifted: None,
         }
+    }
+
+    /// Returns the sensor with a pair that has drifted since its calibration. Engines that match images are unaffected: their
+    /// images show the drift.
+    #[must_use]
+    pub fn with_drift(self, drifted: Option<DriftedPair>) -> Self {
+        Self { drifted, ..self }
+    }
+
+    /// The pair that has drifted since its calibration, if it has.
+    #[must_use]
+    pub const fn drifted(&self) -> Option<&DriftedPair> {
+        self.drifted.as_ref()
     }
 
     /// The engine.
@@ -59,7 +77,7 @@ impl Sensor {
     /// Whether images of this size are measured on several threads; otherwise no thread pool is required.
     #[must_use]
     pub fn is_parallel(&self, width_px: u32, height_px: u32) -> bool {
-        !self.filters.is_empty() || self.engine.is_parallel(width_px, height_px)
+        !self.filters.is_empty() || self.drifted.is_some() || self.engine.is_parallel(width_px, height_px)
     }
 
     /// Forgets all earlier frames.
@@ -88,6 +106,14 @@ impl Sensor {
         request: &[Annotator],
     ) -> Result<Capture, ParameterError> {
         let input = input.into();
+        let assumed;
+        let input = match (&self.drifted, input) {
+            (Some(drifted), Input::Depth(shot)) => {
+                assumed = drifted.assumed_depth(shot.depth());
+                Input::Depth(shot.with_depth((&assumed).into()))
+            }
+            (_, input) => input,
+        };
         let mut capture = self
             .engine
             .capture(&input, &self.random, request, &mut self.filters)?;
@@ -115,7 +141,10 @@ impl OutputCamera {
 
 impl PartialEq for Sensor {
     fn eq(&self, other: &Self) -> bool {
-        *self.engine == *other.engine && self.filters == other.filters && self.random == other.random
+        *self.engine == *other.engine
+            && self.filters == other.filters
+            && self.random == other.random
+            && self.drifted == other.drifted
     }
 }
 

@@ -29,6 +29,18 @@ impl<'a> Shot<'a> {
         }
     }
 
+    /// Replaces the depth by one of the same size.
+    pub(crate) fn with_depth<'b>(self, depth: ImageView<'b, f32>) -> Shot<'b>
+    where
+        'a: 'b,
+    {
+        debug_assert_eq!(
+            (depth.width(), depth.height()),
+            (self.depth.width(), self.depth.height())
+        );
+        Shot { depth, ..self }
+    }
+
     /// Adds the colour image of the same camera, sRGB; alpha is ignored.
     ///
     /// # Errors

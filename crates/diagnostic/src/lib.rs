@@ -6,6 +6,7 @@
 
 mod finding;
 mod message;
+pub mod stored;
 mod suggest;
 
 pub use finding::{Finding, Level};

@@ -1,6 +1,7 @@
 use std::borrow::Cow;
 use std::cell::Cell;
 use std::fmt;
+use std::iter;
 use std::ops::Deref;
 
 use serde::{Serialize, Serializer};
@@ -111,14 +112,24 @@ impl Message {
     #[must_use]
     pub fn render(&self, style: impl Fn(&Opt) -> String) -> String {
         let mut rendered = String::with_capacity(self.text.len());
-        let mut from = 0;
-        for (start, end, option) in &self.options {
-            rendered.push_str(&self.text[from..*start]);
-            rendered.push_str(&style(option));
-            from = *end;
+        for (text, option) in self.pieces() {
+            rendered.push_str(text);
+            rendered.extend(option.map(&style));
         }
-        rendered.push_str(&self.text[from..]);
         rendered
+    }
+
+    /// The texts between the options, each with the option after it; the last has none.
+    pub(crate) fn pieces(&self) -> impl Iterator<Item = (&str, Option<&Opt>)> {
+        let starts = iter::once(0).chain(self.options.iter().map(|(_, end, _)| *end));
+        let ends = self
+            .options
+            .iter()
+            .map(|(start, _, option)| (*start, Some(option)));
+        let ends = ends.chain(iter::once((self.text.len(), None)));
+        starts
+            .zip(ends)
+            .map(|(from, (to, option))| (&self.text[from..to], option))
     }
 
     /// The text with each option in its neutral spelling.

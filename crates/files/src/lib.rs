@@ -14,7 +14,7 @@ pub use atomic::{AtomicFile, write};
 pub use error::FileError;
 use error::or_current;
 pub use named::{is_below, open_regular, read_regular};
-pub use output::OutputFiles;
+pub use output::{OutputFiles, PackedFiles};
 pub use temporary::abandon;
 
 /// A file that was written.

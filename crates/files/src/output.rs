@@ -1,5 +1,6 @@
 use std::collections::BTreeSet;
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use crate::error::folder;
@@ -17,6 +18,39 @@ pub struct OutputFiles {
     /// Outermost first.
     created: Vec<PathBuf>,
     files: Vec<WrittenFile>,
+    packed: Vec<PackedFiles>,
+}
+
+/// Files whose contents are in another file, too, which replaces them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PackedFiles {
+    /// The file with the contents.
+    pub container: PathBuf,
+    /// The files that it replaces.
+    pub members: Vec<PathBuf>,
+}
+
+impl PackedFiles {
+    /// Removes the files that are replaced, and their folders if these are empty.
+    ///
+    /// # Errors
+    /// Returns an error if a file cannot be removed.
+    pub fn remove_members(&self) -> Result<(), FileError> {
+        for member in &self.members {
+            match fs::remove_file(member) {
+                Err(error) if error.kind() != ErrorKind::NotFound => {
+                    return Err(FileError::writing(member, &error));
+                }
+                _ => {}
+            }
+        }
+        let folders: BTreeSet<&Path> = self.members.iter().filter_map(|member| member.parent()).collect();
+        for folder in folders {
+            // Fails if the folder is not empty, as intended.
+            let _ = fs::remove_dir(folder);
+        }
+        Ok(())
+    }
 }
 
 impl OutputFiles {
@@ -70,6 +104,19 @@ impl OutputFiles {
         let bytes = metadata.len();
         self.files.push(WrittenFile { path, bytes });
         Ok(())
+    }
+
+    /// Declares that a complete file replaces others; all are relative to the root. Whoever keeps account of the files removes these.
+    pub fn pack(&mut self, container: &Path, members: impl IntoIterator<Item = PathBuf>) {
+        self.packed.push(PackedFiles {
+            container: self.root.join(container),
+            members: members.into_iter().map(|member| self.root.join(member)).collect(),
+        });
+    }
+
+    /// Returns the files that are replaced by others since the last call.
+    pub fn take_packed(&mut self) -> Vec<PackedFiles> {
+        std::mem::take(&mut self.packed)
     }
 
     /// Writes a whole file, relative to the root.

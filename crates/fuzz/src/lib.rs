@@ -10,6 +10,7 @@ mod filter;
 mod import;
 mod json;
 mod random;
+mod recipe;
 mod renderer;
 mod scene;
 mod text;
@@ -100,7 +101,7 @@ pub const TARGETS: &[Target] = &[
     },
     Target {
         name: "parameters",
-        about: "reads parameters and filters as text; filters round-trip",
+        about: "reads parameters, filters and drifts as text; filters and drifts round-trip",
         max_len: 1024,
         check: text::parameters,
         seeds: text::parameters_seeds,
@@ -167,6 +168,13 @@ pub const TARGETS: &[Target] = &[
         max_len: 16384,
         check: text::catalog,
         seeds: text::catalog_seeds,
+    },
+    Target {
+        name: "recipe",
+        about: "reads a recipe and draws a frame; it round-trips, the same numbers twice",
+        max_len: 4096,
+        check: recipe::check,
+        seeds: recipe::seeds,
     },
 ];
 

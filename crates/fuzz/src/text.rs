@@ -2,18 +2,28 @@
 
 use std::fs;
 
+use oaktwin_camera::StereoDrift;
 use oaktwin_catalog::Catalog;
 use oaktwin_depth::engines::ENGINES;
 use oaktwin_depth::filter::parse;
 use oaktwin_depth::{EngineKind, Setup};
 
-/// Lines of `FILTER`, `ENGINE` or `ENGINE NAME=VALUE`.
+/// Lines of `FILTER`, `DRIFT`, `ENGINE` or `ENGINE NAME=VALUE`.
 pub(crate) fn parameters(bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
     for line in text.lines().take(8) {
         if let Ok(filter) = parse(line) {
             let again = parse(&filter.to_string()).unwrap_or_else(|error| panic!("{filter}: {error}"));
             assert_eq!(again, filter);
+        }
+        if let Ok(drift) = StereoDrift::parse(line) {
+            let again =
+                StereoDrift::parse(&drift.to_text()).unwrap_or_else(|error| panic!("{line}: {error}"));
+            assert_eq!(again, drift, "{line}");
+            assert!(
+                drift.baseline_m().is_finite() && drift.focal_length_ratio() > 0.0,
+                "{line}"
+            );
         }
         let (engine, setting) = line.split_once(' ').unwrap_or((line, ""));
         let (Ok(kind), Some((name, value))) = (EngineKind::parse(engine), setting.split_once('=')) else {
@@ -30,7 +40,7 @@ pub(crate) fn parameters(bytes: &[u8]) {
 
 pub(crate) fn parameters_seeds() -> Vec<Vec<u8>> {
     let mut all =
-        vec![b"speckle:speckleRange=60\nspatial:alpha=0.5,delta=20\nmedian:kernel=KERNEL_5x5".to_vec()];
+        vec![b"yaw=0.3,pitch=-0.2,roll=1e-3\nbaseline=50,temperature=20\nspeckle:speckleRange=60\nspatial:alpha=0.5,delta=20\nmedian:kernel=KERNEL_5x5".to_vec()];
     for kind in ENGINES {
         let lines = (kind.parameters)()
             .into_iter()

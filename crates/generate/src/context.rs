@@ -2,19 +2,21 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use oaktwin_catalog::{Catalog, Twin};
+use oaktwin_catalog::Catalog;
 use oaktwin_dataset::{FormatKind, Model, Needs};
 use oaktwin_diagnostic::{Finding, Message};
 use oaktwin_image::annotation::Annotator;
 use oaktwin_pipeline::render::annotator;
 use oaktwin_pipeline::render::trajectory::{self, TimedPose};
 use oaktwin_pipeline::unit;
+use oaktwin_population::Population;
 
 use crate::GenerateError;
 use crate::arrange::Placed;
 use crate::described::Models;
 use crate::random::Random;
-use crate::recipe::{Appearance, ObjectRule, RecipeFile};
+use crate::recipe::{Appearance, ObjectRule, PopulationKind, RecipeFile};
+use crate::unit::Units;
 use crate::world::{Base, ObjectFiles, files_of, is_image};
 
 /// The data that all frames of a recipe share.
@@ -33,8 +35,8 @@ pub(crate) struct Context {
     pub(crate) formats: Vec<&'static FormatKind>,
     /// What at least one of the formats requires.
     pub(crate) needs: Needs,
-    /// The twin of each model.
-    twins: BTreeMap<String, Twin>,
+    /// The units of each model.
+    units: BTreeMap<String, Units>,
     models: Models,
     /// Findings about the recipe and its files.
     pub(crate) findings: Vec<Finding>,
@@ -44,7 +46,7 @@ impl Context {
     /// Opens the base scenes and lists the objects of a recipe.
     pub(crate) fn open(file: RecipeFile, catalog: &Catalog) -> Result<Self, GenerateError> {
         let recipe = &file.recipe;
-        let (twins, findings) = twins(&file, catalog)?;
+        let (units, findings) = units(&file, catalog)?;
         let formats = formats(&file)?;
         let annotators = recipe.output.annotators.0.iter().map(|name| annotator(name));
         let annotators = annotators.collect::<Result<Vec<_>, _>>()?;
@@ -93,16 +95,16 @@ impl Context {
                 stereo: formats.iter().any(|format| format.needs.stereo),
             },
             formats,
-            twins,
+            units,
             models: Models::default(),
             findings,
             file,
         })
     }
 
-    /// Returns the twin of a model of the recipe.
-    pub(crate) fn twin(&self, model: &str) -> &Twin {
-        &self.twins[model]
+    /// Returns the units of a model of the recipe.
+    pub(crate) fn units(&self, model: &str) -> &Units {
+        &self.units[model]
     }
 
     /// Returns the model of a placed object.
@@ -136,29 +138,34 @@ fn unfit(
     }
 }
 
-/// Returns the twin of each model of a recipe.
-fn twins(
+/// Returns the units of each model of a recipe.
+fn units(
     file: &RecipeFile,
     catalog: &Catalog,
-) -> Result<(BTreeMap<String, Twin>, Vec<Finding>), GenerateError> {
+) -> Result<(BTreeMap<String, Units>, Vec<Finding>), GenerateError> {
     let recipe = &file.recipe;
-    let (mut twins, mut findings) = (BTreeMap::new(), Vec::new());
+    let (mut all, mut findings) = (BTreeMap::new(), Vec::new());
     for model in &recipe.camera.model.0 {
         let device = catalog.device(model).map_err(|error| GenerateError::Model {
             recipe: file.path.clone(),
             error,
         })?;
-        let twin = match &recipe.unit.calibration {
-            Some(path) => {
+        let units = match (&recipe.unit.calibration, recipe.unit.population) {
+            (Some(path), _) => {
                 let (twin, more) = unit::open(catalog, device, &file.resolve(path), false)?;
                 findings.extend(more);
-                twin
+                Units::One(Box::new(twin))
             }
-            None => catalog.nominal(device),
+            (None, Some(PopulationKind::Factory)) => {
+                let population = Population::new(&catalog.nominal(device), recipe.seed);
+                findings.push(population.finding());
+                Units::Population(Box::new(population))
+            }
+            (None, None) => Units::One(Box::new(catalog.nominal(device))),
         };
-        twins.insert(model.clone(), twin);
+        all.insert(model.clone(), units);
     }
-    Ok((twins, findings))
+    Ok((all, findings))
 }
 
 /// Returns the formats of a recipe.

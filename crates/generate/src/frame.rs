@@ -22,6 +22,7 @@ use crate::arrange::{Arrangement, Stage};
 use crate::context::Context;
 use crate::described::objects;
 use crate::recipe::ParameterValue;
+use crate::unit::DrawnUnit;
 use crate::view::{DrawnView, Search};
 
 /// Makes frames, one after the other, in any order. What two frames have in common is kept from one to the next.
@@ -35,6 +36,8 @@ pub(crate) struct FrameMaker<'a> {
 #[derive(Debug)]
 struct Shown {
     arrangement: Arrangement,
+    /// The twin of its unit.
+    twin: Twin,
     stage: Stage,
 }
 
@@ -43,6 +46,7 @@ struct Shown {
 pub(crate) struct Made {
     /// One for each camera.
     pub(crate) shots: Vec<Shot>,
+    pub(crate) unit: DrawnUnit,
     pub(crate) findings: Vec<Finding>,
 }
 
@@ -99,9 +103,13 @@ impl<'a> FrameMaker<'a> {
     pub(crate) fn make_with(&mut self, frame: u64, wanted: &[Annotator]) -> Result<Made, GenerateError> {
         let context = self.context;
         let shown = self.show(frame)?;
-        let Shown { arrangement, stage } = shown;
+        let Shown {
+            arrangement,
+            twin,
+            stage,
+        } = shown;
         let view = context.view(shown, frame)?;
-        let mut rig = context.rig(arrangement, &view.world_from_body, frame)?;
+        let mut rig = context.rig(arrangement, twin, &view.world_from_body, frame)?;
         let mut annotators = wanted.to_vec();
         if context.needs.objects && !annotators.contains(&Annotator::InstanceIdSegmentation) {
             annotators.push(Annotator::InstanceIdSegmentation);
@@ -137,6 +145,7 @@ impl<'a> FrameMaker<'a> {
         }
         Ok(Made {
             shots,
+            unit: arrangement.unit.clone(),
             findings: rig.findings,
         })
     }
@@ -152,7 +161,12 @@ impl<'a> FrameMaker<'a> {
                 let stage = stage.filter(|stage| stage.suits(&arrangement));
                 let mut stage = stage.unwrap_or_else(|| Stage::new(self.context, arrangement.base));
                 stage.show(self.context, &arrangement);
-                Shown { arrangement, stage }
+                let unit = &arrangement.unit;
+                Shown {
+                    twin: self.context.units(&unit.model).twin(unit),
+                    arrangement,
+                    stage,
+                }
             }
         };
         Ok(self.shown.insert(shown))
@@ -161,8 +175,11 @@ impl<'a> FrameMaker<'a> {
 
 impl Context {
     fn view(&self, shown: &Shown, frame: u64) -> Result<DrawnView, GenerateError> {
-        let Shown { arrangement, stage } = shown;
-        let twin = self.twin(&arrangement.model);
+        let Shown {
+            arrangement,
+            twin,
+            stage,
+        } = shown;
         let (cameras, _) = self.cameras(twin, &RigidTransform::IDENTITY)?;
         let Some(camera) = cameras.first() else {
             return Err(self.unfit(
@@ -215,10 +232,10 @@ impl Context {
     fn rig(
         &self,
         arrangement: &Arrangement,
+        twin: &Twin,
         world_from_body: &RigidTransform,
         frame: u64,
     ) -> Result<Rig, GenerateError> {
-        let twin = self.twin(&arrangement.model);
         let recipe = &self.file.recipe;
         let (mut cameras, mut findings) = self.cameras(twin, world_from_body)?;
         let engine = match &recipe.sensor.engine {
@@ -232,6 +249,7 @@ impl Context {
             parameters: self.parameters(frame),
             extended_disparity: recipe.sensor.extended_disparity,
             seed: recipe.seed,
+            drift: Some(arrangement.unit.drift),
             ..SensorOptions::default()
         };
         let kinds: Vec<_> = cameras
@@ -244,10 +262,9 @@ impl Context {
                 projector: arrangement.projector,
                 ambient: arrangement.infrared_ambient,
                 size: recipe.camera.size(),
-                bias_px: options.calibration_error_px()?,
-                seed: recipe.seed,
                 ..PairOptions::default()
             };
+            let pair = pair.of_sensor(&options)?;
             Ok::<_, GenerateError>(put_pair(twin, &mut cameras, &pair)?)
         });
         let pair = pair.transpose()?.map(|(pair, more)| {

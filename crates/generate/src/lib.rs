@@ -32,8 +32,9 @@ mod frame;
 mod random;
 pub mod recipe;
 mod run;
+mod unit;
 mod view;
 mod world;
 
 pub use error::GenerateError;
-pub use run::{GenerateOptions, Generated, Generator};
+pub use run::{GenerateOptions, Generated, Generation, Generator};

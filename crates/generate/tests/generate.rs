@@ -1,170 +1,15 @@
-//! Data sets of small recipes: determinism, resumption, placement and errors.
+//! Data sets of small recipes: placement, units and errors.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod case;
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::path::Path;
 
-use oaktwin_catalog::Catalog;
-use oaktwin_generate::recipe::RecipeFile;
-use oaktwin_generate::{GenerateOptions, Generated, Generator};
-use oaktwin_pipeline::progress::Progress;
+use case::{Case, TABLE};
+use oaktwin_generate::{GenerateOptions, Generator};
 use serde_json::Value;
-
-/// The example recipes.
-fn examples() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/recipes")
-}
-
-/// A folder with the scenes and objects of the examples, and a recipe.
-struct Case {
-    folder: tempfile::TempDir,
-}
-
-impl Case {
-    fn new(recipe: &str) -> Self {
-        let folder = tempfile::tempdir().unwrap();
-        for file in ["table.usda", "bin.usda"] {
-            fs::copy(examples().join(file), folder.path().join(file)).unwrap();
-        }
-        fs::create_dir(folder.path().join("objects")).unwrap();
-        for entry in fs::read_dir(examples().join("objects")).unwrap() {
-            let entry = entry.unwrap();
-            fs::copy(
-                entry.path(),
-                folder.path().join("objects").join(entry.file_name()),
-            )
-            .unwrap();
-        }
-        let case = Self { folder };
-        case.write(recipe);
-        case
-    }
-
-    fn write(&self, recipe: &str) {
-        fs::write(self.folder.path().join("recipe.toml"), recipe).unwrap();
-    }
-
-    fn open(&self) -> Result<Generator, String> {
-        let file =
-            RecipeFile::read(&self.folder.path().join("recipe.toml")).map_err(|error| error.to_string())?;
-        Generator::open(file, Catalog::builtin()).map_err(|error| error.to_string())
-    }
-
-    fn generate(&self, name: &str, options: &GenerateOptions) -> Result<Generated, String> {
-        let root = self.folder.path().join(name);
-        let watch = |_: Progress| ControlFlow::Continue(());
-        self.open()?
-            .generate(&root, options, &watch)
-            .map_err(|error| error.to_string())
-    }
-
-    /// The bytes of all files of a data set.
-    fn files(&self, name: &str) -> BTreeMap<PathBuf, Vec<u8>> {
-        fn collect(root: &Path, folder: &Path, files: &mut BTreeMap<PathBuf, Vec<u8>>) {
-            for entry in fs::read_dir(folder).unwrap() {
-                let path = entry.unwrap().path();
-                if path.is_dir() {
-                    collect(root, &path, files);
-                } else {
-                    files.insert(
-                        path.strip_prefix(root).unwrap().to_owned(),
-                        fs::read(&path).unwrap(),
-                    );
-                }
-            }
-        }
-        let root = self.folder.path().join(name);
-        let mut files = BTreeMap::new();
-        collect(&root, &root, &mut files);
-        files
-    }
-}
-
-const TABLE: &str = "
-frames = 5
-frames_per_scene = 2
-scene = 'table.usda'
-[[objects]]
-files = 'objects/'
-count = { uniform = [2, 5] }
-on = '/World/Table'
-pose = 'resting'
-look = { keep = 0.5 }
-[light]
-lamps = {}
-projector = 1
-[camera]
-resolution = [160, 100]
-";
-
-#[test]
-fn a_frame_does_not_depend_on_other_frames_or_workers() {
-    let case = Case::new(TABLE);
-    let whole = case.generate("whole", &GenerateOptions::default()).unwrap();
-    assert_eq!((whole.made, whole.missing, whole.is_interrupted), (5, 0, false));
-    let parallel = GenerateOptions {
-        workers: Some(3),
-        ..GenerateOptions::default()
-    };
-    case.generate("parallel", &parallel).unwrap();
-    // Backwards, one at a time, in separate runs.
-    for frame in (0..5).rev() {
-        let options = GenerateOptions {
-            frames: Some(frame..frame + 1),
-            resume: true,
-            workers: Some(1),
-            ..GenerateOptions::default()
-        };
-        let part = case.generate("parts", &options).unwrap();
-        assert_eq!((part.made, part.missing), (1, frame));
-    }
-    let files = case.files("whole");
-    assert_eq!(
-        files.len() as u64,
-        whole.files + 8,
-        "the manifest, the recipe, the lock and five records"
-    );
-    assert!(files == case.files("parallel") && files == case.files("parts"));
-}
-
-#[test]
-fn an_interrupted_data_set_is_completed() {
-    let case = Case::new(TABLE);
-    case.generate("whole", &GenerateOptions::default()).unwrap();
-    let calls = AtomicU64::new(0);
-    let watch = |_: Progress| match calls.fetch_add(1, Ordering::Relaxed) {
-        0..2 => ControlFlow::Continue(()),
-        _ => ControlFlow::Break(()),
-    };
-    let root = case.folder.path().join("broken");
-    let one = GenerateOptions {
-        workers: Some(1),
-        ..GenerateOptions::default()
-    };
-    let broken = case.open().unwrap().generate(&root, &one, &watch).unwrap();
-    assert!(broken.is_interrupted && broken.made == 2);
-    assert!(!root.join("manifest.json").exists());
-    // A lost file, and one that was cut short.
-    fs::remove_file(root.join("rgb_0000.png")).unwrap();
-    fs::write(root.join("depth_sensor_distance_0001.npy"), "x").unwrap();
-    let resume = GenerateOptions {
-        resume: true,
-        ..GenerateOptions::default()
-    };
-    let resumed = case.generate("broken", &resume).unwrap();
-    assert_eq!((resumed.made, resumed.skipped), (5, 0));
-    assert!(case.files("whole") == case.files("broken"));
-    let again = case.generate("broken", &resume).unwrap();
-    assert_eq!((again.made, again.skipped), (0, 5));
-    let error = case.generate("broken", &GenerateOptions::default()).unwrap_err();
-    assert!(error.contains("already has a data set"), "{error}");
-    case.write(&TABLE.replace("[160, 100]", "[160, 90]"));
-    let error = case.generate("broken", &resume).unwrap_err();
-    assert!(error.contains("camera.resolution.1: 100 became 90"), "{error}");
-}
 
 /// The arrangement of a frame.
 fn arrangement(generator: &Generator, frame: u64) -> Value {
@@ -303,4 +148,55 @@ fn errors_name_the_rule() {
         let error = error(&format!("{table}{recipe}"));
         assert!(error.contains(expected), "{recipe:?}: {error}");
     }
+}
+
+/// Every arrangement has its own unit, whose calibration lies beside the data; the drift moves its measurements.
+#[test]
+fn units_of_a_population_are_written_beside_the_data() {
+    let recipe = |drift: &str| {
+        format!("{TABLE}\n[unit]\npopulation = 'factory'\n{drift}\n[sensor]\nparameters = {{ jitter = 0 }}\n")
+    };
+    let case = Case::new(&recipe(""));
+    case.generate("units", &GenerateOptions::default()).unwrap();
+    let files = case.files("units");
+    let names: Vec<&str> = (files.keys())
+        .filter_map(|path| path.strip_prefix("units").ok()?.to_str())
+        .collect();
+    let unit = |number| format!("oak_d_pro_poe_00000{number}.json");
+    assert_eq!(names, ["frames.csv", &unit(0), &unit(1), &unit(2)]);
+    let table = String::from_utf8(files[Path::new("units/frames.csv")].clone()).unwrap();
+    assert!(
+        table.contains("\n3,OAK-D Pro PoE,1,oak_d_pro_poe_000001.json,\n"),
+        "{table}"
+    );
+    let text = files[Path::new("units/oak_d_pro_poe_000001.json")].as_slice();
+    let raw = oaktwin_calibration::Raw::parse(text, "unit").unwrap();
+    let (calibration, _) = oaktwin_calibration::Calibration::from_raw(&raw).unwrap();
+    let fx = calibration.cameras[&oaktwin_calibration::Socket::CAM_C]
+        .intrinsics
+        .fx;
+    // RVC2 rectifies both images to the right camera's intrinsics.
+    let params: Value = serde_json::from_slice(&files[Path::new("camera_params_0003.json")]).unwrap();
+    let projection = params["cameraProjection"][0].as_f64().unwrap();
+    assert!(
+        (projection * 1280.0 / 2.0 / fx - 1.0).abs() < 1e-6,
+        "{projection} {fx}"
+    );
+
+    // The same frames by several workers, with the exact depth unchanged by drift.
+    case.write(&recipe(
+        "count = 2\ndrift = { yaw_mrad = { normal = [0, 1] }, pitch_mrad = 1 }",
+    ));
+    case.generate("whole", &GenerateOptions::default()).unwrap();
+    let parallel = GenerateOptions {
+        workers: Some(3),
+        ..GenerateOptions::default()
+    };
+    case.generate("parallel", &parallel).unwrap();
+    let drifted = case.files("whole");
+    assert_eq!(drifted, case.files("parallel"));
+    let exact = Path::new("distance_to_image_plane_0000.npy");
+    let sensed = Path::new("depth_sensor_distance_0000.npy");
+    assert!(drifted[exact] == files[exact] && drifted[sensed] != files[sensed]);
+    assert!(!drifted.contains_key(Path::new("units/oak_d_pro_poe_000002.json")));
 }

@@ -35,6 +35,7 @@ pub use oaktwin_generate as generate;
 pub use oaktwin_image as image;
 pub use oaktwin_memory as memory;
 pub use oaktwin_pipeline::{imu, pair, progress, recording, render, report, sense, sensor, stereo, unit};
+pub use oaktwin_population as population;
 pub use oaktwin_robot as robot;
 pub use oaktwin_scene as scene;
 pub use oaktwin_usd as usd;

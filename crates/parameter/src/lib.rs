@@ -20,5 +20,5 @@ pub use choice::{Choice, choose};
 pub use error::ParameterError;
 pub use group::{Group, Listing};
 pub use platform::Platform;
-pub use table::{Row, Table};
+pub use table::{Row, Table, settings};
 pub use value::{Hexadecimal, Numbered, Plain, Value, View};

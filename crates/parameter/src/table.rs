@@ -48,6 +48,15 @@ impl<P> Row<P> {
     }
 }
 
+/// Splits settings, `NAME=VALUE,…`, into names and values without the blanks around them. An error is a setting without a value.
+pub fn settings(text: &str) -> impl Iterator<Item = Result<(&str, &str), &str>> {
+    let settings = text.split(',').map(str::trim);
+    settings.filter(|setting| !setting.is_empty()).map(|setting| {
+        let (name, value) = setting.split_once('=').ok_or(setting)?;
+        Ok((name.trim(), value.trim()))
+    })
+}
+
 /// A struct of parameters that [`parameters!`](crate::parameters!) declared.
 pub trait Table: Clone + 'static {
     /// The name of the group in errors: `stereo-noise`.

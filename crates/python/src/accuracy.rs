@@ -17,7 +17,7 @@ use crate::threads;
 
 /// Wraps the report of `oaktwin accuracy --json` as a dictionary, for `oaktwin.accuracy`.
 #[pyfunction]
-#[pyo3(signature = (device, *, sensor = None, distances = None, devices = None, captures = CAPTURES,
+#[pyo3(signature = (device, *, sensor = None, distances = None, devices = None, population = false, captures = CAPTURES,
     region = REGION, measured = None, measured_from = 0.0, focal_px = None, width_px = None, **options))]
 #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
@@ -27,6 +27,7 @@ pub(crate) fn accuracy<'py>(
     sensor: Option<String>,
     distances: Option<Distances>,
     devices: Option<u32>,
+    population: bool,
     captures: u32,
     region: f64,
     measured: Option<PathBuf>,
@@ -40,6 +41,7 @@ pub(crate) fn accuracy<'py>(
         engine: sensor_options("accuracy", options, |_| true)?,
         distances_m: distances.map(Distances::metres).transpose()?,
         devices,
+        population,
         captures,
         region,
         optics: MeasuredOptics {

@@ -1,13 +1,14 @@
+mod parts;
+
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use numpy::PyArray2;
-use oaktwin::calibration::{Calibration, Raw, nominal_calibration};
-use oaktwin::camera::RigidTransform;
+use oaktwin::calibration::{Calibration, Raw};
 use oaktwin::catalog::{Origin, Role, Twin};
-use oaktwin::diagnostic::{self, suggest};
-use oaktwin::render::{OakOptions, check_lens, oak_cameras};
+use oaktwin::diagnostic;
+use oaktwin::render::check_lens;
 use oaktwin::report::DeviceReport;
 use oaktwin::sensor::depth_sensor;
 use oaktwin::unit;
@@ -19,7 +20,6 @@ use crate::asset::{self, AssetSettings};
 use crate::camera::Camera;
 use crate::choice::named;
 use crate::error::{error, reading, writing, wrong};
-use crate::export::export;
 use crate::finding::{self, Finding};
 use crate::json;
 use crate::models::Models;
@@ -127,53 +127,6 @@ impl Device {
         };
         Self::new(twin, lens, models, Some(calibrated), findings)
     }
-
-    /// Returns the camera of a role, prim or depth sensor.
-    fn placed(&self, name: &str) -> PyResult<Camera> {
-        let names = [name.to_owned()];
-        let options = OakOptions {
-            cameras: &names,
-            lens: self.lens,
-            size: None,
-        };
-        let (placed, _) = oak_cameras(&self.twin, &RigidTransform::IDENTITY, &options).map_err(error)?;
-        let first = placed
-            .first()
-            .ok_or_else(|| wrong(name, "unknown camera", "see cameras"))?;
-        Ok(Camera::placed(name, first))
-    }
-
-    fn body_from(&self, name: &str) -> PyResult<RigidTransform> {
-        let twin = &self.twin;
-        let mut all = vec![("body", RigidTransform::IDENTITY)];
-        all.extend(twin.body_from_imu.map(|pose| ("imu", pose)));
-        for camera in &twin.cameras {
-            all.push((camera.spec.role.as_str(), camera.body_from_camera));
-        }
-        let found = all.iter().find(|(known, _)| known.eq_ignore_ascii_case(name));
-        found.map(|(_, pose)| *pose).ok_or_else(|| {
-            let remedy = suggest(name, all.iter().map(|(name, _)| *name));
-            wrong(
-                &twin.device.name,
-                format_args!("unknown camera or part '{name}'"),
-                remedy,
-            )
-        })
-    }
-
-    fn exported<'py>(
-        &self,
-        py: Python<'py>,
-        format: oaktwin::calibration::export::Format,
-    ) -> PyResult<Bound<'py, PyDict>> {
-        let part = self.models.get().inertial_part_of(&self.twin.device);
-        if let Some(own) = &self.calibration {
-            return export(py, &own.raw, &own.calibration, format, part);
-        }
-        let raw = nominal_calibration(&self.twin);
-        let (calibration, _) = Calibration::from_raw(&raw).map_err(error)?;
-        export(py, &raw, &calibration, format, part)
-    }
 }
 
 #[pymethods]
@@ -209,6 +162,19 @@ impl Device {
         let failed = |error: unit::UnitError| reading(&path, &error);
         let (raw, _, _) = unit::read_calibration(&path).map_err(failed)?;
         Self::unit(Models::open(catalog)?, raw, model, &path, force, lens)
+    }
+
+    /// Returns units of the model that differ as real ones do: their cameras are drawn around the nominal values with the spread of
+    /// factory calibrations.
+    ///
+    /// count: the number of units, 1 to 10000.
+    /// seed: the seed of the population; a unit depends on the model, the seed and its number.
+    ///
+    /// A unit has a calibration, which `oaktwin population` also writes. Its findings tell where the spread comes from. Raises
+    /// oaktwin.Error for the device of a calibration.
+    #[pyo3(signature = (count, *, seed = 0))]
+    fn population(&self, count: u64, seed: u64) -> PyResult<Vec<Self>> {
+        self.units(count, seed)
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {

@@ -17,7 +17,7 @@ use crate::threads;
 
 /// Filters and noise are not fitted.
 fn is_offered(option: &SensorOption) -> bool {
-    !["filters", "isaac", "seed", "device_seed"].contains(&option.name)
+    !["filters", "isaac", "seed", "device_seed", "drift"].contains(&option.name)
 }
 
 /// Wraps the report of `oaktwin fit --json` and its parameter file, for `oaktwin.fit`.

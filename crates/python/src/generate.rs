@@ -1,79 +1,212 @@
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf, absolute};
 use std::sync::atomic::Ordering;
 
-use oaktwin::catalog::Catalog;
+use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use oaktwin::generate::recipe::{RecipeFile, Texts};
-use oaktwin::generate::{GenerateError, GenerateOptions, Generator};
+use oaktwin::generate::{GenerateError, GenerateOptions, Generated, Generator};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::error;
-use crate::finding;
-use crate::threads;
+use crate::error::{error, wrong};
+use crate::models::Models;
+use crate::{finding, json, threads};
 
-/// Generates a data set of random scenes from a recipe, as `oaktwin generate` does.
+/// A recipe of a data set of random scenes, with its scenes and the list of its objects.
 ///
-/// recipe: the TOML file.
-/// output: the folder of the data set.
-/// frames: the first frame and the frame after the last one, such as (0, 100); by default all frames of the recipe.
-/// resume: whether an existing data set is completed or extended.
+/// path: the TOML file.
 /// formats: the names of formats instead of the recipe's, such as ["bop", "coco"].
 /// seed: the seed instead of the recipe's.
-/// workers: the number of frames that are made at the same time; by default that of the processors, if there is enough memory.
-/// only_frames: whether files that span frames are left to another call with resume=True. Several processes, also on several
-///     machines with a common folder, can make different frames of one data set in this way.
+/// catalog: a folder of TOML files with additional devices and sensors.
 ///
-/// Returns a mapping: "frames", the number of frames that were made, "skipped", those that were complete already, "missing", those of
-/// the recipe that are not there, "files" and "bytes".
+/// A frame depends on the recipe, the seed and its number only: it has the same bytes on every machine, whichever frames are made
+/// before it. Unpickling reads the files again.
 ///
-/// Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an invalid recipe or an impossible placement; what is complete
-/// remains and can be resumed, also after Ctrl-C.
-#[pyfunction]
-#[pyo3(signature = (recipe, output, *, frames = None, resume = false, formats = None, seed = None, workers = None, only_frames = false))]
-#[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
-#[expect(clippy::too_many_arguments, reason = "options of Python")]
-pub(crate) fn generate(
-    py: Python<'_>,
-    recipe: PathBuf,
-    output: PathBuf,
-    frames: Option<(u64, u64)>,
-    resume: bool,
+/// Raises oaktwin.Error for an invalid recipe, with the line and the nearest name.
+#[pyclass(frozen, module = "oaktwin")]
+#[derive(Debug)]
+pub(crate) struct Recipe {
+    path: PathBuf,
     formats: Option<Vec<String>>,
     seed: Option<u64>,
-    workers: Option<usize>,
-    only_frames: bool,
-) -> PyResult<Py<PyDict>> {
-    let options = GenerateOptions {
-        frames: frames.map(|(first, end)| first..end),
-        resume,
-        workers,
-        only_frames,
-    };
-    let made = threads::interruptible(py, |stop| {
-        let mut file = RecipeFile::read(&recipe)?;
-        if let Some(formats) = formats {
-            file.recipe.output.formats = Texts(formats);
-        }
-        file.recipe.seed = seed.unwrap_or(file.recipe.seed);
-        let generator = Generator::open(file, Catalog::builtin())?;
-        let watch = |_| match stop.load(Ordering::Relaxed) {
-            true => ControlFlow::Break(()),
-            false => ControlFlow::Continue(()),
-        };
-        generator.generate(&output, &options, &watch)
-    })?;
-    let made = made.map_err(|cause: GenerateError| error(cause))?;
-    finding::warn(py, &made.findings)?;
-    let result = PyDict::new(py);
-    for (name, value) in [
-        ("frames", made.made),
-        ("skipped", made.skipped),
-        ("missing", made.missing),
-        ("files", made.files),
-        ("bytes", made.bytes),
-    ] {
-        result.set_item(name, value)?;
+    models: Models,
+    generator: Generator,
+}
+
+/// Whether Ray makes the frames, and where.
+#[derive(FromPyObject)]
+pub(crate) enum Ray {
+    Switch(bool),
+    Address(String),
+}
+
+#[pymethods]
+impl Recipe {
+    #[new]
+    #[pyo3(signature = (path, *, formats = None, seed = None, catalog = None))]
+    fn new(
+        py: Python<'_>,
+        path: PathBuf,
+        formats: Option<Vec<String>>,
+        seed: Option<u64>,
+        catalog: Option<PathBuf>,
+    ) -> PyResult<Self> {
+        let models = Models::open(catalog)?;
+        let generator = threads::run(py, || {
+            let mut file = RecipeFile::read(&path)?;
+            if let Some(formats) = &formats {
+                file.recipe.output.formats = Texts(formats.clone());
+            }
+            file.recipe.seed = seed.unwrap_or(file.recipe.seed);
+            Generator::open(file, models.get())
+        })?;
+        let generator = generator.map_err(|cause: GenerateError| error(cause))?;
+        Ok(Self {
+            path,
+            formats,
+            seed,
+            models,
+            generator,
+        })
     }
-    Ok(result.unbind())
+
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<((&Path,), Bound<'py, PyDict>)> {
+        let options = PyDict::new(py);
+        options.set_item("formats", &self.formats)?;
+        options.set_item("seed", self.seed)?;
+        options.set_item("catalog", self.models.folder())?;
+        Ok(((&self.path,), options))
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "<oaktwin.Recipe {} ({} frames)>",
+            self.path.display(),
+            self.frames()
+        )
+    }
+
+    /// The number of frames.
+    #[getter]
+    fn frames(&self) -> u64 {
+        self.generator.frames()
+    }
+
+    /// Returns everything that is drawn at random for a frame: the scene, the objects with their poses, the lights, the camera.
+    ///
+    /// Raises oaktwin.Error if an object or the camera has no place.
+    fn explain<'py>(&self, py: Python<'py>, frame: u64) -> PyResult<Bound<'py, PyAny>> {
+        let explained = threads::run(py, || self.generator.explain(frame))?;
+        json::to_python(py, &explained.map_err(error)?)
+    }
+
+    /// Returns a contact sheet of the first frames as an sRGB image (H, W, 3) of uint8: colour, exact depth and measured depth.
+    #[pyo3(signature = (frames = 16))]
+    fn preview<'py>(&self, py: Python<'py>, frames: u64) -> PyResult<Bound<'py, PyArray3<u8>>> {
+        let sheet = threads::run(py, || self.generator.preview(frames))?;
+        let sheet = sheet.map_err(error)?;
+        let shape = [sheet.height() as usize, sheet.width() as usize, 3];
+        PyArray1::from_slice(py, sheet.pixels().as_flattened()).reshape(shape)
+    }
+
+    /// Generates the data set, or a part of it, in a folder, as oaktwin.generate does.
+    ///
+    /// output: the folder of the data set.
+    /// frames: the first frame and the frame after the last one, such as (0, 100); by default all frames of the recipe.
+    /// resume: whether an existing data set is completed or extended.
+    /// workers: the number of frames that are made at the same time; by default that of the processors, if there is enough memory.
+    /// only_frames: whether files that span frames are left to another call with resume=True. Several processes, also on several
+    ///     machines with a common folder, can make different frames of one data set in this way.
+    /// ray: whether Ray distributes the frames: True, or the address of a cluster, such as "auto", "host:6379" or
+    ///     "ray://host:10001".
+    #[pyo3(
+        signature = (output, *, frames = None, resume = false, workers = None, only_frames = false, ray = Ray::Switch(false)),
+        text_signature = "($self, output, *, frames=None, resume=False, workers=None, only_frames=False, ray=False)"
+    )]
+    #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
+    #[expect(clippy::too_many_arguments, reason = "options of Python")]
+    fn generate(
+        &self,
+        py: Python<'_>,
+        output: PathBuf,
+        frames: Option<(u64, u64)>,
+        resume: bool,
+        workers: Option<usize>,
+        only_frames: bool,
+        ray: Ray,
+    ) -> PyResult<Py<PyDict>> {
+        let options = GenerateOptions {
+            frames: frames.map(|(first, end)| first..end),
+            resume,
+            workers,
+            only_frames,
+        };
+        let made = match ray {
+            Ray::Switch(false) => self.generate_here(py, &output, &options),
+            Ray::Switch(true) => self.generate_with_ray(py, &output, &options, None),
+            Ray::Address(address) => self.generate_with_ray(py, &output, &options, Some(address)),
+        }?;
+        finding::warn(py, &made.findings)?;
+        let result = PyDict::new(py);
+        for (name, value) in [
+            ("frames", made.made),
+            ("skipped", made.skipped),
+            ("missing", made.missing),
+            ("files", made.files),
+            ("bytes", made.bytes),
+        ] {
+            result.set_item(name, value)?;
+        }
+        Ok(result.unbind())
+    }
+}
+
+impl Recipe {
+    fn generate_here(&self, py: Python<'_>, output: &Path, options: &GenerateOptions) -> PyResult<Generated> {
+        let made = threads::interruptible(py, |stop| {
+            let watch = |_| match stop.load(Ordering::Relaxed) {
+                true => ControlFlow::Break(()),
+                false => ControlFlow::Continue(()),
+            };
+            self.generator.generate(output, options, &watch)
+        })?;
+        made.map_err(error)
+    }
+
+    fn generate_with_ray(
+        &self,
+        py: Python<'_>,
+        output: &Path,
+        options: &GenerateOptions,
+        address: Option<String>,
+    ) -> PyResult<Generated> {
+        if options.only_frames {
+            return Err(wrong(
+                "only_frames",
+                "has no effect with Ray, whose workers make only frames",
+                "remove it",
+            ));
+        }
+        let generation = threads::run(py, || self.generator.start(output, options))?;
+        let mut generation = generation.map_err(error)?;
+        if generation.total() > 0 {
+            let job = PyDict::new(py);
+            job.set_item("recipe", absolute(&self.path)?)?;
+            job.set_item("output", absolute(output)?)?;
+            job.set_item("formats", &self.formats)?;
+            job.set_item("seed", self.seed)?;
+            job.set_item("catalog", self.models.folder())?;
+            let batches = generation.batches().iter();
+            let batches: Vec<_> = batches.map(|batch| (batch.start, batch.end)).collect();
+            let settings = PyDict::new(py);
+            settings.set_item("address", address)?;
+            settings.set_item("workers", options.workers)?;
+            let frames = py.import("oaktwin._ray")?.getattr("frames")?;
+            for batch in frames.call((batches, job), Some(&settings))?.try_iter()? {
+                let (start, end) = batch?.extract()?;
+                py.detach(|| generation.add(&(start..end))).map_err(error)?;
+            }
+        }
+        threads::run(py, || generation.finish())?.map_err(error)
+    }
 }

@@ -65,7 +65,7 @@ mod _oaktwin {
     #[pymodule_export]
     use super::finding::{_finding, Finding};
     #[pymodule_export]
-    use super::generate::generate;
+    use super::generate::Recipe;
     #[pymodule_export]
     use super::images::_read_from;
     #[pymodule_export]

@@ -1,6 +1,6 @@
 //! Rendered stereo pairs as NumPy arrays.
 
-use oaktwin::camera::ImageSize;
+use oaktwin::camera::{ImageSize, StereoDrift};
 use oaktwin::catalog::Role;
 use oaktwin::depth::imager;
 use oaktwin::pair::{Pair, PairOptions};
@@ -28,6 +28,7 @@ pub(crate) struct PairSettings<'a, 'py> {
     pub(crate) imager: Option<&'a Bound<'py, PyAny>>,
     pub(crate) seed: u64,
     pub(crate) device_seed: Option<u64>,
+    pub(crate) drift: Option<&'a str>,
 }
 
 impl PairSettings<'_, '_> {
@@ -45,20 +46,22 @@ impl PairSettings<'_, '_> {
         if let Some(size) = size.or(own) {
             check_memory(device, size)?;
         }
-        let of_device = SensorOptions {
+        let drift = self.drift.map(StereoDrift::parse).transpose();
+        let sensor = SensorOptions {
+            seed: self.seed,
             device_seed: self.device_seed,
+            drift: drift.map_err(error)?,
             ..SensorOptions::default()
         };
-        Ok(PairOptions {
+        let options = PairOptions {
             imager: sensors,
             projector: self.projector,
             ambient: self.ambient,
             lens: device.lens,
             size,
-            bias_px: of_device.calibration_error_px().map_err(error)?,
-            seed: self.seed,
             ..PairOptions::default()
-        })
+        };
+        options.of_sensor(&sensor).map_err(error)
     }
 }
 

@@ -15,6 +15,8 @@ import oaktwin
 ROOT = Path(__file__).resolve().parents[3]
 # The NumPy models of the sensors.
 sys.path.append(str(ROOT / "tests/oracles"))
+# Without this, Ray keeps a token in the home folder.
+os.environ["RAY_AUTH_MODE"] = "disabled"
 # The focal length in px and the baseline in metres of `matcher`.
 FX, BASELINE = 300.0, 0.075
 
@@ -32,6 +34,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         for item in items:
             if item.get_closest_marker("slow"):
                 item.add_marker(pytest.mark.skip(reason="slow: run with --slow"))
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    """The bytes of all files below a folder, by their paths in it."""
+    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
 def run_and_interrupt(text):

@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-import os
 import subprocess
 import sys
 
@@ -19,10 +18,8 @@ SIZE = (160, 100)
 
 def run(folder, *arguments):
     options = ["-o", folder, "--frames", FRAMES, "--size", *SIZE, *arguments]
-    # Ray stores a token in the home folder.
-    environment = {**os.environ, "HOME": str(folder.parent)}
     command = [sys.executable, EXAMPLE, *map(str, options)]
-    return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", env=environment, timeout=300)
+    return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", timeout=300)
 
 
 def hashes(folder):

@@ -1,13 +1,16 @@
 """Data sets from recipes."""
 
+import copy
 import json
 import multiprocessing
+import pickle
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import oaktwin
+from conftest import files
 
 RECIPES = Path(__file__).resolve().parents[3] / "examples/recipes"
 RECIPE = f"""
@@ -28,10 +31,6 @@ def recipe(tmp_path: Path) -> Path:
     path = tmp_path / "recipe.toml"
     path.write_text(RECIPE)
     return path
-
-
-def files(folder: Path) -> dict[str, bytes]:
-    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
 def make(recipe: Path, output: Path, frames: tuple[int, int]) -> None:
@@ -80,3 +79,19 @@ def test_errors(recipe: Path, tmp_path: Path) -> None:
         oaktwin.generate(recipe, tmp_path / "set")
     with pytest.raises(oaktwin.Error, match="there is no such file"):
         oaktwin.generate(tmp_path / "none.toml", tmp_path / "other")
+
+
+def test_a_recipe_explains_and_previews(recipe: Path, tmp_path: Path) -> None:
+    own = oaktwin.Recipe(recipe, seed=4, formats=["tum"])
+    assert own.frames == 6 and repr(own).endswith("recipe.toml (6 frames)>")
+    drawn = own.explain(5)
+    assert drawn["frame"] == 5 and len(drawn["arrangement"]["objects"]) == 3
+    for other in [pickle.loads(pickle.dumps(own)), copy.deepcopy(own)]:
+        assert other.explain(5) == drawn
+        other.generate(tmp_path / str(id(other)), frames=(5, 6))
+        assert len(list((tmp_path / str(id(other))).rglob("groundtruth.txt"))) == 1
+    assert oaktwin.Recipe(recipe).explain(5) != drawn
+    sheet = own.preview(4)
+    assert sheet.dtype == np.uint8 and sheet.ndim == 3 and sheet.shape[2] == 3 and sheet.std() > 10
+    with pytest.raises(oaktwin.Error, match="cannot list the folder"):
+        oaktwin.Recipe(recipe, catalog=tmp_path / "nothing")

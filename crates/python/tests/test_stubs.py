@@ -22,7 +22,8 @@ def documented(body: list[ast.stmt], owner: object) -> list[tuple[ast.ClassDef |
         names.add(node.name)
         item = inspect.getattr_static(owner, node.name)
         has_own = not node.name.startswith("_") or node.name == "__call__"
-        text = inspect.getdoc(item)
+        # A static method has the documentation of its type.
+        text = inspect.getdoc(getattr(item, "__func__", item))
         if text and has_own:
             found.append((node, text))
         if isinstance(node, ast.ClassDef):

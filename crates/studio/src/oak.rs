@@ -88,16 +88,15 @@ impl OakState {
 
     /// Returns the options of the stereo pair.
     pub(crate) fn pair_options(&self, size: Option<ImageSize>) -> Result<PairOptions, Failure> {
-        let bias_px = self.options()?.calibration_error_px();
-        Ok(PairOptions {
+        let options = PairOptions {
             projector: self.projector,
             ambient: self.ambient,
             lens: self.lens()?,
             size,
-            bias_px: bias_px.map_err(|error| Failure::of(&error.name, &error))?,
-            seed: self.seed,
             ..PairOptions::default()
-        })
+        };
+        let options = options.of_sensor(&self.options()?);
+        options.map_err(|error| Failure::of(&error.name, &error))
     }
 }
 

@@ -20,6 +20,7 @@ OPTIONS: dict[str, Any] = {
     "isaac": "",
     "seed": 0,
     "device_seed": -1,
+    "drift": "",
 }
 
 

@@ -33,6 +33,11 @@ pub(crate) struct AccuracyArgs {
     #[arg(long, value_name = "N", conflicts_with = "device_seed")]
     pub(crate) devices: Option<u32>,
 
+    /// Measure units of the factory population, which also differ in their cameras, and print the range of 5 to 95 % of
+    /// them; --drift then gives the standard deviations of their drifts
+    #[arg(long)]
+    pub(crate) population: bool,
+
     /// The number of captures at each distance
     #[arg(long, value_name = "N", default_value_t = oaktwin::accuracy::CAPTURES)]
     pub(crate) captures: u32,

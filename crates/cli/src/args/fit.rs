@@ -11,6 +11,7 @@ use super::{MeasuredUnitArgs, SensorArgs, ThreadArgs};
     next_line_help = true,
     mut_arg("seed", |arg| arg.hide(true)),
     mut_arg("device_seed", |arg| arg.hide(true)),
+    mut_arg("drift", |arg| arg.hide(true)),
     mut_arg("filters", |arg| arg.hide(true)),
     mut_arg("isaac", |arg| arg.hide(true)),
     mut_arg("stereo_width", |arg| arg.help(

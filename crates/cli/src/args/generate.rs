@@ -61,6 +61,12 @@ pub(crate) struct GenerateArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(crate) workers: Option<u16>,
 
+    /// Distribute the frames with Ray: local, or the address of a cluster (auto, HOST:PORT, ray://HOST:PORT), whose machines have
+    /// the recipe, its files and the folder under the same paths. Requires `pip install oaktwin[ray]` in the Python that is found as
+    /// python3, or named by `OAKTWIN_PYTHON`
+    #[arg(long, value_name = "ADDRESS", conflicts_with_all = ["explain", "preview", "only_frames"])]
+    pub(crate) ray: Option<String>,
+
     #[command(flatten)]
     pub(crate) threads: ThreadArgs,
 

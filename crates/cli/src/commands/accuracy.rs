@@ -69,6 +69,7 @@ fn options(args: &AccuracyArgs) -> Result<Options> {
             .map(accuracy::parse_distances)
             .transpose()?,
         devices: args.devices,
+        population: args.population,
         captures: args.captures,
         region: args.region / 100.0,
         optics: args.unit.optics(),

@@ -1,3 +1,5 @@
+mod ray;
+
 use std::path::Path;
 use std::time::Instant;
 
@@ -62,7 +64,14 @@ pub(crate) fn run(context: &Context, args: &GenerateArgs) -> Result<Exit> {
         only_frames: args.only_frames,
     };
     let start = Instant::now();
-    let generated = progress::watched(|watch| generator.generate(folder, &options, watch))?;
+    let generated = progress::watched(|watch| {
+        let mut generation = generator.start(folder, &options)?;
+        match &args.ray {
+            Some(address) => ray::make(context, args, address, &mut generation, watch)?,
+            None => generation.make(options.workers, watch)?,
+        }
+        Result::Ok(generation.finish()?)
+    })?;
     report(args, folder, &generated, start.elapsed().as_secs_f64())
 }
 

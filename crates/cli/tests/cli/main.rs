@@ -17,6 +17,7 @@ mod named_files;
 mod optics;
 mod output;
 mod params;
+mod population;
 mod program;
 mod render;
 mod render_bad_input;

@@ -67,6 +67,32 @@ fn samples_are_those_of_the_motion() {
 }
 
 #[test]
+fn a_euroc_sequence_has_cameras_poses_and_samples() {
+    let program = program();
+    let imu = "seq/000000/mav0/imu0/data.csv";
+    run(&program, &[imu, "--writer", "euroc", "-o", "seq"]);
+    let rows = |name: &str| csv(&program, name).lines().count() - 1;
+    assert_eq!(rows(imu), 101);
+    for name in ["cam0/data.csv", "state_groundtruth_estimate0/data.csv"] {
+        let name = format!("seq/000000/mav0/{name}");
+        assert_eq!(rows(&name), 2);
+        let times: Vec<String> = csv(&program, &name)
+            .lines()
+            .skip(1)
+            .map(|line| line.split(',').next().unwrap().to_owned())
+            .collect();
+        assert_eq!(times, ["10500000000", "10750000000"], "{name}");
+    }
+    assert!(program.path("seq/000000/mav0/cam0/data/10750000000.png").exists());
+    assert!(
+        program
+            .path("seq/000000/mav0/depth0/data/10750000000.png")
+            .exists()
+    );
+    assert!(csv(&program, "seq/000000/mav0/cam0/sensor.yaml").ends_with("rate_hz: 4.000000\n"));
+}
+
+#[test]
 fn samples_depend_on_seed_rate_and_part_only() {
     let program = program();
     let depth = ["--annotators", "distance_to_image_plane"];

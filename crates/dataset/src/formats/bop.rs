@@ -8,7 +8,7 @@ use oaktwin_files::OutputFiles;
 use oaktwin_image::{Image, png};
 use serde_json::{Map, Value, json};
 
-use super::common::{Depths, FrameFiles, Losses, camera_matrix, missing, number, pinhole, rows, text};
+use super::common::{DepthSummary, Depths, FrameFiles, camera_matrix, missing, number, pinhole, rows, text};
 use super::rle;
 use crate::{Format, Model, Object, Records, Shot, WriteError, json as files};
 
@@ -70,10 +70,9 @@ impl Format for Bop {
         if let Some(rgb) = &shot.frame.rgb {
             frame.add_rgb(format!("{scene}/rgb/{image:06}.png"), rgb);
         }
-        frame.add_depth(format!("{scene}/depth/{image:06}.png"), main, PER_METRE);
-        if let Some(exact) = depths.exact {
-            frame.add_depth(format!("{scene}/depth_exact/{image:06}.png"), exact, PER_METRE);
-        }
+        frame.add_depths(&depths, PER_METRE, |folder| {
+            format!("{scene}/{folder}/{image:06}.png").into()
+        });
         let (mut poses, mut infos, mut masks) = (Vec::new(), Vec::new(), Vec::new());
         let camera_from_world = view.world_from_camera.inverse();
         let mut models = Map::new();
@@ -123,7 +122,7 @@ impl Format for Bop {
     ) -> Result<Vec<Finding>, WriteError> {
         let mut scenes: BTreeMap<String, Scene> = BTreeMap::new();
         let mut models: BTreeMap<u64, Value> = BTreeMap::new();
-        let (mut camera, mut losses) = (None, Losses::default());
+        let (mut camera, mut summary) = (None, DepthSummary::default());
         for record in records {
             let record = record?;
             let folder = format!("{}/{:06}", text(&record, "split"), number(&record, "scene"));
@@ -147,7 +146,7 @@ impl Format for Bop {
                     .or_insert_with(|| model.clone());
             }
             camera.get_or_insert_with(|| camera_file(&record));
-            losses.add(&record);
+            summary.add(&record);
             scenes.entry(folder).or_default().add(&record);
         }
         for (folder, scene) in scenes {
@@ -172,7 +171,7 @@ impl Format for Bop {
         if let Some(camera) = camera {
             output.write("camera.json".as_ref(), &files::encode(&camera))?;
         }
-        Ok(losses.findings(NAME, 65.535))
+        summary.finish(NAME, 65.535, output)
     }
 }
 

@@ -5,7 +5,7 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_files::OutputFiles;
 use serde_json::{Value, json};
 
-use super::common::{FrameFiles, Pieces, missing, number, text};
+use super::common::{FrameFiles, Pieces, number, rgb, text};
 use super::rle;
 use crate::{Format, Records, Shot, WriteError};
 
@@ -17,11 +17,7 @@ pub(super) struct Coco;
 
 impl Format for Coco {
     fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
-        let rgb = shot
-            .frame
-            .rgb
-            .as_ref()
-            .ok_or_else(|| missing(NAME, "the annotator rgb"))?;
+        let rgb = rgb(NAME, shot)?;
         let (width, height) = (rgb.width(), rgb.height());
         let file = match &shot.render_product {
             Some(product) => format!("{product}/{:08}.png", shot.number),

@@ -6,7 +6,7 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_files::OutputFiles;
 use serde_json::{Value, json};
 
-use super::common::{FrameFiles, by_folder, missing, pinhole, quaternion, text};
+use super::common::{FrameFiles, by_folder, pinhole, quaternion, rgb, text};
 use crate::{Format, Records, Shot, WriteError};
 
 const NAME: &str = "colmap";
@@ -19,11 +19,7 @@ pub(super) struct Colmap;
 impl Format for Colmap {
     fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
         let view = pinhole(NAME, shot)?;
-        let rgb = shot
-            .frame
-            .rgb
-            .as_ref()
-            .ok_or_else(|| missing(NAME, "the annotator rgb"))?;
+        let rgb = rgb(NAME, shot)?;
         let folder = PathBuf::from(format!("{:06}", shot.sequence));
         let name = match &shot.render_product {
             Some(product) => format!("{product}/{:06}.png", shot.number),

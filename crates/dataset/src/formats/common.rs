@@ -7,11 +7,13 @@ use oaktwin_camera::math::{DMat3, DQuat};
 use oaktwin_camera::{Intrinsics, LensModel, OpenCv, RigidTransform};
 use oaktwin_diagnostic::{Finding, Level, message, opt};
 use oaktwin_files::{AtomicFile, OutputFiles};
+use oaktwin_image::annotation::Reasons;
 use oaktwin_image::{Image, png};
 use serde_json::Value;
 
 use crate::file::{Content, DatasetFile, Fault, write_all};
-use crate::{DatasetError, Records, Shot, View, WriteError};
+use crate::listing::reason_legend;
+use crate::{DatasetError, Records, Shot, View, WriteError, json as files};
 
 /// The files of a frame, which are encoded in parallel.
 #[derive(Default)]
@@ -46,6 +48,24 @@ impl<'a> FrameFiles<'a> {
         self.add(path, move || Ok(png::encode(&fixed(metres, per_metre))?));
     }
 
+    /// Adds the depth of a frame in the folder `depth`, `depth_exact` if that is measured, and `depth_reason` if the reasons for missing
+    /// values are known.
+    pub(super) fn add_depths(&mut self, depths: &Depths<'a>, per_metre: f32, path: impl Fn(&str) -> PathBuf) {
+        for (folder, depth) in [("depth", depths.main), ("depth_exact", depths.exact)] {
+            if let Some(depth) = depth {
+                self.add_depth(path(folder), depth, per_metre);
+            }
+        }
+        self.add_reasons(depths, path("depth_reason"));
+    }
+
+    /// Adds the reasons for missing values, if they are known.
+    pub(super) fn add_reasons(&mut self, depths: &Depths<'a>, path: impl Into<PathBuf>) {
+        if let Some(reasons) = depths.reasons {
+            self.add(path, || Ok(png::encode(&reasons.codes)?));
+        }
+    }
+
     pub(super) fn write(self, output: &mut OutputFiles) -> Result<(), WriteError> {
         write_all(&self.files, output)
     }
@@ -74,34 +94,51 @@ pub(super) fn count_lost(values: &Image<f32>, per_unit: f32) -> usize {
     values.pixels().iter().filter(is_lost).count()
 }
 
-/// The data of frames that a format cannot hold.
+/// What all frames have in common: the data that a format cannot hold, and the meanings of the codes of missing values.
 #[derive(Default)]
-pub(super) struct Losses {
-    depth: u64,
-    disparity: u64,
+pub(super) struct DepthSummary {
+    lost_depth: u64,
+    lost_disparity: u64,
     /// The number of frames whose sensor has another camera than the colour image.
     foreign: u64,
+    legend: Value,
 }
 
-impl Losses {
-    /// Adds the losses of a frame, from its record.
+impl DepthSummary {
+    /// Adds a frame, from its record.
     pub(super) fn add(&mut self, record: &Value) {
-        self.depth += number(record, "lost_depth");
-        self.disparity += number(record, "lost_disparity");
+        self.lost_depth += number(record, "lost_depth");
+        self.lost_disparity += number(record, "lost_disparity");
         self.foreign += number(record, "foreign_sensor");
-    }
-
-    /// Adds up the losses of all frames.
-    pub(super) fn of(records: &mut Records<'_>) -> Result<Self, WriteError> {
-        let mut losses = Self::default();
-        for record in records {
-            losses.add(&record?);
+        if let Some(legend) = record.get("reasons") {
+            legend.clone_into(&mut self.legend);
         }
-        Ok(losses)
     }
 
-    /// Returns the findings; `limit_m` is the largest depth of the format.
-    pub(super) fn findings(&self, format: &str, limit_m: f64) -> Vec<Finding> {
+    /// Adds up all frames.
+    pub(super) fn of(records: &mut Records<'_>) -> Result<Self, WriteError> {
+        let mut summary = Self::default();
+        for record in records {
+            summary.add(&record?);
+        }
+        Ok(summary)
+    }
+
+    /// Writes the meanings of the codes of missing values, if there are any, and returns the findings; `limit_m` is the largest depth of
+    /// the format.
+    pub(super) fn finish(
+        &self,
+        format: &str,
+        limit_m: f64,
+        output: &mut OutputFiles,
+    ) -> Result<Vec<Finding>, WriteError> {
+        if !self.legend.is_null() {
+            output.write("depth_reasons.json".as_ref(), &files::encode(&self.legend))?;
+        }
+        Ok(self.findings(format, limit_m))
+    }
+
+    fn findings(&self, format: &str, limit_m: f64) -> Vec<Finding> {
         let warning = |count: u64, code: &'static str, text: &str, remedy: &'static str| {
             (count > 0).then(|| Finding::new(code, Level::Warning, format, format!("{count} {text}"), remedy))
         };
@@ -110,13 +147,13 @@ impl Losses {
         );
         let findings = [
             warning(
-                self.depth,
+                self.lost_depth,
                 "depth-out-of-range",
                 &far,
                 "use a format with floating-point depth, such as basic, or nearer scenes",
             ),
             warning(
-                self.disparity,
+                self.lost_disparity,
                 "disparity-out-of-range",
                 "disparities are 256 px or more, or rounded to 0, which the format cannot hold; they have no value",
                 "use a format with floating-point disparity, such as middlebury, or scenes further away",
@@ -139,6 +176,8 @@ pub(super) struct Depths<'a> {
     pub(super) main: Option<&'a Image<f32>>,
     /// Exact depth, if `main` is measured.
     pub(super) exact: Option<&'a Image<f32>>,
+    /// The reasons for missing values of measured depth.
+    pub(super) reasons: Option<&'a Reasons>,
     /// Whether there is measured depth, but of another camera.
     is_foreign: bool,
 }
@@ -157,11 +196,13 @@ impl<'a> Depths<'a> {
             Some(measured) => Self {
                 main: Some(measured),
                 exact,
+                reasons: shot.frame.depth_sensor_reason.as_ref(),
                 is_foreign: false,
             },
             None => Self {
                 main: exact,
                 exact: None,
+                reasons: None,
                 is_foreign: measured.is_some(),
             },
         }
@@ -169,35 +210,38 @@ impl<'a> Depths<'a> {
 }
 
 impl Depths<'_> {
-    /// Adds what a format with this many steps per metre loses to a frame's record.
+    /// Adds what a format with this many steps per metre loses to a frame's record, and the meanings of the codes.
     pub(super) fn add_losses(&self, per_metre: f32, record: &mut Value) {
         let depths = [self.main, self.exact].into_iter().flatten();
         let lost: usize = depths.map(|depth| count_lost(depth, per_metre)).sum();
         record["lost_depth"] = lost.into();
-        self.add_foreign(record);
+        self.add_common(record);
     }
 
-    /// Adds whether measured depth is left out to a frame's record.
-    pub(super) fn add_foreign(&self, record: &mut Value) {
+    /// Adds whether measured depth is left out to a frame's record, and the meanings of the codes.
+    pub(super) fn add_common(&self, record: &mut Value) {
         record["foreign_sensor"] = u64::from(self.is_foreign).into();
+        if let Some(reasons) = self.reasons {
+            record["reasons"] = reason_legend(&reasons.legend);
+        }
     }
 }
 
-/// Collects the records of each folder, and the losses of all frames.
+/// Collects the records of each folder, and what all frames have in common.
 pub(super) fn by_folder<T: Default>(
     records: &mut Records<'_>,
     add: impl Fn(&mut T, &Value),
-) -> Result<(BTreeMap<String, T>, Losses), WriteError> {
-    let (mut folders, mut losses) = (BTreeMap::new(), Losses::default());
+) -> Result<(BTreeMap<String, T>, DepthSummary), WriteError> {
+    let (mut folders, mut summary) = (BTreeMap::new(), DepthSummary::default());
     for record in records {
         let record = record?;
-        losses.add(&record);
+        summary.add(&record);
         add(
             folders.entry(text(&record, "folder").to_owned()).or_default(),
             &record,
         );
     }
-    Ok((folders, losses))
+    Ok((folders, summary))
 }
 
 /// Returns the view of a shot, which must be a pinhole.
@@ -215,6 +259,12 @@ pub(super) fn pinhole<'a>(format: &'static str, shot: &'a Shot) -> Result<&'a Vi
         .into());
     }
     Ok(view)
+}
+
+/// Returns the colour image of a shot, which must have one.
+pub(super) fn rgb<'a>(format: &'static str, shot: &'a Shot) -> Result<&'a Image<[u8; 4]>, WriteError> {
+    let rgb = shot.frame.rgb.as_ref();
+    rgb.ok_or_else(|| missing(format, "the annotator rgb"))
 }
 
 /// Creates the error of a frame without something that annotators or recipes provide.

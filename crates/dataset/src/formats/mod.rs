@@ -4,10 +4,12 @@ mod bop;
 mod coco;
 mod colmap;
 mod common;
+mod euroc;
 mod nerfstudio;
 mod rle;
 mod stereo;
 mod tum;
+mod webdataset;
 
 use oaktwin_diagnostic::suggest;
 
@@ -76,6 +78,12 @@ pub const FORMATS: &[FormatKind] = &[
         create: |_| Box::new(tum::Tum),
     },
     FormatKind {
+        name: "euroc",
+        help: "EuRoC's sequences",
+        needs: ANNOTATIONS,
+        create: |_| Box::new(euroc::Euroc),
+    },
+    FormatKind {
         name: "nerfstudio",
         help: "nerfstudio's transforms.json",
         needs: ANNOTATIONS,
@@ -88,6 +96,12 @@ pub const FORMATS: &[FormatKind] = &[
         create: |_| Box::new(colmap::Colmap),
     },
     FormatKind {
+        name: "webdataset",
+        help: "WebDataset's shards, with all files of BasicWriter in a sample",
+        needs: ANNOTATIONS,
+        create: |options| Box::new(webdataset::WebDataset(options)),
+    },
+    FormatKind {
         name: "middlebury",
         help: "Middlebury 2014 stereo pairs with disparity",
         needs: STEREO,
@@ -98,6 +112,12 @@ pub const FORMATS: &[FormatKind] = &[
         help: "KITTI 2015 stereo pairs with disparity and depth",
         needs: STEREO,
         create: |_| Box::new(stereo::Kitti),
+    },
+    FormatKind {
+        name: "sceneflow",
+        help: "Scene Flow's FlyingThings3D: stereo pairs with disparity and occlusion",
+        needs: STEREO,
+        create: |_| Box::new(stereo::SceneFlow),
     },
 ];
 

@@ -6,7 +6,7 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_files::OutputFiles;
 use serde_json::{Value, json};
 
-use super::common::{Depths, FrameFiles, by_folder, matrix, missing, pinhole, sequence_folder};
+use super::common::{Depths, FrameFiles, by_folder, matrix, pinhole, rgb, sequence_folder};
 use crate::{Format, Records, Shot, WriteError, json as files};
 
 const NAME: &str = "nerfstudio";
@@ -20,30 +20,17 @@ pub(super) struct Nerfstudio;
 impl Format for Nerfstudio {
     fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
         let view = pinhole(NAME, shot)?;
-        let rgb = shot
-            .frame
-            .rgb
-            .as_ref()
-            .ok_or_else(|| missing(NAME, "the annotator rgb"))?;
+        let rgb = rgb(NAME, shot)?;
         let depths = Depths::of(shot);
         let (folder, number) = (sequence_folder(shot), shot.number);
-        let (image, depth) = (
-            format!("images/{number:06}.png"),
-            format!("depth/{number:06}.png"),
-        );
+        let image = format!("images/{number:06}.png");
         let mut frame = FrameFiles::default();
         frame.add_rgb(folder.join(&image), rgb);
         let mut record = json!({"file_path": image});
-        if let Some(main) = depths.main {
-            frame.add_depth(folder.join(&depth), main, PER_METRE);
-            record["depth_file_path"] = depth.into();
-        }
-        if let Some(exact) = depths.exact {
-            frame.add_depth(
-                folder.join(format!("depth_exact/{number:06}.png")),
-                exact,
-                PER_METRE,
-            );
+        let file = format!("{number:06}.png");
+        frame.add_depths(&depths, PER_METRE, |kind| folder.join(kind).join(&file));
+        if depths.main.is_some() {
+            record["depth_file_path"] = format!("depth/{file}").into();
         }
         frame.write(output)?;
         // From OpenGL's axes to those of OpenCV.
@@ -72,7 +59,7 @@ impl Format for Nerfstudio {
         output: &mut OutputFiles,
     ) -> Result<Vec<Finding>, WriteError> {
         let add = |frames: &mut Vec<Value>, record: &Value| frames.push(record["frame"].clone());
-        let (sequences, losses) = by_folder(records, add)?;
+        let (sequences, summary) = by_folder(records, add)?;
         for (folder, frames) in sequences {
             let transforms = json!({
                 "camera_model": "OPENCV",
@@ -85,6 +72,6 @@ impl Format for Nerfstudio {
                 &files::encode(&transforms),
             )?;
         }
-        Ok(losses.findings(NAME, 65.535))
+        summary.finish(NAME, 65.535, output)
     }
 }

@@ -1,4 +1,4 @@
-//! Stereo pairs with exact disparity: Middlebury's layout, and KITTI's.
+//! Stereo pairs with exact disparity: Middlebury's layout, KITTI's, and that of Scene Flow.
 
 use oaktwin_camera::OpenCv;
 use oaktwin_diagnostic::Finding;
@@ -6,11 +6,11 @@ use oaktwin_files::OutputFiles;
 use oaktwin_image::{Image, pfm, png};
 use serde_json::{Value, json};
 
-use super::common::{Depths, FrameFiles, Losses, center, count_lost, fixed, missing};
+use super::common::{DepthSummary, Depths, FrameFiles, center, count_lost, fixed, missing};
 use crate::{Format, Records, Shot, StereoImages, WriteError};
 
-/// Middlebury 2014: a folder for each frame with `im0.png`, `im1.png`, `disp0.pfm`, `mask0nocc.png` (255 where the surface is visible in both
-/// images, 128 where it is not, 0 without a surface) and `calib.txt`; measured depth is in `depth_sensor.pfm`, metres.
+/// Middlebury 2014: a folder for each frame with `im0.png`, `disp0.pfm`, `mask0nocc.png` (255 where the surface is visible in both images, 128
+/// where it is not, 0 without a surface), the same of the right image as `im1.png` and so on, and `calib.txt`; measured depth is in `depth_sensor.pfm`, metres.
 #[derive(Debug, Default)]
 pub(super) struct Middlebury;
 
@@ -24,31 +24,30 @@ impl Format for Middlebury {
             None => format!("{:06}", shot.number),
         };
         let mut frame = FrameFiles::default();
-        frame.add(format!("{folder}/im0.png"), || Ok(png::encode(&stereo.left)?));
-        frame.add(format!("{folder}/im1.png"), || Ok(png::encode(&stereo.right)?));
-        frame.add(format!("{folder}/disp0.pfm"), || {
-            Ok(pfm::encode(&stereo.disparity))
-        });
-        frame.add(format!("{folder}/mask0nocc.png"), || {
-            Ok(png::encode(&visibility(stereo))?)
-        });
+        for side in 0..2 {
+            frame.add(format!("{folder}/im{side}.png"), move || {
+                Ok(png::encode(&stereo.images[side])?)
+            });
+            frame.add(format!("{folder}/disp{side}.pfm"), move || {
+                Ok(pfm::encode(&stereo.disparities[side]))
+            });
+            frame.add(format!("{folder}/mask{side}nocc.png"), move || {
+                Ok(png::encode(&visibility(stereo, side))?)
+            });
+        }
         frame.add(format!("{folder}/calib.txt"), || {
             Ok(calibration(stereo).into_bytes())
         });
-        let depths = Depths::of(shot);
-        if let (Some(measured), Some(_)) = (depths.main, depths.exact) {
-            frame.add(format!("{folder}/depth_sensor.pfm"), move || {
-                Ok(pfm::encode(measured))
-            });
-        }
-        frame.write(output)?;
-        let mut record = json!({});
-        depths.add_foreign(&mut record);
-        Ok(record)
+        let path = |kind: &str, extension: &str| format!("{folder}/{kind}.{extension}");
+        write_with_depth(frame, path, shot, output)
     }
 
-    fn finish(&self, records: &mut Records<'_>, _: &mut OutputFiles) -> Result<Vec<Finding>, WriteError> {
-        Ok(Losses::of(records)?.findings(MIDDLEBURY, f64::INFINITY))
+    fn finish(
+        &self,
+        records: &mut Records<'_>,
+        output: &mut OutputFiles,
+    ) -> Result<Vec<Finding>, WriteError> {
+        DepthSummary::of(records)?.finish(MIDDLEBURY, f64::INFINITY, output)
     }
 }
 
@@ -70,35 +69,101 @@ impl Format for Kitti {
         let name = format!("{:06}_10.png", shot.number);
         let mut frame = FrameFiles::default();
         frame.add(format!("{root}/image_2/{name}"), || {
-            Ok(png::encode(&grey(&stereo.left))?)
+            Ok(png::encode(&grey(&stereo.images[0]))?)
         });
         frame.add(format!("{root}/image_3/{name}"), || {
-            Ok(png::encode(&grey(&stereo.right))?)
+            Ok(png::encode(&grey(&stereo.images[1]))?)
         });
         frame.add(format!("{root}/disp_occ_0/{name}"), || {
-            Ok(png::encode(&fixed(&stereo.disparity, STEPS))?)
+            Ok(png::encode(&fixed(&stereo.disparities[0], STEPS))?)
         });
         frame.add(format!("{root}/disp_noc_0/{name}"), || {
             Ok(png::encode(&fixed(&matched(stereo), STEPS))?)
         });
         let depths = Depths::of(shot);
-        for (folder, depth) in [("depth", depths.main), ("depth_exact", depths.exact)] {
-            if let Some(depth) = depth {
-                frame.add_depth(format!("{root}/{folder}/{name}"), depth, STEPS);
-            }
-        }
+        frame.add_depths(&depths, STEPS, |folder| format!("{root}/{folder}/{name}").into());
         frame.add(format!("{root}/calib_cam_to_cam/{:06}.txt", shot.number), || {
             Ok(projections(stereo).into_bytes())
         });
         frame.write(output)?;
-        let mut record = json!({"lost_disparity": count_lost(&stereo.disparity, STEPS)});
+        let mut record = json!({"lost_disparity": count_lost(&stereo.disparities[0], STEPS)});
         depths.add_losses(STEPS, &mut record);
         Ok(record)
     }
 
-    fn finish(&self, records: &mut Records<'_>, _: &mut OutputFiles) -> Result<Vec<Finding>, WriteError> {
-        Ok(Losses::of(records)?.findings(KITTI, 256.0))
+    fn finish(
+        &self,
+        records: &mut Records<'_>,
+        output: &mut OutputFiles,
+    ) -> Result<Vec<Finding>, WriteError> {
+        DepthSummary::of(records)?.finish(KITTI, 256.0, output)
     }
+}
+
+/// The layout of Scene Flow: below `FlyingThings3D`, `frames_cleanpass/TRAIN/A/SEQUENCE/left/NUMBER.png` and `right`,
+/// `disparity/…/left/NUMBER.pfm` and `right` in px (the column in the left image minus that in the right; `+inf` without a surface), and
+/// `disparity_occlusions/…/left/NUMBER.png` and `right` (255 where the other image does not show the surface). Measured depth is in `depth_sensor/…/left/NUMBER.pfm`, metres.
+#[derive(Debug, Default)]
+pub(super) struct SceneFlow;
+
+const SCENEFLOW: &str = "sceneflow";
+
+impl Format for SceneFlow {
+    fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
+        let stereo = pair(SCENEFLOW, shot)?;
+        let root = match &shot.render_product {
+            Some(product) => format!("{product}/FlyingThings3D"),
+            None => "FlyingThings3D".to_owned(),
+        };
+        let path = |kind: &str, side: &str, extension: &str| {
+            let (sequence, number) = (shot.sequence, shot.number);
+            format!("{root}/{kind}/TRAIN/A/{sequence:04}/{side}/{number:04}.{extension}")
+        };
+        let mut frame = FrameFiles::default();
+        for (side, name) in ["left", "right"].into_iter().enumerate() {
+            frame.add(path("frames_cleanpass", name, "png"), move || {
+                Ok(png::encode(&grey(&stereo.images[side]))?)
+            });
+            frame.add(path("disparity", name, "pfm"), move || {
+                Ok(pfm::encode(&stereo.disparities[side]))
+            });
+            frame.add(path("disparity_occlusions", name, "png"), move || {
+                Ok(png::encode(&occlusion(stereo, side))?)
+            });
+        }
+        write_with_depth(
+            frame,
+            |kind, extension| path(kind, "left", extension),
+            shot,
+            output,
+        )
+    }
+
+    fn finish(
+        &self,
+        records: &mut Records<'_>,
+        output: &mut OutputFiles,
+    ) -> Result<Vec<Finding>, WriteError> {
+        DepthSummary::of(records)?.finish(SCENEFLOW, f64::INFINITY, output)
+    }
+}
+
+/// Writes the files of a frame, with the measured depth as PFM and the reasons for missing values if there are any, and returns the frame's record.
+fn write_with_depth<'a>(
+    mut frame: FrameFiles<'a>,
+    path: impl Fn(&str, &str) -> String,
+    shot: &'a Shot,
+    output: &mut OutputFiles,
+) -> Result<Value, WriteError> {
+    let depths = Depths::of(shot);
+    if let (Some(measured), Some(_)) = (depths.main, depths.exact) {
+        frame.add(path("depth_sensor", "pfm"), move || Ok(pfm::encode(measured)));
+    }
+    frame.add_reasons(&depths, path("depth_reason", "png"));
+    frame.write(output)?;
+    let mut record = json!({});
+    depths.add_common(&mut record);
+    Ok(record)
 }
 
 fn pair<'a>(format: &'static str, shot: &'a Shot) -> Result<&'a StereoImages, WriteError> {
@@ -107,10 +172,11 @@ fn pair<'a>(format: &'static str, shot: &'a Shot) -> Result<&'a StereoImages, Wr
         .ok_or_else(|| missing(format, "a stereo pair"))
 }
 
-fn visibility(stereo: &StereoImages) -> Image<u8> {
-    let mut mask = Image::filled(stereo.disparity.width(), stereo.disparity.height(), 0);
-    let pixels = mask.pixels_mut().iter_mut().zip(stereo.disparity.pixels());
-    for ((pixel, disparity), is_matched) in pixels.zip(stereo.is_matched.pixels()) {
+fn visibility(stereo: &StereoImages, side: usize) -> Image<u8> {
+    let disparity = &stereo.disparities[side];
+    let mut mask = Image::filled(disparity.width(), disparity.height(), 0);
+    let pixels = mask.pixels_mut().iter_mut().zip(disparity.pixels());
+    for ((pixel, disparity), is_matched) in pixels.zip(stereo.is_matched[side].pixels()) {
         *pixel = match (disparity.is_finite(), is_matched) {
             (true, true) => 255,
             (true, false) => 128,
@@ -120,10 +186,15 @@ fn visibility(stereo: &StereoImages) -> Image<u8> {
     mask
 }
 
+/// 255 where the other image does not show the surface.
+fn occlusion(stereo: &StereoImages, side: usize) -> Image<u8> {
+    visibility(stereo, side).map(|seen| if *seen == 128 { 255 } else { 0 })
+}
+
 /// The disparities of the surfaces that both images see; 0 elsewhere.
 fn matched(stereo: &StereoImages) -> Image<f32> {
-    let mut kept = stereo.disparity.clone();
-    for (disparity, is_matched) in kept.pixels_mut().iter_mut().zip(stereo.is_matched.pixels()) {
+    let [mut kept, _] = stereo.disparities.clone();
+    for (disparity, is_matched) in kept.pixels_mut().iter_mut().zip(stereo.is_matched[0].pixels()) {
         if !is_matched {
             *disparity = 0.0;
         }
@@ -142,8 +213,7 @@ fn calibration(stereo: &StereoImages) -> String {
         format!("[{:.6} 0 {cx:.6}; 0 {:.6} {cy:.6}; 0 0 1]", camera.fx, camera.fy)
     };
     let doffs = right.principal_point::<OpenCv>().x - left.principal_point::<OpenCv>().x;
-    let finite = stereo
-        .disparity
+    let finite = stereo.disparities[0]
         .pixels()
         .iter()
         .filter(|disparity| disparity.is_finite());

@@ -22,16 +22,14 @@ impl Format for Tum {
     fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
         let view = pinhole(NAME, shot)?;
         let depths = Depths::of(shot);
-        let main = depths.main.ok_or_else(|| missing(NAME, "depth"))?;
+        depths.main.ok_or_else(|| missing(NAME, "depth"))?;
         let (folder, time) = (sequence_folder(shot), seconds(shot.time_ns));
         let mut frame = FrameFiles::default();
         if let Some(rgb) = &shot.frame.rgb {
             frame.add_rgb(folder.join(format!("rgb/{time}.png")), rgb);
         }
-        frame.add_depth(folder.join(format!("depth/{time}.png")), main, PER_METRE);
-        if let Some(exact) = depths.exact {
-            frame.add_depth(folder.join(format!("depth_exact/{time}.png")), exact, PER_METRE);
-        }
+        let file = format!("{time}.png");
+        frame.add_depths(&depths, PER_METRE, |kind| folder.join(kind).join(&file));
         frame.write(output)?;
         let pose = &view.world_from_camera;
         let [x, y, z] = pose.translation.to_array();
@@ -56,7 +54,7 @@ impl Format for Tum {
         records: &mut Records<'_>,
         output: &mut OutputFiles,
     ) -> Result<Vec<Finding>, WriteError> {
-        let (sequences, losses) = by_folder(records, Sequence::add)?;
+        let (sequences, summary) = by_folder(records, Sequence::add)?;
         for (folder, sequence) in sequences {
             let folder = PathBuf::from(folder);
             for (name, header, lines) in [
@@ -78,7 +76,7 @@ impl Format for Tum {
             }
             output.write(&folder.join("camera.json"), &files::encode(&sequence.camera))?;
         }
-        Ok(losses.findings(NAME, 13.107))
+        summary.finish(NAME, 13.107, output)
     }
 }
 

@@ -44,16 +44,12 @@ pub fn parse(text: &str) -> Result<Filter, ParameterError> {
             ));
         }
     };
-    let settings = settings
-        .split(',')
-        .map(str::trim)
-        .filter(|setting| !setting.is_empty());
-    for setting in settings {
-        let (key, value) = setting.split_once('=').ok_or_else(|| {
+    for setting in oaktwin_parameter::settings(settings) {
+        let (key, value) = setting.map_err(|setting| {
             let what = format!("setting '{setting}' has no value");
             ParameterError::new(text, what, format!("write {setting}=VALUE"))
         })?;
-        filter.set(key.trim(), value.trim()).map_err(|error| {
+        filter.set(key, value).map_err(|error| {
             ParameterError::new(text, format!("{}: {}", error.name, error.what), error.remedy)
         })?;
     }

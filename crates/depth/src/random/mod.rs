@@ -5,11 +5,13 @@
 //! Uniform and normal numbers come from its words by exactly rounded operations only: the same bits on every machine.
 
 mod normal;
+mod numbers;
 mod philox;
 mod row;
 
 pub(crate) use normal::box_muller;
 pub use normal::standard_normal;
+pub use numbers::Numbers;
 pub use philox::philox4x32_10;
 
 /// The use of a random number; no two uses share numbers.
@@ -34,6 +36,8 @@ pub enum Stage {
     Inertial = 7,
     /// The quantities of a data set's recipe.
     Recipe = 8,
+    /// The units of a population.
+    Population = 9,
     /// The positions of a projector's dots.
     Dots = 16,
 }

@@ -8,7 +8,7 @@ impl Sensor {
     /// Whether the engine writes batches without colour images directly into their place.
     #[must_use]
     pub fn measures_batches(&self) -> bool {
-        self.filters.is_empty() && self.engine.batches().is_some()
+        self.filters.is_empty() && self.drifted.is_none() && self.engine.batches().is_some()
     }
 
     /// Measures a batch `[count, height, width]` of depth images of one frame, for instance a simulator's environments,
@@ -35,8 +35,8 @@ impl Sensor {
                 length: 0,
             });
         }
-        let fast = self.engine.batches();
-        if let Some(engine) = fast.filter(|_| rgb.is_none() && self.filters.is_empty()) {
+        let fast = self.engine.batches().filter(|_| self.measures_batches());
+        if let Some(engine) = fast.filter(|_| rgb.is_none()) {
             return engine.sense_batch(depth, shape, frame, first_item, &self.random, out);
         }
         let batch = Batch::new(depth, shape, frame, first_item)?.with_rgb(rgb)?;

@@ -1,28 +1,27 @@
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::measure::{Region, r_squared};
-use oaktwin_depth::random::Stream;
+use crate::measure::r_squared;
 use rayon::prelude::*;
 
 use super::measured::Curve;
-use super::stereo_camera::StereoCamera;
-use super::test_rig::{Effort, TestRig, Unit};
-use super::units::units;
+use super::test_rig::{Effort, TestRig};
+use super::units::{Prepared, intrinsics, rigs};
 use super::vendor::protocol_deviations;
 use super::{
-    AccuracyError, Bands, ComparedPoint, Comparison, Measurement, Options, Report, Row, Verdict, distances,
+    AccuracyError, Bands, ComparedPoint, Comparison, Devices, Measurement, Options, Report, Row, Verdict,
+    distances,
 };
 use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_diagnostic::Finding;
 use oaktwin_pipeline::progress::{Progress, Watch};
-use oaktwin_pipeline::sensor::{ParameterError, default_engine, depth_sensor};
+use oaktwin_pipeline::sensor::{default_engine, depth_sensor};
 
 /// A depth sensor of a twin, ready to be measured.
 #[derive(Debug)]
 pub struct Bench {
     pub(super) report: Report,
-    rig: TestRig,
+    rigs: Vec<TestRig>,
     pub(super) is_absolute: bool,
     from_m: f64,
 }
@@ -40,29 +39,25 @@ impl Bench {
             .depth_camera(&depth)
             .map(|camera| camera.intrinsics.size.width);
         let depth = options.optics.apply(&mut twin, &depth)?;
-        let (devices, units, findings) = units(&twin, &depth, options)?;
-        let intrinsics = twin
-            .depth_camera(&depth)
-            .map(|camera| camera.intrinsics)
-            .ok_or_else(|| AccuracyError::Sensor {
-                model: twin.device.name.clone(),
-                name: depth.spec.prim.clone(),
-                hint: "it belongs to no camera".to_owned(),
-            })?;
+        let intrinsics = intrinsics(&twin, &depth)?;
         let size = intrinsics.size;
-        let region = Region::centred(size.width, size.height, options.region);
         let scale = own_width_px.map_or(1.0, |own| f64::from(size.width) / f64::from(own));
-        let rig = TestRig {
-            intrinsics,
-            stereo_camera: stereo_camera(&units, scale, options)?,
-            units,
-            random: Stream::new(options.engine.seed, &depth.spec.prim),
-            region,
+        let Prepared {
+            devices,
+            rigs,
+            findings,
+        } = rigs(&twin, &depth, options, scale)?;
+        let Some(rig) = rigs.first() else {
+            return Err(AccuracyError::Option {
+                option: "devices",
+                what: "there is no device".to_owned(),
+                remedy: "give 1 to 5000",
+            });
         };
         let published = Bands::of(&twin.device, &depth.spec);
         let distances = match &options.distances_m {
             Some(distances) => distances.clone(),
-            None => default_distances(&rig, &depth, published.as_ref()),
+            None => default_distances(rig, &depth, published.as_ref()),
         };
         let kind = options
             .engine
@@ -81,7 +76,7 @@ impl Bench {
             region_width_px: rig.region.columns.end - rig.region.columns.start,
             region_height_px: rig.region.rows.end - rig.region.rows.start,
             captures: options.captures,
-            protocol_deviations: protocol_deviations(&rig, options, depth.spec.kind, own_width_px),
+            protocol_deviations: protocol_deviations(rig, options, depth.spec.kind, own_width_px),
             published,
             distances: distances.iter().map(|&z| Row::new(z, &[], None)).collect(),
             measured: None,
@@ -89,7 +84,7 @@ impl Bench {
         };
         let bench = Self {
             report,
-            rig,
+            rigs,
             is_absolute: true,
             from_m: options.from_m,
         };
@@ -146,12 +141,18 @@ impl Bench {
                 let total = distances.len() as u64;
                 let progress = |done| Progress { done, total };
                 let wants_more = || watch(progress(done.load(Ordering::Relaxed))).is_continue();
-                let units = self.rig.measure(distance_m, effort, &wants_more)?;
+                let rigs = self.rigs.par_iter();
+                let units = rigs.map(|rig| rig.measure(distance_m, effort, &wants_more));
+                let units = units.collect::<Result<Vec<_>, _>>()?.concat();
                 if watch(progress(done.fetch_add(1, Ordering::Relaxed) + 1)).is_break() {
                     return Err(AccuracyError::Interrupted);
                 }
-                let row = Row::new(distance_m, &units, self.report.published.as_ref());
-                Ok(row.with_single_view(self.rig.jitter_times_depth(), self.report.carries_depth))
+                let mut row = Row::new(distance_m, &units, self.report.published.as_ref());
+                if let Devices::Factory { .. } = self.report.devices {
+                    row = row.with_band(&units);
+                }
+                let jitter = self.rigs.first().and_then(TestRig::jitter_times_depth);
+                Ok(row.with_single_view(jitter, self.report.carries_depth))
             })
             .collect()
     }
@@ -186,18 +187,6 @@ impl Bench {
             points,
         }
     }
-}
-
-/// Creates the stereo cameras for engines that match pairs.
-fn stereo_camera(
-    units: &[Unit],
-    scale: f64,
-    options: &Options,
-) -> Result<Option<StereoCamera>, ParameterError> {
-    let baseline_m = units.first().and_then(|unit| unit.engine.baseline_m());
-    let stereo_camera =
-        baseline_m.map(|baseline_m| StereoCamera::new(baseline_m, scale, options.engine.seed));
-    stereo_camera.transpose()
 }
 
 fn default_distances(rig: &TestRig, depth: &TwinDepthSensor, published: Option<&Bands>) -> Vec<f64> {

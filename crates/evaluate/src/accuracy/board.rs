@@ -1,10 +1,10 @@
 //! The board in front of the camera.
 
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use oaktwin_render::{Backend, Clip, Renderer, View};
 
-use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
+use oaktwin_camera::math::DAffine3;
 use oaktwin_camera::{Camera, Intrinsics, LensModel, PixelPoint, RigidTransform, Usd};
 use oaktwin_image::annotation::Annotator;
 use oaktwin_image::{Image, ZDepth, noise};
@@ -57,11 +57,11 @@ impl Board {
         }
     }
 
-    /// Renders the light that reaches a camera `right_m` to the right of the first one.
-    pub(super) fn light(&self, intrinsics: Intrinsics, right_m: f64) -> Image<f32> {
+    /// Renders the light that reaches a camera at a pose in the frame of the first one.
+    pub(super) fn light(&self, intrinsics: Intrinsics, pose: &RigidTransform) -> Image<f32> {
         let view = View {
             camera: Camera::new(intrinsics, LensModel::Pinhole),
-            world_from_camera: RigidTransform::new(DMat3::IDENTITY, DVec3::new(right_m, 0.0, 0.0)),
+            world_from_camera: *pose,
             clip: Clip::default(),
         };
         self.renderer.luminance(&view, Backend::Auto, None).0.scene
@@ -126,7 +126,7 @@ fn scene(intrinsics: &Intrinsics, distance_m: f64, (grain_px, beyond_px): (f64, 
             ..Material::default()
         }],
         textures: vec![Texture {
-            source: TextureSource::Pixels(Arc::new(pattern())),
+            source: TextureSource::Pixels(Arc::clone(&PATTERN)),
             color_space: oaktwin_scene::ColorSpace::Srgb,
         }],
         lights: vec![Light {
@@ -140,6 +140,9 @@ fn scene(intrinsics: &Intrinsics, distance_m: f64, (grain_px, beyond_px): (f64, 
         ..Scene::default()
     }
 }
+
+/// The picture on every board.
+static PATTERN: LazyLock<Arc<Image<[u8; 4]>>> = LazyLock::new(|| Arc::new(pattern()));
 
 /// Returns squares of random grey values in several superimposed sizes.
 fn pattern() -> Image<[u8; 4]> {

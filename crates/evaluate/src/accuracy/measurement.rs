@@ -1,5 +1,5 @@
 use super::test_rig::Effort;
-use super::{AccuracyError, Bench, Devices, Report, plot};
+use super::{AccuracyError, Bench, Report, plot};
 use crate::figure::Figure;
 use oaktwin_pipeline::progress::Watch;
 
@@ -32,7 +32,7 @@ impl Measurement {
         let distances_m =
             (report.distances.iter().map(|row| row.distance_m)).chain(points.map(|point| point.distance_m));
         let (near, far) = distances_m.fold((f64::INFINITY, 0.0f64), |(a, b), z| (a.min(z), b.max(z)));
-        let many = matches!(report.devices, Devices::Population { .. });
+        let many = report.devices.are_many();
         let count = if many {
             POPULATION_POINTS
         } else {

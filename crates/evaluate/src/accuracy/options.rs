@@ -16,6 +16,9 @@ pub struct Options {
     /// The number of devices, if they differ and none is selected by its seed; by default
     /// [`DEVICES`](super::DEVICES) or [`MATCHING_DEVICES`](super::MATCHING_DEVICES).
     pub devices: Option<u32>,
+    /// Whether the devices are units of the factory population, which also differ in their cameras. The engine's drift then has the
+    /// standard deviations of the units' drifts.
+    pub population: bool,
     /// The number of captures of each board.
     pub captures: u32,
     /// The side of the measured region as a share (0 to 1) of the image's side.
@@ -33,6 +36,7 @@ impl Default for Options {
             engine: SensorOptions::default(),
             distances_m: None,
             devices: None,
+            population: false,
             captures: CAPTURES,
             region: REGION,
             optics: MeasuredOptics::default(),

@@ -1,17 +1,18 @@
 //! The figure of error over distance.
 
-use super::{Bands, Comparison, Devices, Report, Row};
+use super::{Bands, Comparison, Devices, Reading, Report, Row};
 use crate::figure::{Axis, Figure, Layer, Shape};
 use oaktwin_catalog::Source;
 
 const CURVE: [u8; 3] = [27, 94, 170];
+const SPREAD: [u8; 3] = [120, 160, 210];
 const OTHER: [u8; 3] = [176, 96, 20];
 const MEASURED: [u8; 3] = [190, 40, 70];
 const BANDS: [[u8; 3]; 2] = [[70, 150, 90], [130, 130, 140]];
 
 /// Draws a report. The errors are absolute if they are medians of several devices or compared with absolute measured errors.
 pub(super) fn figure(report: &Report, curve: &[Row], is_absolute: bool) -> Figure {
-    let many = matches!(report.devices, Devices::Population { .. });
+    let many = report.devices.are_many();
     let is_absolute = is_absolute && (many || report.measured.is_some());
     let value = |error: Option<f64>| match error {
         Some(error) if is_absolute => error.abs(),
@@ -26,13 +27,13 @@ pub(super) fn figure(report: &Report, curve: &[Row], is_absolute: bool) -> Figur
         .iter()
         .filter_map(|row| Some([row.distance_m, value(row.other_reading.as_ref()?.error_percent)]))
         .collect();
-    let spread: Vec<[f64; 3]> = curve
-        .iter()
-        .filter_map(|row| {
-            let [low, high] = row.reading.error_quartiles_percent?;
-            Some([row.distance_m, low, high])
-        })
-        .collect();
+    let area = |range: fn(&Reading) -> Option<[f64; 2]>| -> Vec<[f64; 3]> {
+        let rows = curve.iter();
+        rows.filter_map(|row| range(&row.reading).map(|[low, high]| [row.distance_m, low, high]))
+            .collect()
+    };
+    let spread = area(|reading| reading.error_quartiles_percent);
+    let band = area(|reading| reading.error_5_to_95_percent);
     let measured: Vec<[f64; 2]> = (report.measured.iter().flat_map(|measured| &measured.points))
         .map(|point| [point.distance_m, point.measured_error_percent])
         .collect();
@@ -44,26 +45,23 @@ pub(super) fn figure(report: &Report, curve: &[Row], is_absolute: bool) -> Figur
         far,
         is_absolute,
         [&own, &other, &measured],
-        &spread,
+        if band.is_empty() { &spread } else { &band },
     );
 
     let mut layers = bands(report.published.as_ref(), range[0] < 0.0);
     let mut add = |label: String, color: [u8; 3], shape: Shape| {
         layers.push(Layer { label, color, shape });
     };
+    if !band.is_empty() {
+        add("5 to 95 % of the devices".to_owned(), SPREAD, Shape::Area(band));
+    }
     if !spread.is_empty() {
-        add(
-            "the middle half of the devices".to_owned(),
-            CURVE,
-            Shape::Area(spread),
-        );
+        let label = "the middle half of the devices".to_owned();
+        add(label, CURVE, Shape::Area(spread));
     }
     if range[0] < 0.0 {
-        add(
-            String::new(),
-            [60; 3],
-            Shape::Line(vec![[0.0, 0.0], [2.0 * far, 0.0]]),
-        );
+        let zero = vec![[0.0, 0.0], [2.0 * far, 0.0]];
+        add(String::new(), [60; 3], Shape::Line(zero));
     }
     let names = names(report);
     add(names[0].clone(), CURVE, Shape::Line(own));
@@ -116,6 +114,7 @@ fn names(report: &Report) -> [String; 2] {
     }
     let name = match report.devices {
         Devices::Population { count } => format!("median of {count} devices"),
+        Devices::Factory { count } => format!("median of {count} devices of the factory population"),
         Devices::One { device_seed } => format!("the device of seed {device_seed}"),
         Devices::AsGiven => "the twin".to_owned(),
     };

@@ -65,6 +65,11 @@ pub enum Devices {
         /// The number of devices; their seeds start at 0.
         count: u32,
     },
+    /// Units of the factory population, which differ in their cameras, biases and drifts; results are medians.
+    Factory {
+        /// The number of units, from number 0.
+        count: u32,
+    },
     /// The device of a seed.
     One {
         /// The seed.
@@ -107,6 +112,9 @@ pub struct Reading {
     /// The quartiles of the absolute errors of several devices.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error_quartiles_percent: Option<[f64; 2]>,
+    /// The range that contains all but the best and the worst 5 % of the absolute errors of a population's units.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub error_5_to_95_percent: Option<[f64; 2]>,
     /// The share of valid pixels, 0 to 1.
     pub fill_rate: f64,
     /// Spatial noise: the RMS distance from the fitted plane.
@@ -201,6 +209,15 @@ impl Row {
         }
     }
 
+    /// Adds the range of the errors of a population's units.
+    pub(super) fn with_band(mut self, units: &[MeasuredUnit]) -> Self {
+        let own: Vec<Measured> = units.iter().map(|unit| unit.own).collect();
+        let absolute = absolute_errors(&own, self.distance_m);
+        let share = |share: f64| quantile(&absolute, share).filter(|error| error.is_finite());
+        self.reading.error_5_to_95_percent = share(0.05).zip(share(0.95)).map(<[f64; 2]>::from);
+        self
+    }
+
     /// Adds the quantities of Isaac Sim's sensor.
     pub(super) fn with_single_view(
         mut self,
@@ -223,6 +240,27 @@ impl Row {
     }
 }
 
+impl Devices {
+    /// Whether results are medians of several devices.
+    #[must_use]
+    pub const fn are_many(&self) -> bool {
+        matches!(self, Self::Population { .. } | Self::Factory { .. })
+    }
+}
+
+/// The vendor's error of a device with its sign, %.
+fn error_percent(device: &Measured, truth_m: f64) -> Option<f64> {
+    Some(device.vendor.error(truth_m)? * 100.0)
+}
+
+/// The absolute errors of devices, %. A device that measures nothing counts as worse than any other.
+fn absolute_errors(devices: &[Measured], truth_m: f64) -> Vec<f64> {
+    let errors = devices.iter().map(|device| error_percent(device, truth_m));
+    errors
+        .map(|error| error.map_or(f64::INFINITY, f64::abs))
+        .collect()
+}
+
 /// Compares an error with the strictest band, which is the first.
 fn verdict(reading: &Reading, bands: &[Band]) -> Verdict {
     match (reading.error_percent, bands.first()) {
@@ -240,13 +278,9 @@ impl Reading {
             median(&values)
         };
         let millimetres = |metres: Option<f64>| metres.map(|metres| metres * 1e3);
-        let percent = |unit: &Measured| Some(unit.vendor.error(truth_m)? * 100.0);
         let is_population = units.len() > 1;
-        // A device that measures nothing counts as worse than any other.
-        let absolute: Vec<f64> = units
-            .iter()
-            .map(|unit| percent(unit).map_or(f64::INFINITY, f64::abs))
-            .collect();
+        let percent = |unit: &Measured| error_percent(unit, truth_m);
+        let absolute = absolute_errors(units, truth_m);
         let share = |share: f64| quantile(&absolute, share).filter(|error| error.is_finite());
         let quartiles = || Some([share(0.25)?, share(0.75)?]);
         Self {
@@ -256,6 +290,7 @@ impl Reading {
                 middle(&percent)
             },
             error_quartiles_percent: if is_population { quartiles() } else { None },
+            error_5_to_95_percent: None,
             fill_rate: middle(&|unit| Some(unit.quality.fill_rate)).unwrap_or(0.0),
             plane_fit_rms_mm: millimetres(middle(&|unit| unit.quality.plane_fit_rms_m)),
             subpixel_rms_px: middle(&|unit| unit.quality.subpixel_rms_px),

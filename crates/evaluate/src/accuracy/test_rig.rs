@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use oaktwin_camera::{ImageSize, Intrinsics, OpenCv, PixelPoint};
+use oaktwin_depth::DriftedPair;
 use oaktwin_depth::filter::Chain;
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::single_view::{Assumptions, Depth, SingleView};
@@ -30,6 +31,8 @@ pub(super) struct TestRig {
     /// The measured region of the depth image.
     pub(super) region: Region,
     pub(super) units: Vec<Unit>,
+    /// The number of the first unit, which distinguishes their noise.
+    pub(super) first: u32,
     /// The noise, which differs between units.
     pub(super) random: Stream,
     /// The stereo cameras, for engines that match pairs.
@@ -41,6 +44,8 @@ pub(super) struct TestRig {
 pub(super) struct Unit {
     pub(super) engine: Arc<dyn Engine>,
     pub(super) filters: Chain,
+    /// The drift of the pair, for engines that measure depth images.
+    pub(super) drifted: Option<DriftedPair>,
     /// The calibration error of a pair that is matched, px of the whole image; other engines have it as a parameter.
     pub(super) bias_px: f64,
 }
@@ -49,6 +54,7 @@ impl PartialEq for Unit {
     fn eq(&self, other: &Self) -> bool {
         *self.engine == *other.engine
             && self.filters == other.filters
+            && self.drifted == other.drifted
             && self.bias_px.to_bits() == other.bias_px.to_bits()
     }
 }
@@ -98,7 +104,7 @@ impl TestRig {
                 other: other_reading(&unit.engine)?.as_ref().map(measure).transpose()?,
             })
         };
-        let numbered: Vec<(&Unit, u32)> = self.units.iter().zip(0..).collect();
+        let numbered: Vec<(&Unit, u32)> = self.units.iter().zip(self.first..).collect();
         numbered.into_par_iter().map(measure).collect()
     }
 
@@ -147,7 +153,12 @@ impl TestRig {
     ) -> Result<Measured, AccuracyError> {
         let cropped = engine.crop(self.intrinsics.size.width, &part.intrinsics)?;
         let engine = cropped.unwrap_or_else(|| Arc::clone(engine));
-        let mut sensor = Sensor::new(engine, unit.filters.clone(), self.random);
+        let drifted = unit.drifted.map(|pair| DriftedPair {
+            intrinsics: part.intrinsics,
+            ..pair
+        });
+        let sensor = Sensor::new(engine, unit.filters.clone(), self.random);
+        let mut sensor = sensor.with_drift(drifted);
         let images = scenery.captures(&mut sensor, unit, item, part, effort.captures)?;
         let (region, intrinsics) = part.in_image(images.first());
         let views: Vec<ImageView<'_, f32>> = images.iter().map(|image| (&image.0).into()).collect();

@@ -306,3 +306,90 @@ fn rejects_invalid_options() {
     };
     assert_eq!(Bench::new(&twin, &stereo).unwrap().0.report.published, None);
 }
+
+fn drifted(engine: &SensorOptions, drift: &str) -> SensorOptions {
+    SensorOptions {
+        drift: Some(oaktwin_camera::StereoDrift::parse(drift).unwrap()),
+        ..engine.clone()
+    }
+}
+
+/// A yaw adds f·yaw to disparity, and a longer baseline or focal length scales it, whichever engine measures.
+#[test]
+fn drift_has_the_errors_of_its_closed_forms() {
+    let depth = with_parameters(&[("pixelLocking", "0"), ("jitter", "0"), ("bias", "0")]);
+    for (engine, within) in [(depth, 0.1), (matching(&[("bias", "0")]), 0.6)] {
+        for (drift, disparity) in [
+            ("yaw=0.5", (1.0, 0.5e-3)),
+            ("yaw=-0.5", (1.0, -0.5e-3)),
+            ("baseline=750", (1.01, 0.0)),
+            ("focalLength=10000", (1.01, 0.0)),
+        ] {
+            let options = Options {
+                engine: drifted(&engine, drift),
+                distances_m: Some(vec![2.0]),
+                devices: Some(1),
+                captures: 2,
+                ..Options::default()
+            };
+            let report = measured("oak-d-pro-poe", &options);
+            // In units of the focal length, the disparity at 2 m is b/z.
+            let true_disparity = 0.075 / 2.0;
+            let expected = true_disparity / (true_disparity * disparity.0 + disparity.1) - 1.0;
+            let found = report.distances[0].reading.error_percent.unwrap();
+            assert!(
+                (found - expected * 100.0).abs() < within,
+                "{} {drift}: {found} is not {}",
+                report.engine,
+                expected * 100.0
+            );
+        }
+    }
+}
+
+#[test]
+fn pitch_costs_density() {
+    let fill = |engine: &SensorOptions, drift: &str| {
+        let options = Options {
+            engine: drifted(engine, drift),
+            distances_m: Some(vec![2.0]),
+            devices: Some(1),
+            captures: 1,
+            ..Options::default()
+        };
+        measured("oak-d-pro-poe", &options).distances[0].reading.fill_rate
+    };
+    let engine = SensorOptions::default();
+    assert!(fill(&engine, "pitch=0.1") > 0.99);
+    let lost = 1.0 - fill(&engine, "pitch=4");
+    assert!((0.35..0.6).contains(&lost), "{lost}");
+    // The board has more detail than a room, so that the matcher loses less of it.
+    let matcher = matching(&[]);
+    assert!(fill(&matcher, "pitch=8") < fill(&matcher, "") - 0.05);
+}
+
+#[test]
+fn a_population_has_a_range_that_grows_with_drift() {
+    let range = |drift: &str| {
+        let options = Options {
+            engine: drifted(&SensorOptions::default(), drift),
+            population: true,
+            devices: Some(60),
+            distances_m: Some(vec![1.0, 4.0]),
+            captures: 1,
+            ..Options::default()
+        };
+        let report = measured("oak-d-pro-poe", &options);
+        assert_eq!(report.devices, Devices::Factory { count: 60 });
+        [0, 1].map(|row| report.distances[row].reading.error_5_to_95_percent.unwrap())
+    };
+    let [near, far] = range("");
+    let [drifted_near, drifted_far] = range("yaw=0.5");
+    assert!(near[0] < near[1] && far[1] > near[1]);
+    assert!(
+        drifted_near[1] > 1.3 * near[1] && drifted_far[1] > 1.3 * far[1],
+        "{drifted_far:?} {far:?}"
+    );
+    // Of 60 normal yaws of 0.5 mrad, 95 % are below 1 mrad: 0.8 px of 15.1 px at 4 m.
+    assert!((3.0..8.5).contains(&drifted_far[1]), "{drifted_far:?}");
+}

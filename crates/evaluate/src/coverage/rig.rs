@@ -52,9 +52,7 @@ impl Rig {
         let pair = if engine.input == EngineInput::Pair {
             let pair = PairOptions {
                 size: options.size,
-                bias_px: options.engine.calibration_error_px()?,
-                seed: options.engine.seed,
-                ..options.pair
+                ..options.pair.of_sensor(&options.engine)?
             };
             let (pair, more) = put_pair(twin, &mut cameras, &pair)?;
             findings.extend(more);

@@ -16,6 +16,7 @@ pub(crate) use stage::Stage;
 
 use crate::GenerateError;
 use crate::context::Context;
+use crate::unit::DrawnUnit;
 
 /// Everything that is drawn at random for an arrangement.
 #[derive(Clone, Debug, Serialize)]
@@ -27,7 +28,7 @@ pub(crate) struct Arrangement {
     pub(crate) base: usize,
     /// Its path in the recipe.
     pub(crate) scene: String,
-    pub(crate) model: String,
+    pub(crate) unit: DrawnUnit,
     pub(crate) objects: Vec<Placed>,
     pub(crate) looks: Vec<DrawnLook>,
     pub(crate) lights: Vec<DrawnLight>,
@@ -52,7 +53,8 @@ impl Arrangement {
         let model = random
             .numbers("camera.model", number)
             .pick(&recipe.camera.model.0)
-            .cloned();
+            .cloned()
+            .unwrap_or_default();
         let objects = place_objects(context, base, number)?;
         let light = &recipe.light;
         let mut looks = Vec::new();
@@ -64,7 +66,7 @@ impl Arrangement {
             number,
             base,
             scene: context.bases[base].name.clone(),
-            model: model.unwrap_or_default(),
+            unit: DrawnUnit::draw(context, &model, number),
             lights: light::draw(context, base, &objects, number),
             objects,
             looks,

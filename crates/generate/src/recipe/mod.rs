@@ -8,6 +8,7 @@ mod page;
 mod quantity;
 mod read;
 mod schema;
+mod unit;
 
 use std::path::{Path, PathBuf};
 
@@ -18,11 +19,12 @@ use serde::{Deserialize, Serialize};
 pub use camera::{BoxPlacement, CameraRule, SpherePlacement, Target};
 pub use light::{Lamps, LightRule, Sky, Sun};
 pub use objects::{Appearance, LookRule, ObjectRule, Pose, Region};
-pub use output::{OutputRule, ParameterValue, SensorRule, UnitRule};
+pub use output::{OutputRule, ParameterValue, SensorRule};
 pub use page::page;
 pub use quantity::{Quantity, Texts};
 pub use read::RecipeError;
 pub use schema::schema;
+pub use unit::{DriftRule, PopulationKind, UnitRule};
 
 /// The contents of a data set. Every quantity is a number or a distribution; lengths are in metres and angles in degrees.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
@@ -47,7 +49,7 @@ pub struct Recipe {
     pub light: LightRule,
     /// The camera and its place.
     pub camera: CameraRule,
-    /// The unit: nominal, one of a population, or calibrated.
+    /// The unit: nominal, calibrated, or units of a population.
     pub unit: UnitRule,
     /// The depth sensor.
     pub sensor: SensorRule,

@@ -1,18 +1,11 @@
 use std::collections::BTreeMap;
+use std::num::NonZeroU64;
 
+use oaktwin_dataset::SHARD_FRAMES;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Quantity, Texts};
-
-/// The unit that frames are taken with.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct UnitRule {
-    /// The calibration of one unit, a DepthAI export, relative to the recipe.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub calibration: Option<String>,
-}
 
 /// The depth sensor.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
@@ -57,6 +50,8 @@ pub struct OutputRule {
     pub formats: Texts,
     /// The time between the frames of an arrangement, seconds, in formats with times.
     pub interval_s: f64,
+    /// The number of consecutive frames in a shard of the format `webdataset`.
+    pub shard_frames: NonZeroU64,
 }
 
 impl Default for OutputRule {
@@ -76,6 +71,7 @@ impl Default for OutputRule {
             ),
             formats: Texts(vec!["basic".to_owned()]),
             interval_s: 1.0 / 30.0,
+            shard_frames: SHARD_FRAMES,
         }
     }
 }

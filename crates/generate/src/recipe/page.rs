@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::schema;
 
 /// The tables of a recipe: how they are written, and the definition in the schema.
-const TABLES: [(&str, &str); 17] = [
+const TABLES: [(&str, &str); 18] = [
     ("", ""),
     ("scene_options", "SceneRule"),
     ("[objects]", "ObjectRule"),
@@ -21,6 +21,7 @@ const TABLES: [(&str, &str); 17] = [
     ("camera.sphere", "SpherePlacement"),
     ("camera.box", "BoxPlacement"),
     ("unit", "UnitRule"),
+    ("unit.drift", "DriftRule"),
     ("sensor", "SensorRule"),
     ("output", "OutputRule"),
     ("objects.region", "Region"),

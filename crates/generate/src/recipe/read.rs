@@ -1,10 +1,15 @@
 use std::path::Path;
 
+use oaktwin_camera::StereoDrift;
 use oaktwin_catalog::{CatalogError, Document};
 use oaktwin_diagnostic::suggest;
 use oaktwin_files::{self as files, FileError};
 
-use super::{Appearance, CameraRule, ObjectRule, Quantity, Recipe, RecipeFile, Region, Target};
+use oaktwin_parameter::Table;
+
+use super::{
+    Appearance, CameraRule, DriftRule, ObjectRule, Quantity, Recipe, RecipeFile, Region, Target, UnitRule,
+};
 
 /// The maximum size of a recipe.
 const MAX_BYTES: u64 = 1 << 20;
@@ -74,11 +79,13 @@ impl Recipe {
         }
         self.check_light()?;
         check_camera(&self.camera)?;
-        if self.output.interval_s <= 0.0 {
+        check_unit(&self.unit)?;
+        // Formats name files by their time in nanoseconds.
+        if !(1e-6..=1e5).contains(&self.output.interval_s) {
             return Err(wrong(
                 "output.interval_s",
-                "is not above 0",
-                "give a time in seconds",
+                "is not a time from 1e-6 to 1e5",
+                "give a time in seconds, such as 0.05",
             ));
         }
         if self.output.formats.0.is_empty() {
@@ -198,6 +205,31 @@ fn check_objects(place: &str, rule: &ObjectRule) -> Result<(), Wrong> {
         .map_or(Ok(()), |look| check_look(&at("look"), look))
 }
 
+fn check_unit(unit: &UnitRule) -> Result<(), Wrong> {
+    if unit.calibration.is_some() && unit.population.is_some() {
+        let remedy = "remove it or unit.calibration";
+        return Err(wrong("unit.population", "a calibration is one unit", remedy));
+    }
+    if let Some(count) = unit.count {
+        whole("unit.count", count, 1..=u64::from(u32::MAX))?;
+        if unit.population.is_none() {
+            let remedy = "add population = \"factory\", or remove it";
+            return Err(wrong(
+                "unit.count",
+                "is the number of units of a population",
+                remedy,
+            ));
+        }
+    }
+    for (key, name, quantity) in unit.drift.iter().flat_map(DriftRule::quantities) {
+        let place = format!("unit.drift.{key}");
+        let about = StereoDrift::row(name).map(|row| &row.about);
+        let [min, max] = about.map_or([f64::NEG_INFINITY, f64::INFINITY], |about| [about.min, about.max]);
+        within(&place, quantity, min, max)?;
+    }
+    Ok(())
+}
+
 fn check_camera(camera: &CameraRule) -> Result<(), Wrong> {
     if camera.model.0.is_empty() {
         return Err(wrong(
@@ -297,7 +329,26 @@ mod tests {
                 "[sensor.parameters]\njitter = [1]",
                 "expected a number, a distribution",
             ),
+            ("[unit]\npopulation = 'factry'", "did you mean 'factory'"),
+            (
+                "[unit]\npopulation = 'factory'\ncalibration = 'a.json'",
+                "r.toml:2: population: a calibration is",
+            ),
+            (
+                "[unit]\ncount = 3",
+                "r.toml:2: count: is the number of units of a population",
+            ),
+            (
+                "[unit.drift]\nyaw_mrad = { normal = [0, 30] }",
+                "r.toml:2: yaw_mrad: can be -90, which is out of range; give numbers from -50 to 50",
+            ),
+            ("[unit.drift]\nyaw = 1", "did you mean"),
             ("[light]\nprojector = 2", "can be 2, which is out of range"),
+            (
+                "[output]\ninterval_s = 1e-9",
+                "r.toml:2: interval_s: is not a time from 1e-6 to 1e5",
+            ),
+            ("[output]\nshard_frames = 0", "r.toml:2"),
         ] {
             let error = error(text);
             assert!(error.contains(expected), "{text:?}: {error}");

@@ -5,6 +5,7 @@ use std::fs::{self, File};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
+use oaktwin_diagnostic::Finding;
 use oaktwin_files::{self as files, FileError, WrittenFile};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -12,6 +13,7 @@ use sha2::{Digest, Sha256};
 
 use crate::GenerateError;
 use crate::recipe::{Recipe, RecipeFile};
+use crate::unit::DrawnUnit;
 
 /// The folder of the state, within that of the data set.
 const FOLDER: &str = ".oaktwin";
@@ -31,6 +33,14 @@ pub(crate) struct Store {
 #[derive(Debug, Deserialize, Serialize)]
 pub(crate) struct FrameRecord {
     pub(crate) frame: u64,
+    /// The unit that it was taken with.
+    pub(crate) unit: DrawnUnit,
+    #[serde(
+        with = "oaktwin_diagnostic::stored",
+        skip_serializing_if = "Vec::is_empty",
+        default
+    )]
+    pub(crate) findings: Vec<Finding>,
     /// Its files, relative to the data set.
     pub(crate) files: Vec<FileRecord>,
     /// The records of each format, one for each camera.
@@ -43,6 +53,9 @@ pub(crate) struct FileRecord {
     pub(crate) path: String,
     pub(crate) bytes: u64,
     pub(crate) sha256: String,
+    /// The file of the data set that has its contents, if it was removed.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub(crate) packed_in: Option<String>,
 }
 
 impl Store {
@@ -103,8 +116,11 @@ impl Store {
 
     /// Whether all files of a finished frame are there.
     pub(crate) fn is_intact(&self, frame: u64) -> bool {
-        let has = |file: &FileRecord| {
-            fs::metadata(self.root.join(&file.path)).is_ok_and(|metadata| metadata.len() == file.bytes)
+        let has = |file: &FileRecord| match &file.packed_in {
+            Some(container) => self.root.join(container).exists(),
+            None => {
+                fs::metadata(self.root.join(&file.path)).is_ok_and(|metadata| metadata.len() == file.bytes)
+            }
         };
         self.frame(frame).is_ok_and(|record| record.files.iter().all(has))
     }
@@ -135,14 +151,20 @@ impl Store {
             .join(format!("{frame:08}.json"))
     }
 
+    /// The path of a file relative to the data set.
+    pub(crate) fn relative(&self, path: &Path) -> String {
+        let path = path.strip_prefix(&self.root).unwrap_or(path);
+        path.to_string_lossy().replace('\\', "/")
+    }
+
     /// Describes files that were written, with their checksums.
     pub(crate) fn describe(&self, written: &[WrittenFile]) -> Result<Vec<FileRecord>, FileError> {
         let describe = |file: &WrittenFile| {
-            let path = file.path.strip_prefix(&self.root).unwrap_or(&file.path);
             Ok(FileRecord {
-                path: path.to_string_lossy().replace('\\', "/"),
+                path: self.relative(&file.path),
                 bytes: file.bytes,
                 sha256: checksum(&file.path)?,
+                packed_in: None,
             })
         };
         written.iter().map(describe).collect()
@@ -293,6 +315,8 @@ mod tests {
         );
         let record = FrameRecord {
             frame: 12,
+            unit: DrawnUnit::default(),
+            findings: Vec::new(),
             files,
             formats: vec![vec![Value::Null]],
         };

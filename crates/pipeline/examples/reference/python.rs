@@ -128,6 +128,7 @@ fn type_of(option: &SensorOption) -> String {
     match option.value {
         OptionValue::Flag => "bool".to_owned(),
         OptionValue::Number => "int".to_owned(),
+        OptionValue::Text(_, names) if names().is_empty() => "str".to_owned(),
         OptionValue::Text(..) | OptionValue::Choice(..) => {
             let mut name = option.name.to_owned();
             name[..1].make_ascii_uppercase();

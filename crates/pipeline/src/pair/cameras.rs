@@ -62,21 +62,34 @@ impl PairCameras {
     /// Returns an error if an option is out of range, the device has no stereo pair or no projector, the images are too large, or the
     /// cameras cannot be rectified.
     pub fn new(twin: &Twin, options: &PairOptions) -> Result<Self, PairError> {
-        let [left, mut right] = [
+        let [mut left, mut right] = [
             eye(twin, options.cameras.0, options)?,
             eye(twin, options.cameras.1, options)?,
         ];
         let rectify = options.rectify.unwrap_or_else(|| device_rectification(twin));
         let right_from_left = right.body_from_camera.inverse() * left.body_from_camera;
         let rectify = StereoRectify::new(&left.camera, &right.camera, &right_from_left, &rectify);
-        // The calibration error.
+        let rectify = rectify.map_err(|error| PairError::Rectify {
+            device: twin.device.name.clone(),
+            error,
+        })?;
+        // From here on, the cameras are the actual ones.
+        let drift = &options.drift;
+        if !drift.is_none() {
+            let geometry = rectify.geometry();
+            right.body_from_camera = drift.right_camera(
+                &right.body_from_camera,
+                geometry.rectified_from_right,
+                geometry.axis,
+            );
+            for eye in [&mut left, &mut right] {
+                eye.camera.intrinsics = drift.intrinsics(&eye.camera.intrinsics);
+            }
+        }
         right.camera.intrinsics = shifted(right.camera.intrinsics, -bias_px(twin, options)?);
         Ok(Self {
             imager: Imager::new(options.imager)?.scaled(scale(twin, options)),
-            rectify: rectify.map_err(|error| PairError::Rectify {
-                device: twin.device.name.clone(),
-                error,
-            })?,
+            rectify,
             projector: projector(twin, options)?,
             ambient: within("ambient", options.ambient, 1e6)?,
             left,

@@ -9,6 +9,8 @@ use super::Pair;
 
 /// The maximum difference between the disparities of a surface in both images, px.
 const SAME_SURFACE_PX: f64 = 1.0;
+/// The signs of a disparity from the left image to the right one, and back.
+const SIGNS: [f64; 2] = [-1.0, 1.0];
 
 impl Pair {
     /// Returns the rectified images with their exact disparity; `left` is the view of the rectified left camera.
@@ -28,36 +30,46 @@ impl Pair {
             [geometry.left, geometry.right].map(|camera| camera.principal_point::<Usd>().x);
         let (scale, offset) = (geometry.left.fx * geometry.baseline, left_x - right_x);
         let disparity = |z: f32| scale / f64::from(z) + offset;
-        let (width, height) = (self.z.0.width(), self.z.0.height());
-        let mut disparities = Image::filled(width, height, f32::INFINITY);
-        let mut is_matched = Image::filled(width, height, false);
-        let pixels = disparities.pixels_mut().iter_mut().zip(is_matched.pixels_mut());
-        for ((index, z), (found, matched)) in (0u32..).zip(self.z.0.pixels()).zip(pixels) {
-            if !z.is_finite() {
-                continue;
-            }
-            let (x, y) = (index % width.max(1), index / width.max(1));
-            let own = disparity(*z);
-            #[expect(
-                clippy::cast_possible_truncation,
-                reason = "images are float32, and the cast saturates"
-            )]
-            let (narrow, column) = (own as f32, (f64::from(x) - own).round() as i64);
-            *found = narrow;
-            let other = u32::try_from(column)
-                .ok()
-                .and_then(|column| right_z.0.get(column, y));
-            *matched = other.is_some_and(|z| z.is_finite() && disparity(*z) - own <= SAME_SURFACE_PX);
-        }
+        let depths = [&self.z.0, &right_z.0];
+        let matches = [0, 1].map(|side| matches(depths[side], depths[1 - side], SIGNS[side], disparity));
+        let [(left, left_matched), (right, right_matched)] = matches;
         StereoImages {
-            left: eight_bits(&self.rectified_left),
-            right: eight_bits(&self.rectified_right),
+            images: [&self.rectified_left, &self.rectified_right].map(eight_bits),
             cameras,
             baseline_m: geometry.baseline,
-            disparity: disparities,
-            is_matched,
+            disparities: [left, right],
+            is_matched: [left_matched, right_matched],
         }
     }
+}
+
+/// Returns the disparity of each pixel, and whether the other image shows its surface.
+fn matches(
+    own: &Image<f32>,
+    other: &Image<f32>,
+    sign: f64,
+    disparity: impl Fn(f32) -> f64,
+) -> (Image<f32>, Image<bool>) {
+    let (width, height) = (own.width(), own.height());
+    let mut disparities = Image::filled(width, height, f32::INFINITY);
+    let mut is_matched = Image::filled(width, height, false);
+    let pixels = disparities.pixels_mut().iter_mut().zip(is_matched.pixels_mut());
+    for ((index, z), (found, matched)) in (0u32..).zip(own.pixels()).zip(pixels) {
+        if !z.is_finite() {
+            continue;
+        }
+        let (x, y) = (index % width.max(1), index / width.max(1));
+        let own = disparity(*z);
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "images are float32, and the cast saturates"
+        )]
+        let (narrow, column) = (own as f32, (f64::from(x) + sign * own).round() as i64);
+        *found = narrow;
+        let there = u32::try_from(column).ok().and_then(|column| other.get(column, y));
+        *matched = there.is_some_and(|z| z.is_finite() && disparity(*z) - own <= SAME_SURFACE_PX);
+    }
+    (disparities, is_matched)
 }
 
 fn eight_bits(image: &Recorded) -> Image<u8> {

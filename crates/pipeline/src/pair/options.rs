@@ -1,8 +1,11 @@
-use oaktwin_camera::ImageSize;
+use oaktwin_camera::{ImageSize, StereoDrift};
 use oaktwin_catalog::Role;
+use oaktwin_depth::ParameterError;
 use oaktwin_depth::imager::Parameters;
 use oaktwin_depth::rectify::RectifyOptions;
 use oaktwin_usd::asset::LensChoice;
+
+use crate::sensor::SensorOptions;
 
 /// The options of recording a pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,8 +29,25 @@ pub struct PairOptions {
     /// The bias of disparity from the device's calibration error, px of the cameras' own resolution: the right image is shifted left
     /// by it relative to its calibration.
     pub bias_px: f64,
+    /// The change of the cameras since the calibration by which their images are rectified.
+    pub drift: StereoDrift,
     /// The noise seed.
     pub seed: u64,
+}
+
+impl PairOptions {
+    /// Returns the options for the pair of a depth sensor: with its calibration error, drift and noise seed.
+    ///
+    /// # Errors
+    /// Returns an error if the calibration error is out of range.
+    pub fn of_sensor(self, sensor: &SensorOptions) -> Result<Self, ParameterError> {
+        Ok(Self {
+            bias_px: sensor.calibration_error_px()?,
+            drift: sensor.drift.unwrap_or_default(),
+            seed: sensor.seed,
+            ..self
+        })
+    }
 }
 
 impl Default for PairOptions {
@@ -41,6 +61,7 @@ impl Default for PairOptions {
             lens: LensChoice::default(),
             size: None,
             bias_px: 0.0,
+            drift: StereoDrift::default(),
             seed: 0,
         }
     }

@@ -1,3 +1,5 @@
+mod drift;
+
 use std::path::Path;
 
 use super::cameras::dots;

@@ -1,6 +1,7 @@
 //! The sensor of a twin, a render product or a stereo pair: an engine with its filters, made from options.
 
 mod choose;
+mod drift;
 mod frame;
 mod matching;
 mod option;
@@ -126,7 +127,11 @@ fn create(
     place: &str,
 ) -> Result<(Sensor, Vec<Finding>), ParameterError> {
     let mut findings = Vec::new();
-    let setup = setup::setup(kind, source, options, &mut findings)?;
+    let mut setup = setup::setup(kind, source, options, &mut findings)?;
+    let drifted = drift::pair(kind, source, options, place, &mut findings)?;
+    if let Some(pair) = &drifted {
+        drift::add_loss(pair, &mut setup);
+    }
     if let Some(preset) = &setup.preset {
         findings.push(preset::finding(preset, options, kind, place));
     }
@@ -141,5 +146,6 @@ fn create(
     };
     let name = options.name.as_deref().unwrap_or(place);
     let random = Stream::new(options.seed, name);
-    Ok((Sensor::new(engine, Chain::new(filters), random), findings))
+    let sensor = Sensor::new(engine, Chain::new(filters), random).with_drift(drifted);
+    Ok((sensor, findings))
 }

@@ -1,10 +1,11 @@
 use std::path::Path;
 
+use oaktwin_camera::StereoDrift;
 use oaktwin_depth::engines::ENGINES;
 use oaktwin_depth::filter;
 use oaktwin_depth::preset::{Platform, Preset, TIME_OF_FLIGHT_PRESETS};
 use oaktwin_depth::{EngineKind, ParameterError};
-use oaktwin_parameter::{Choice, choose};
+use oaktwin_parameter::{Choice, Table, choose};
 use oaktwin_usd::asset::IsaacVersion;
 
 use super::{ParameterFile, SensorOptions};
@@ -39,7 +40,7 @@ pub enum OptionValue {
     Flag,
     /// A whole number.
     Number,
-    /// A text with its name in help, and the valid texts; letter case, hyphens and underscores are ignored.
+    /// A text with its name in help, and the valid texts, none if they are not listed; letter case, hyphens and underscores are ignored.
     Text(&'static str, fn() -> Vec<&'static str>),
     /// The path of a file.
     File,
@@ -183,6 +184,19 @@ pub static SENSOR_OPTIONS: &[SensorOption] = &[
         set: |options, text| number("device_seed", text).map(|seed| options.device_seed = Some(seed)),
         get: |options| texts(options.device_seed),
     },
+    SensorOption {
+        name: "drift",
+        flag: "drift",
+        value: OptionValue::Text("NAME=VALUE,…", Vec::new),
+        help: "Change of the stereo pair since its calibration: yaw=0.3,pitch=0.2; default: none",
+        names: Some(drift_names),
+        doc: "the change of the stereo pair since its calibration, such as \"yaw=0.3,baseline=50\": rotations of the right camera \
+              in mrad (yaw, pitch, roll), the growth of the baseline in µm, of the focal length in ppm, or the warming in K \
+              (temperature). \"stereo-noise\" has the resulting errors of depth and loss of pixels.",
+        is_of_matcher: false,
+        set: |options, text| StereoDrift::parse(text).map(|drift| options.drift = Some(drift)),
+        get: |options| texts(options.drift.map(|drift| drift.to_text())),
+    },
 ];
 
 fn names<C: Choice>() -> Vec<(&'static str, &'static str)> {
@@ -222,6 +236,11 @@ fn number(name: &'static str, text: &str) -> Result<u64, ParameterError> {
             format!("expected a whole number from 0 to {}", u64::MAX),
         )
     })
+}
+
+fn drift_names() -> String {
+    let names = StereoDrift::rows().map(|row| format!("{} ({})", row.about.name, row.about.unit));
+    format!("Names: {}", names.collect::<Vec<_>>().join(", "))
 }
 
 fn preset_names() -> Vec<&'static str> {

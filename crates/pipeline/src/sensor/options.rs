@@ -1,4 +1,4 @@
-use oaktwin_camera::Intrinsics;
+use oaktwin_camera::{Intrinsics, StereoDrift};
 use oaktwin_catalog::DepthKind;
 use oaktwin_depth::engines::calibration_error_px;
 use oaktwin_depth::{EngineKind, ParameterError, Setup, Technology};
@@ -41,6 +41,8 @@ pub struct SensorOptions {
     pub seed: u64,
     /// The seed of an individual unit's calibration bias; by default the unit has none.
     pub device_seed: Option<u64>,
+    /// The change of the stereo pair since its calibration; by default none.
+    pub drift: Option<StereoDrift>,
 }
 
 impl SensorOptions {

@@ -19,11 +19,12 @@ from . import filters
 from ._accuracy import Accuracy, accuracy
 from ._cameras import Camera, Rectification, look_at
 from ._coverage import Coverage, coverage
+from ._datasets import Recipe, generate
 from ._devices import Device, models, parameters, presets, simulate_imu
 from ._findings import Error, Finding, FindingWarning
 from ._fit import Fit, fit
 from ._oaktwin import __version__, set_memory_limit
-from ._scenes import Mesh, Recording, Scene, annotators, generate
+from ._scenes import Mesh, Recording, Scene, annotators
 from ._sensors import DepthSensor, Filter, StereoMatcher, align
 
 __all__ = [
@@ -38,6 +39,7 @@ __all__ = [
     "FindingWarning",
     "Fit",
     "Mesh",
+    "Recipe",
     "Recording",
     "Rectification",
     "Scene",

@@ -98,6 +98,7 @@ def accuracy(
     sensor: str | None = None,
     distances: Sequence[float] | str | None = None,
     devices: int | None = None,
+    population: bool = False,
     captures: int = 10,
     region: float = 0.05,
     measured: str | PathLike[str] | None = None,
@@ -111,6 +112,8 @@ def accuracy(
     sensor: "stereo", "tof" or the name of a prim; by default the device's own depth sensor.
     distances: the true distances in metres, or the program's range syntax "0.5:4:0.5"; by default about twenty.
     devices: the number of units; by default 200 if units differ and `device_seed` is None, otherwise 1.
+    population: whether the units are those of the factory population, which also differ in their cameras: `rows` then have
+        "error_5_to_95_percent", and `drift` gives the standard deviations of the units' drifts.
     captures: the number of images of each board, 1 to 1000.
     region: the side of the evaluated region as a share of the image's side, above 0, up to 1.
     measured: a CSV file with the columns distance_m and depth_error_percent, measured with a real unit: `report["measured"]`
@@ -129,6 +132,7 @@ def accuracy(
         sensor=sensor,
         distances=distances,
         devices=devices,
+        population=population,
         captures=captures,
         region=region,
         measured=measured,

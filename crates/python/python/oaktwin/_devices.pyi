@@ -41,6 +41,16 @@ class Device:
     def __new__(
         cls, model: str, *, lens: _Lens = "pinhole", catalog: str | PathLike[str] | None = None
     ) -> Device: ...
+    def population(self, count: int, *, seed: int = 0) -> list[Device]:
+        """Returns units of the model that differ as real ones do: their cameras are drawn around the nominal values with the spread of
+        factory calibrations.
+
+        count: the number of units, 1 to 10000.
+        seed: the seed of the population; a unit depends on the model, the seed and its number.
+
+        A unit has a calibration, which `oaktwin population` also writes. Its findings tell where the spread comes from. Raises
+        oaktwin.Error for the device of a calibration.
+        """
     def __reduce__(self) -> tuple[Any, ...]: ...
     @staticmethod
     def from_calibration(
@@ -51,24 +61,16 @@ class Device:
         lens: _Lens = "pinhole",
         catalog: str | PathLike[str] | None = None,
     ) -> Device:
-        """staticmethod(function) -> method
+        """Creates the twin of one unit from its DepthAI calibration (JSON).
 
-        Convert a function to be a static method.
+        path: the file.
+        model: the model of the unit; by default the product name in the file.
+        force: whether to ignore calibration errors, which become findings.
+        lens: see `Device`; a calibrated camera always has its own lens.
+        catalog: see `Device`.
 
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
-
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin.
+        Warnings about the file are in `findings`. Raises FileNotFoundError and other OSErrors for files that cannot be read,
+        oaktwin.Error for an invalid calibration or one of another model.
         """
     @property
     def name(self) -> str:

@@ -15,7 +15,7 @@ from ._devices import (
     simulate_imu as simulate_imu,
 )
 from ._findings import Error as Error, Finding as Finding, FindingWarning as FindingWarning, _finding as _finding
-from ._scenes import Mesh as Mesh, Recording as Recording, Scene as Scene, annotators as annotators, generate as generate
+from ._scenes import Mesh as Mesh, Recipe as Recipe, Recording as Recording, Scene as Scene, annotators as annotators
 from ._sensors import DepthSensor as DepthSensor, Filter as Filter, StereoMatcher as StereoMatcher, align as align
 from ._types import _Array, _SensorOptions
 
@@ -28,6 +28,7 @@ __all__ = [
     "Finding",
     "FindingWarning",
     "Mesh",
+    "Recipe",
     "Recording",
     "Rectification",
     "Scene",
@@ -42,7 +43,6 @@ __all__ = [
     "annotators",
     "coverage",
     "fit",
-    "generate",
     "look_at",
     "main",
     "models",
@@ -60,6 +60,7 @@ def accuracy(
     sensor: str | None = None,
     distances: Sequence[float] | str | None = None,
     devices: int | None = None,
+    population: bool = False,
     captures: int = ...,
     region: float = ...,
     measured: str | PathLike[str] | None = None,

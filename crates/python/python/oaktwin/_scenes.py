@@ -1,5 +1,5 @@
-"""Scenes, recordings and data sets."""
+"""Scenes, recordings and recipes of data sets."""
 
-from ._oaktwin import Mesh, Recording, Scene, annotators, generate
+from ._oaktwin import Mesh, Recipe, Recording, Scene, annotators
 
-__all__ = ["Mesh", "Recording", "Scene", "annotators", "generate"]
+__all__ = ["Mesh", "Recipe", "Recording", "Scene", "annotators"]

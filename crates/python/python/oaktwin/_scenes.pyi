@@ -12,7 +12,7 @@ from ._devices import Device
 from ._findings import Finding
 from ._types import _Annotator, _Array, _Backend, _Float64, _Pair, _Up
 
-__all__ = ["Mesh", "Recording", "Scene", "annotators", "generate"]
+__all__ = ["Mesh", "Recipe", "Recording", "Scene", "annotators"]
 
 @final
 class Mesh:
@@ -63,47 +63,31 @@ class Scene:
         scene_limit: float = 1.0,
         allow_outside: bool = False,
     ) -> Scene:
-        """staticmethod(function) -> method
+        """Opens a USD stage (usd, usda, usdc, usdz) or a mesh file (gltf, glb, obj, stl, ply).
 
-        Convert a function to be a static method.
+        path: the file.
+        time: the time code of a USD stage; by default the default values, or the first time samples.
+        subdivide: the subdivision level of a USD stage's meshes; 0 (default) renders the polygons.
+        up: the up axis of a mesh file, "y" or "z"; by default that of its format.
+        scale: the metres per unit of a mesh file; by default 1.
+        scene_limit: the factor on the limits for composing a USD stage: its prims, references and instances; by default 1.
+        allow_outside: whether a glTF file may name buffers and images outside its folder; for trusted files only.
 
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
-
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin.
+        Missing and unsupported contents are listed in `findings`. Raises FileNotFoundError or another OSError if the file cannot
+        be read, oaktwin.Error for an invalid file, or an option that does not apply to its format.
         """
     @staticmethod
     def from_triangles(
         vertices: _Array, faces: _Array, *, up: _Up = "z", label: str | None = None
     ) -> Scene:
-        """staticmethod(function) -> method
+        """Creates a scene of one mesh.
 
-        Convert a function to be a static method.
+        vertices: (V, 3) numbers, metres in the world.
+        faces: (F, 3) integers: the vertices of each triangle, counter-clockwise seen from outside. Depth contains both sides.
+        up: the up axis of the world, "z" (default) or "y".
+        label: the semantic class; by default none.
 
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
-
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin.
+        Raises oaktwin.Error for invalid shapes, vertices that are not finite, and vertex indices that are out of range.
         """
     @staticmethod
     def from_meshes(
@@ -113,24 +97,16 @@ class Scene:
         labels: Mapping[str, str] | None = None,
         up: _Up = "z",
     ) -> Scene:
-        """staticmethod(function) -> method
+        """Creates a scene of several meshes, which `set_pose` moves.
 
-        Convert a function to be a static method.
+        meshes: a mapping from names to `Mesh`. Geometry that appears under several names is stored once.
+        poses: a mapping from names to (4, 4) world_from_mesh, metres; by default the identity.
+        labels: a mapping from names to semantic classes; by default none.
+        up: the up axis of the world, "z" (default) or "y".
 
-        A static method does not receive an implicit first argument.
-        To declare a static method, use this idiom:
+        The prim path of a name, in annotations and USD files, is /World/NAME; a name may have several elements: "arm/link_1".
 
-             class C:
-                 @staticmethod
-                 def f(arg1, arg2, argN):
-                     ...
-
-        It can be called either on the class (e.g. C.f()) or on an instance
-        (e.g. C().f()). Both the class and the instance are ignored, and
-        neither is passed implicitly as the first argument to the method.
-
-        Static methods in Python are similar to those found in Java or C++.
-        For a more advanced concept, see the classmethod builtin.
+        Raises oaktwin.Error for invalid names and poses, and for poses and labels of unknown names.
         """
     def set_pose(self, name: str, world_from_part: npt.ArrayLike) -> None:
         """Moves a part. Only what depends on its pose is computed again.
@@ -189,6 +165,7 @@ class Scene:
         imager: Mapping[str, object] | None = None,
         seed: int | None = None,
         device_seed: int | None = None,
+        drift: str | None = None,
         frame: int | None = None,
     ) -> _Pair:
         """Renders the images of a device's stereo pair, raw and rectified as on the device, for a `StereoMatcher`.
@@ -202,6 +179,8 @@ class Scene:
         seed: the noise seed.
         device_seed: the seed of the unit's calibration error, which displaces the right camera from its assumed pose; None
             (default) for no error.
+        drift: the change of the pair since the calibration to which its images are rectified, such as "yaw=0.3,baseline=50"; see
+            `DepthSensor`.
         frame: the frame number in the sequence, which determines the noise together with the seed.
 
         Returns a dictionary: "left", "right", "rectified_left", "rectified_right", (H, W) uint8, or uint16 with 10 bits; the
@@ -304,32 +283,57 @@ def annotators() -> dict[str, str]:
     `DepthSensor.annotate` takes.
     """
 
-def generate(
-    recipe: str | PathLike[str],
-    output: str | PathLike[str],
-    *,
-    frames: tuple[int, int] | None = None,
-    resume: bool = False,
-    formats: Sequence[str] | None = None,
-    seed: int | None = None,
-    workers: int | None = None,
-    only_frames: bool = False,
-) -> dict[str, int]:
-    """Generates a data set of random scenes from a recipe, as `oaktwin generate` does.
+@final
+class Recipe:
+    """A recipe of a data set of random scenes, with its scenes and the list of its objects.
 
-    recipe: the TOML file.
-    output: the folder of the data set.
-    frames: the first frame and the frame after the last one, such as (0, 100); by default all frames of the recipe.
-    resume: whether an existing data set is completed or extended.
+    path: the TOML file.
     formats: the names of formats instead of the recipe's, such as ["bop", "coco"].
     seed: the seed instead of the recipe's.
-    workers: the number of frames that are made at the same time; by default that of the processors, if there is enough memory.
-    only_frames: whether files that span frames are left to another call with resume=True. Several processes, also on several
-        machines with a common folder, can make different frames of one data set in this way.
+    catalog: a folder of TOML files with additional devices and sensors.
 
-    Returns a mapping: "frames", the number of frames that were made, "skipped", those that were complete already, "missing", those of
-    the recipe that are not there, "files" and "bytes".
+    A frame depends on the recipe, the seed and its number only: it has the same bytes on every machine, whichever frames are made
+    before it. Unpickling reads the files again.
 
-    Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an invalid recipe or an impossible placement; what is complete
-    remains and can be resumed, also after Ctrl-C.
+    Raises oaktwin.Error for an invalid recipe, with the line and the nearest name.
     """
+    def __new__(
+        cls,
+        path: str | PathLike[str],
+        *,
+        formats: Sequence[str] | None = None,
+        seed: int | None = None,
+        catalog: str | PathLike[str] | None = None,
+    ) -> Recipe: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[str], dict[str, Any]]: ...
+    @property
+    def frames(self) -> int:
+        """The number of frames."""
+    def explain(self, frame: int) -> dict[str, Any]:
+        """Returns everything that is drawn at random for a frame: the scene, the objects with their poses, the lights, the camera.
+
+        Raises oaktwin.Error if an object or the camera has no place.
+        """
+    def preview(self, frames: int = 16) -> npt.NDArray[np.uint8]:
+        """Returns a contact sheet of the first frames as an sRGB image (H, W, 3) of uint8: colour, exact depth and measured depth."""
+    def generate(
+        self,
+        output: str | PathLike[str],
+        *,
+        frames: tuple[int, int] | None = None,
+        resume: bool = False,
+        workers: int | None = None,
+        only_frames: bool = False,
+        ray: bool | str = False,
+    ) -> dict[str, int]:
+        """Generates the data set, or a part of it, in a folder, as oaktwin.generate does.
+
+        output: the folder of the data set.
+        frames: the first frame and the frame after the last one, such as (0, 100); by default all frames of the recipe.
+        resume: whether an existing data set is completed or extended.
+        workers: the number of frames that are made at the same time; by default that of the processors, if there is enough memory.
+        only_frames: whether files that span frames are left to another call with resume=True. Several processes, also on several
+            machines with a common folder, can make different frames of one data set in this way.
+        ray: whether Ray distributes the frames: True, or the address of a cluster, such as "auto", "host:6379" or
+            "ray://host:10001".
+        """

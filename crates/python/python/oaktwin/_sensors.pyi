@@ -53,6 +53,9 @@ class DepthSensor:
     isaac: the Isaac Sim version that determines the defaults of "single-view", "5.1" or "6".
     seed: the noise seed: equal seeds, names, frames and items give equal noise.
     device_seed: the seed of the unit's calibration error; None disables it.
+    drift: the change of the stereo pair since its calibration, such as "yaw=0.3,baseline=50": rotations of the right camera
+        in mrad (yaw, pitch, roll), the growth of the baseline in µm, of the focal length in ppm, or the warming in K
+        (temperature). "stereo-noise" has the resulting errors of depth and loss of pixels.
 
     Raises oaktwin.Error for an unknown or invalid engine, preset, filter or parameter, with the nearest names, and for
     a camera whose field of view contradicts fx or hfov_deg.
@@ -104,6 +107,7 @@ class DepthSensor:
         isaac: _Isaac | None = None,
         seed: int = 0,
         device_seed: int | None = None,
+        drift: str | None = None,
         # End of the generated part.
     ) -> DepthSensor: ...
     @overload

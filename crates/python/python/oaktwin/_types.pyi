@@ -72,6 +72,7 @@ class _SensorOptions(TypedDict, total=False):
     isaac: _Isaac | None
     seed: int
     device_seed: int | None
+    drift: str | None
 # End of the generated part.
 
 _Float64 = npt.NDArray[np.float64]

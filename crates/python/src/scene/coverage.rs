@@ -68,6 +68,7 @@ pub(crate) fn coverage<'py>(
             imager,
             seed: engine.seed,
             device_seed: engine.device_seed,
+            drift: None,
         };
         let options = RigOptions {
             sensor: sensor.clone(),

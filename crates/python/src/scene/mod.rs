@@ -300,6 +300,8 @@ impl Scene {
     /// seed: the noise seed.
     /// device_seed: the seed of the unit's calibration error, which displaces the right camera from its assumed pose; None
     ///     (default) for no error.
+    /// drift: the change of the pair since the calibration to which its images are rectified, such as "yaw=0.3,baseline=50"; see
+    ///     `DepthSensor`.
     /// frame: the frame number in the sequence, which determines the noise together with the seed.
     ///
     /// Returns a dictionary: "left", "right", "rectified_left", "rectified_right", (H, W) uint8, or uint16 with 10 bits; the
@@ -309,7 +311,7 @@ impl Scene {
     /// Issues an oaktwin.FindingWarning for missing or unsupported contents. Raises oaktwin.Error for a device without a stereo
     /// pair or without the requested projector, an invalid pose, values out of range, and images that do not fit in memory.
     #[pyo3(signature = (device, world_from_body, *, size = None, projector = 0.0, ambient = 1.0, imager = None, seed = None,
-        device_seed = None, frame = None))]
+        device_seed = None, drift = None, frame = None))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn render_pair<'py>(
         &self,
@@ -322,6 +324,7 @@ impl Scene {
         imager: Option<&Bound<'py, PyAny>>,
         seed: Option<&Bound<'py, PyAny>>,
         device_seed: Option<u64>,
+        drift: Option<&str>,
         frame: Option<FrameNumber>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let settings = PairSettings {
@@ -331,6 +334,7 @@ impl Scene {
             imager,
             seed: seed.map_or(Ok(0), |seed| whole_number("seed", seed))?,
             device_seed,
+            drift,
         };
         let options = settings.options(device)?;
         let world_from_body = one_pose("world_from_body", world_from_body)?;

@@ -26,6 +26,7 @@ fn heading(report: &Report) -> String {
         Devices::Population { count } => {
             format!("the median of {count} devices (seeds 0 to {})", count - 1)
         }
+        Devices::Factory { count } => format!("the median of {count} devices of the factory population"),
         Devices::One { device_seed } => format!("the device of seed {device_seed}"),
         Devices::AsGiven => "one device".to_owned(),
     };
@@ -77,11 +78,16 @@ fn heading(report: &Report) -> String {
 }
 
 fn own_table(report: &Report, title: String) -> Table {
-    let many = matches!(report.devices, Devices::Population { .. });
+    let many = report.devices.are_many();
+    let is_factory = matches!(report.devices, Devices::Factory { .. });
     let header = [
         "Distance\n[m]",
         "Error\n[%]",
-        "Quartiles\n[%]",
+        if is_factory {
+            "5 to 95 %\n[%]"
+        } else {
+            "Quartiles\n[%]"
+        },
         "Fill\n[%]",
         "Plane\nRMS [mm]",
         "Subpixel\n[px]",
@@ -308,7 +314,8 @@ fn error(reading: &Reading, many: bool) -> String {
 
 fn quartiles(reading: &Reading) -> String {
     reading
-        .error_quartiles_percent
+        .error_5_to_95_percent
+        .or(reading.error_quartiles_percent)
         .map_or_else(|| "-".to_owned(), |[low, high]| format!("{low:.2}-{high:.2}"))
 }
 

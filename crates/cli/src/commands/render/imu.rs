@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use oaktwin::catalog::Twin;
 use oaktwin::diagnostic::Finding;
-use oaktwin::files::WrittenFile;
+use oaktwin::files::{self, WrittenFile};
 use oaktwin::imu::{self, ImuOptions, ImuSimulation};
 use oaktwin::render::trajectory::TimedPose;
 use oaktwin::scene::Up;
@@ -61,6 +61,11 @@ pub(super) fn write(
     let inputs = [&args.trajectory, &args.unit.calibration];
     let inputs = inputs.into_iter().map(Option::as_deref);
     destination::spare_inputs(path, inputs.chain([Some(args.scene.as_path())]))?;
+    if let (Some(output), Some(folder)) = (&args.output, path.parent())
+        && folder.starts_with(output)
+    {
+        files::make_folder(folder)?;
+    }
     let (part, rate_hz, count) = (
         samples.part().to_owned(),
         samples.rate_hz(),

@@ -87,9 +87,7 @@ pub(super) fn pair(
     }
     let pair = PairOptions {
         size,
-        bias_px,
-        seed: options.seed,
-        ..args.pair.options(args.unit.lens)?
+        ..args.pair.options(args.unit.lens)?.of_sensor(&options)?
     };
     Ok(Some(render::put_pair(&oak.twin, cameras, &pair)?))
 }

@@ -1,4 +1,5 @@
 use super::*;
+use oaktwin_camera::StereoDrift;
 use oaktwin_catalog::Catalog;
 use oaktwin_pipeline::sensor::{
     EngineKind, SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, SensorOptions, sensor,
@@ -21,7 +22,9 @@ fn test_rig(model: &str, engine: &'static EngineKind, parameters: &[(&str, &str)
     TestRig {
         intrinsics,
         region: Region::centred(intrinsics.size.width, intrinsics.size.height, 0.05),
+        first: 0,
         units: vec![Unit {
+            drifted: None,
             engine: Arc::clone(sensor.engine()),
             filters: Chain::default(),
             bias_px: 0.0,
@@ -70,7 +73,7 @@ fn a_crop_measures_the_same_as_the_whole_image() {
 #[test]
 fn a_pair_that_cannot_be_matched_is_an_error_of_the_region() {
     let mut rig = test_rig("oak4-d", &STEREO_MATCHING, &[]);
-    rig.stereo_camera = Some(StereoCamera::new(0.075, 1.0, 0).unwrap());
+    rig.stereo_camera = Some(StereoCamera::new((0.075, StereoDrift::default()), 1.0, 0).unwrap());
     let mut part = rig.part(2.0);
     part.intrinsics.size.height = 0;
     let scenery = Scenery::new(&rig, &part, 2.0);
@@ -88,7 +91,7 @@ fn a_pair_that_cannot_be_matched_is_an_error_of_the_region() {
 #[test]
 fn matching_a_crop_nearly_equals_matching_the_whole_image() {
     let mut rig = test_rig("oak4-d", &STEREO_MATCHING, &[]);
-    rig.stereo_camera = Some(StereoCamera::new(0.075, 1.0, 0).unwrap());
+    rig.stereo_camera = Some(StereoCamera::new((0.075, StereoDrift::default()), 1.0, 0).unwrap());
     let effort = Effort {
         captures: 2,
         quality: false,

@@ -1,0 +1,160 @@
+//! Frames that are made by Ray, with the Python package.
+
+use std::env;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::ops::Range;
+use std::path::absolute;
+use std::process::{Child, Command, Stdio};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+
+use oaktwin::generate::Generation;
+use oaktwin::progress::{Progress, Watch};
+use serde::Deserialize;
+use serde_json::json;
+
+use crate::args::GenerateArgs;
+use crate::context::{Context, Result};
+
+/// The variable with the Python interpreter.
+const PYTHON: &str = "OAKTWIN_PYTHON";
+/// The maximum delay of Ctrl-C.
+const POLL: Duration = Duration::from_millis(50);
+
+/// A line from the Python process.
+#[derive(Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Line {
+    /// A batch of frames is complete.
+    Done(u64, u64),
+    /// Nothing more follows.
+    Error(String),
+}
+
+/// Makes the missing frames on the cluster at an address.
+pub(super) fn make(
+    context: &Context,
+    args: &GenerateArgs,
+    address: &str,
+    generation: &mut Generation,
+    watch: &Watch<'_>,
+) -> Result<()> {
+    let total = generation.total();
+    if total == 0 {
+        return Ok(());
+    }
+    let request = json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "job": {
+            "recipe": args.recipe.as_deref().map(absolute).transpose()?,
+            "output": args.output.as_deref().map(absolute).transpose()?,
+            "formats": (!args.formats.is_empty()).then_some(&args.formats),
+            "seed": args.seed,
+            "catalog": context.catalog_folder.as_deref().map(absolute).transpose()?,
+        },
+        "address": address,
+        "workers": args.workers,
+        "batches": generation.batches().iter().map(|batch| (batch.start, batch.end)).collect::<Vec<_>>(),
+    });
+    let mut python = Python::start(&format!("{request}\n"))?;
+    let mut done = 0;
+    loop {
+        if watch(Progress { done, total }).is_break() {
+            generation.interrupt();
+            return Ok(());
+        }
+        if done == total {
+            // Ray is shut down.
+            python.process.wait()?;
+            return Ok(());
+        }
+        if let Some(batch) = python.next()? {
+            generation.add(&batch)?;
+            done += batch.end - batch.start;
+        }
+    }
+}
+
+/// The Python process, which ends Ray's tasks and itself when its standard input is closed.
+struct Python {
+    name: String,
+    process: Child,
+    lines: Receiver<String>,
+    messages: Option<JoinHandle<String>>,
+}
+
+impl Python {
+    /// Starts the process with its request.
+    fn start(request: &str) -> Result<Self> {
+        let name = env::var(PYTHON).unwrap_or_else(|_| "python3".to_owned());
+        let mut command = Command::new(&name);
+        // Not with -m: the functions of a main module do not exist in Ray's workers.
+        command.args(["-c", "import oaktwin._ray as ray; raise SystemExit(ray.main())"]);
+        command
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+        // Ctrl-C in a terminal is for this process, which then closes the other's input.
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut command, 0);
+        let mut process = command.spawn().map_err(|error| {
+            format!("{name} cannot be run ({error}); name a Python with oaktwin[ray] in {PYTHON}")
+        })?;
+        if let Some(input) = &mut process.stdin {
+            // A process that ended already is reported with its messages.
+            let _ = input.write_all(request.as_bytes());
+        }
+        let (sender, lines) = mpsc::channel();
+        if let Some(output) = process.stdout.take() {
+            thread::spawn(move || {
+                let lines = BufReader::new(output).lines();
+                lines
+                    .map_while(std::result::Result::ok)
+                    .try_for_each(|line| sender.send(line))
+            });
+        }
+        let messages = process.stderr.take().map(|mut errors| {
+            thread::spawn(move || {
+                let mut text = Vec::new();
+                let _ = errors.read_to_end(&mut text);
+                String::from_utf8_lossy(&text).into_owned()
+            })
+        });
+        Ok(Self {
+            name,
+            process,
+            lines,
+            messages,
+        })
+    }
+
+    /// Returns the next batch that is complete; `None` if there is none yet.
+    fn next(&mut self) -> Result<Option<Range<u64>>> {
+        let line = match self.lines.recv_timeout(POLL) {
+            Ok(line) => line,
+            Err(RecvTimeoutError::Timeout) => return Ok(None),
+            Err(RecvTimeoutError::Disconnected) => return Err(self.ended().into()),
+        };
+        match serde_json::from_str(&line) {
+            Ok(Line::Done(first, end)) => Ok(Some(first..end)),
+            Ok(Line::Error(text)) => Err(text.into()),
+            Err(_) => Ok(None),
+        }
+    }
+
+    /// Describes the end of a process that did not report an error.
+    fn ended(&mut self) -> String {
+        let status = self.process.wait().map(|status| status.to_string());
+        let messages = self.messages.take().and_then(|thread| thread.join().ok());
+        let messages = messages.unwrap_or_default();
+        let last = messages.lines().rev().find(|line| !line.trim().is_empty());
+        format!(
+            "{}: ended before the frames were complete ({}): {}; install oaktwin[ray] there, or name another Python in {PYTHON}; \
+             then resume with --resume",
+            self.name,
+            status.unwrap_or_default(),
+            last.unwrap_or("no message").trim(),
+        )
+    }
+}

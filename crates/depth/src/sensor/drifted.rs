@@ -1,0 +1,83 @@
+use oaktwin_camera::{ImageSize, Intrinsics, OpenCv, PixelPoint, StereoDrift};
+use oaktwin_image::{Image, ImageView};
+use rayon::prelude::*;
+
+/// The depth of a surface that a drifted pair sees beyond infinity, m: beyond all that can be measured.
+const BEYOND_M: f64 = 1e6;
+
+/// A stereo pair that has drifted since its calibration, for engines that measure depth images.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DriftedPair {
+    /// The drift.
+    pub drift: StereoDrift,
+    /// The calibrated intrinsics of the rectified images; images of another size are resized.
+    pub intrinsics: Intrinsics,
+    /// The calibrated baseline, m.
+    pub baseline_m: f64,
+}
+
+impl DriftedPair {
+    /// Returns the depth that the calibration assigns to the true disparity of each pixel, metres. Values that are not finite and
+    /// positive are unchanged. The shift of the left image by the drift of its focal length, a small part of a pixel, is neglected.
+    pub(super) fn assumed_depth(&self, depth: ImageView<'_, f32>) -> Image<f32> {
+        let (width, height) = (depth.width(), depth.height());
+        let intrinsics = self.intrinsics.resized(ImageSize::new(width, height), true);
+        let matches = self.drift.matches(&intrinsics, self.baseline_m);
+        let mut assumed = Image::filled(width, height, 0.0);
+        let rows = assumed.pixels_mut().par_chunks_exact_mut((width as usize).max(1));
+        let rows = rows.zip(depth.pixels().par_chunks_exact((width as usize).max(1)));
+        rows.enumerate().for_each(|(y, (assumed, depth))| {
+            for (x, (assumed, &depth_m)) in assumed.iter_mut().zip(depth).enumerate() {
+                let z = f64::from(depth_m);
+                #[expect(clippy::cast_precision_loss, reason = "images are smaller than 2⁵² pixels")]
+                let pixel = PixelPoint::<OpenCv>::new(x as f64, y as f64);
+                let drifted = matches.assumed_depth(pixel, z).min(BEYOND_M);
+                *assumed = if z > 0.0 && z.is_finite() {
+                    #[expect(clippy::cast_possible_truncation, reason = "depth is float32")]
+                    let drifted = drifted as f32;
+                    drifted
+                } else {
+                    depth_m
+                };
+            }
+        });
+        assumed
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn drifted(drift: &str) -> DriftedPair {
+        let centre = PixelPoint::<OpenCv>::new(63.5, 39.5);
+        DriftedPair {
+            drift: StereoDrift::parse(drift).unwrap(),
+            intrinsics: Intrinsics::new(ImageSize::new(128, 80), 80.0, 80.0, centre),
+            baseline_m: 0.075,
+        }
+    }
+
+    #[test]
+    fn a_longer_baseline_makes_depth_too_small() {
+        let depth = Image::filled(128, 80, 2.0);
+        let assumed = drifted("baseline=750").assumed_depth((&depth).into());
+        for z in assumed.pixels() {
+            assert!((z - 2.0 / 1.01).abs() < 1e-5, "{z}");
+        }
+        // Twice the size, the same lens.
+        let depth = Image::filled(256, 160, 2.0);
+        let assumed = drifted("baseline=750").assumed_depth((&depth).into());
+        assert!((assumed.pixels()[1234] - 2.0 / 1.01).abs() < 1e-5);
+    }
+
+    #[test]
+    fn negative_disparity_is_beyond_range_and_missing_values_stay() {
+        let mut depth = Image::filled(128, 80, 50.0);
+        depth.pixels_mut()[0] = f32::INFINITY;
+        depth.pixels_mut()[1] = 0.0;
+        let assumed = drifted("yaw=-10").assumed_depth((&depth).into());
+        assert_eq!(assumed.pixels()[..2], [f32::INFINITY, 0.0]);
+        assert!(assumed.pixels()[5000] >= 0.9e6);
+    }
+}

@@ -1,0 +1,49 @@
+"""Data sets from recipes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from os import PathLike
+
+from ._oaktwin import Recipe
+
+__all__ = ["Recipe", "generate"]
+
+
+def generate(
+    recipe: str | PathLike[str],
+    output: str | PathLike[str],
+    *,
+    frames: tuple[int, int] | None = None,
+    resume: bool = False,
+    formats: Sequence[str] | None = None,
+    seed: int | None = None,
+    catalog: str | PathLike[str] | None = None,
+    workers: int | None = None,
+    only_frames: bool = False,
+    ray: bool | str = False,
+) -> dict[str, int]:
+    """Generates a data set of random scenes from a recipe, as `oaktwin generate` does.
+
+    recipe: the TOML file.
+    output: the folder of the data set.
+    frames: the first frame and the frame after the last one, such as (0, 100); by default all frames of the recipe.
+    resume: whether an existing data set is completed or extended.
+    formats: the names of formats instead of the recipe's, such as ["bop", "coco"].
+    seed: the seed instead of the recipe's.
+    catalog: a folder of TOML files with additional devices and sensors.
+    workers: the number of frames that are made at the same time; by default that of the processors, if there is enough memory.
+    only_frames: whether files that span frames are left to another call with resume=True. Several processes, also on several
+        machines with a common folder, can make different frames of one data set in this way.
+    ray: whether Ray distributes the frames: True for the cluster that this process is connected to, that of RAY_ADDRESS or this
+        machine; or the address of a cluster, such as "auto", "host:6379" or "ray://host:10001". All machines need this version of
+        oaktwin, and the recipe, its files and the folder under the same paths. The bytes are the same as without Ray.
+
+    Returns a mapping: "frames", the number of frames that were made, "skipped", those that were complete already, "missing", those of
+    the recipe that are not there, "files" and "bytes".
+
+    Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an invalid recipe or an impossible placement, and ImportError without
+    Ray: `pip install oaktwin[ray]`; what is complete remains and can be resumed, also after Ctrl-C.
+    """
+    opened = Recipe(recipe, formats=formats, seed=seed, catalog=catalog)
+    return opened.generate(output, frames=frames, resume=resume, workers=workers, only_frames=only_frames, ray=ray)
