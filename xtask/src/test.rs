@@ -298,6 +298,8 @@ fn pytest(python: &Path, tests: &str, programs: &Programs, args: &Args) -> Comma
         "no:cacheprovider",
         tests,
     ]);
+    // Copies of the documentation's inputs would fill gigabytes.
+    command.args(["-o", "tmp_path_retention_policy=failed"]);
     if args.all {
         command.arg("--slow");
     }
