@@ -7,3 +7,5 @@ pub mod process;
 pub mod random;
 pub mod reference;
 pub mod shapes;
+pub mod stereo_pair;
+pub mod views;

@@ -1,6 +1,27 @@
 //! Processor time and memory of this process; zero if the system does not report them.
 
 use std::fs;
+use std::time::Instant;
+
+/// The time that work took, in seconds.
+#[derive(Clone, Copy, Debug)]
+pub struct Elapsed {
+    /// By the clock.
+    pub wall_s: f64,
+    /// Of the processor, summed over all threads of this process.
+    pub cpu_s: f64,
+}
+
+/// Does work and measures its time.
+pub fn timed<T>(work: impl FnOnce() -> T) -> (T, Elapsed) {
+    let (start, cpu) = (Instant::now(), cpu_s());
+    let value = work();
+    let elapsed = Elapsed {
+        wall_s: start.elapsed().as_secs_f64(),
+        cpu_s: cpu_s() - cpu,
+    };
+    (value, elapsed)
+}
 
 /// Returns the processor time in seconds of all threads so far, including those that have ended.
 #[must_use]

@@ -7,6 +7,7 @@ mod generate;
 mod load;
 mod python;
 mod render;
+mod scaling;
 mod stereo;
 mod studio;
 mod turns;
@@ -30,6 +31,8 @@ pub(crate) enum Bench {
     Load(load::Args),
     /// Calls of the Python package, compared with noise written in NumPy
     Python(python::Args),
+    /// How costs grow with triangles, pixels, instances, disparities, frames and threads
+    Scaling(scaling::Args),
     /// The page of `oaktwin studio` in a headless browser; requires npm and Chromium
     Studio(studio::Args),
 }
@@ -44,6 +47,7 @@ pub(crate) fn run(bench: &Bench) -> Result<(), String> {
         Bench::Stereo(args) => stereo::run(args),
         Bench::Load(args) => load::run(args),
         Bench::Python(args) => python::run(args),
+        Bench::Scaling(args) => scaling::run(args),
         Bench::Studio(args) => studio::run(args),
     }
 }

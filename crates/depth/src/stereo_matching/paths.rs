@@ -191,6 +191,7 @@ fn relax<P: Lane, H: Lane, const D: usize, const IS_ALONG: bool>(
     total: &mut [H; D],
 ) -> P {
     let mut own = [P::default(); D];
+    let mut least = P::MAX;
     {
         let (Some(nearer), Some(same), Some(farther)) = (
             chunk::<P, D>(slots, slot),
@@ -204,11 +205,8 @@ fn relax<P: Lane, H: Lane, const D: usize, const IS_ALONG: bool>(
             let beside = nearer[d].min(farther[d]).plus_saturating(p1);
             let before = same[d].min(beside).min(most).minus(base);
             own[d] = costs[d].plus(before);
+            least = least.min(own[d]);
         }
-    }
-    let mut least = P::MAX;
-    for cost in own {
-        least = least.min(cost);
     }
     for d in 0..D {
         let own = H::of(own[d].wide());

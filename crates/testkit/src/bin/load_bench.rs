@@ -4,14 +4,14 @@
 #![expect(clippy::print_stdout, reason = "the output is the program's purpose")]
 
 use std::error::Error;
-use std::time::Instant;
 
-use oaktwin_camera::math::{DMat3, DVec3};
-use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform};
+use oaktwin_camera::ImageSize;
+use oaktwin_camera::math::DVec3;
 use oaktwin_image::annotation::Annotator;
-use oaktwin_render::{AnnotateOptions, Backend, Clip, Renderer, View};
+use oaktwin_render::{AnnotateOptions, Backend, Renderer, View};
 use oaktwin_scene::Scene;
-use oaktwin_testkit::process;
+use oaktwin_testkit::process::{Elapsed, timed};
+use oaktwin_testkit::views::looking_at;
 use oaktwin_usd::stage::{SceneOptions, open_scene};
 use serde_json::json;
 
@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut scene = Scene::default();
     for _ in 0..runs.max(1) {
         drop(std::mem::take(&mut scene));
-        let (opened, wall_s, cpu_s) = timed(|| open_scene(&stage, &SceneOptions::default()));
+        let (opened, Elapsed { wall_s, cpu_s }) = timed(|| open_scene(&stage, &SceneOptions::default()));
         scene = opened?.scene;
         let triangles: usize = scene
             .instances
@@ -51,19 +51,13 @@ fn render(scene: Scene, frames: usize) {
     let annotators = [Annotator::DistanceToImagePlane, Annotator::Rgb];
     for _ in 0..=frames {
         let [depth, rgb] = annotators.map(|annotator| {
-            let (_, wall_s, cpu_s) =
+            // Dropping the images is not timed.
+            let (_, Elapsed { wall_s, cpu_s }) =
                 timed(|| renderer.annotate(&view, &[annotator], Backend::Auto, &options));
             json!({ "wall_s": wall_s, "cpu_s": cpu_s })
         });
         println!("{}", json!({ "depth": depth, "rgb": rgb }));
     }
-}
-
-/// The result of the work, its wall time and its processor time in seconds. Dropping is not timed.
-fn timed<T>(work: impl FnOnce() -> T) -> (T, f64, f64) {
-    let (start, cpu) = (Instant::now(), process::cpu_s());
-    let value = work();
-    (value, start.elapsed().as_secs_f64(), process::cpu_s() - cpu)
 }
 
 /// A view of 1280 × 800 pixels, 77° wide, that contains the whole scene.
@@ -87,14 +81,5 @@ fn from_above_a_corner(scene: &Scene) -> View {
     let aside = up.any_orthonormal_vector();
     let direction = (0.6 * up + aside + 0.7 * up.cross(aside)).normalize();
     let eye = centre + 1.1 * reach * direction;
-    let right = up.cross(direction).normalize();
-    let rotation = DMat3::from_cols(right, right.cross(direction), -direction);
-    View {
-        camera: Camera::new(
-            Intrinsics::from_hfov(ImageSize::new(1280, 800), 77f64.to_radians()),
-            LensModel::Pinhole,
-        ),
-        world_from_camera: RigidTransform::new(rotation, eye),
-        clip: Clip::default(),
-    }
+    looking_at(eye, centre, up, ImageSize::new(1280, 800))
 }

@@ -1,17 +1,18 @@
 //! Formats numbers as OpenUSD does: the shortest digits that parse back to the same value, `1` for 1.0, decimals
 //! from 1e-6 up to 1e15 and exponents (`1e15`, `1e-7`) beyond.
 
-use std::fmt::Write;
-
 use zmij::{Buffer, Float};
 
 /// Appends an integer.
 pub(super) fn push_i32(out: &mut String, value: i32) {
-    let _ = write!(out, "{value}");
+    out.push_str(itoa::Buffer::new().format(value));
 }
 
 /// Appends a 32-bit number with the shortest digits that identify it among `f32` values.
 pub(super) fn push_f32(out: &mut String, value: f32) {
+    if push_millionths(out, value) {
+        return;
+    }
     if value.is_finite() {
         push_finite(out, value);
     } else {
@@ -26,6 +27,49 @@ pub(super) fn push_f64(out: &mut String, value: f64) {
     } else {
         push_special(out, value.is_nan(), value > 0.0);
     }
+}
+
+/// Appends a number if it is the nearest to a multiple of 1e-6 between -1 and 1, or a small integer, as the coordinates of
+/// meshes are. Returns whether it is.
+fn push_millionths(out: &mut String, value: f32) -> bool {
+    const ONE: f64 = 1e6;
+    let scaled = f64::from(value) * ONE;
+    #[expect(clippy::cast_possible_truncation, reason = "saturates")]
+    let rounded = (scaled + 0.5f64.copysign(scaled)) as i32;
+    if rounded == 0 || rounded.unsigned_abs() >= 1_000_000 {
+        return push_small_integer(out, value);
+    }
+    // Six digits identify a number, so the shortest text has no others.
+    #[expect(clippy::cast_possible_truncation, reason = "compared with the value")]
+    if (f64::from(rounded) / ONE) as f32 != value {
+        return false;
+    }
+    out.push_str(if rounded < 0 { "-0." } else { "0." });
+    let mut rest = rounded.unsigned_abs();
+    let mut last = 6;
+    while rest.is_multiple_of(10) {
+        rest /= 10;
+        last -= 1;
+    }
+    let mut digits = [b'0'; 6];
+    for digit in digits[..last].iter_mut().rev() {
+        *digit = b'0' + (rest % 10) as u8;
+        rest /= 10;
+    }
+    out.push_str(str::from_utf8(&digits[..last]).unwrap_or_default());
+    true
+}
+
+/// Appends an integer of up to six digits other than -0. Returns whether the number is one.
+fn push_small_integer(out: &mut String, value: f32) -> bool {
+    #[expect(clippy::cast_possible_truncation, reason = "saturates")]
+    let whole = value as i32;
+    #[expect(clippy::cast_precision_loss, reason = "six digits")]
+    let is_integer = whole.unsigned_abs() < 1_000_000 && (whole as f32).to_bits() == value.to_bits();
+    if is_integer {
+        push_i32(out, whole);
+    }
+    is_integer
 }
 
 fn push_special(out: &mut String, is_nan: bool, positive: bool) {
@@ -159,6 +203,19 @@ mod tests {
             (f32::MIN_POSITIVE, "1.1754944e-38"),
         ] {
             assert_eq!(f32_text(value), text);
+        }
+    }
+
+    #[test]
+    fn every_millionth_has_its_shortest_text() {
+        for millionths in (-1_000_100..1_000_100).step_by(7).chain(-3000..3000) {
+            #[expect(clippy::cast_possible_truncation, reason = "the nearest f32")]
+            let value = (f64::from(millionths) / 1e6) as f32;
+            for value in [value, value.next_up(), value.next_down()] {
+                let mut general = String::new();
+                push_finite(&mut general, value);
+                assert_eq!(f32_text(value), general);
+            }
         }
     }
 

@@ -13,7 +13,6 @@ mod room;
 
 use std::error::Error;
 use std::path::Path;
-use std::time::Instant;
 
 use oaktwin_testkit::process;
 use serde_json::json;
@@ -44,12 +43,11 @@ fn run(frames: u64, threads: usize, name: &str) -> Result<(), Box<dyn Error>> {
         let mut times = Vec::new();
         // The first is the warm-up.
         for frame in 0..=frames {
-            let (start, cpu) = (Instant::now(), process::cpu_s());
-            let done = pool.install(|| (case.work)(frame).map_err(|error| error.to_string()));
-            let time = (start.elapsed().as_secs_f64(), process::cpu_s() - cpu);
+            let work = || pool.install(|| (case.work)(frame).map_err(|error| error.to_string()));
+            let (done, elapsed) = process::timed(work);
             done?;
             if frame > 0 {
-                times.push(time);
+                times.push((elapsed.wall_s, elapsed.cpu_s));
             }
         }
         let (walls, cpus): (Vec<f64>, Vec<f64>) = times.into_iter().unzip();
