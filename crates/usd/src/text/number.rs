@@ -44,19 +44,16 @@ fn push_millionths(out: &mut String, value: f32) -> bool {
     if (f64::from(rounded) / ONE) as f32 != value {
         return false;
     }
-    out.push_str(if rounded < 0 { "-0." } else { "0." });
-    let mut rest = rounded.unsigned_abs();
-    let mut last = 6;
-    while rest.is_multiple_of(10) {
-        rest /= 10;
-        last -= 1;
+    let mut text = *b"-0.000000";
+    let digits = rounded.unsigned_abs();
+    #[expect(clippy::cast_possible_truncation, reason = "two digits")]
+    for (place, pair) in [(3, digits / 10_000), (5, digits / 100 % 100), (7, digits % 100)] {
+        text[place] += (pair / 10) as u8;
+        text[place + 1] += (pair % 10) as u8;
     }
-    let mut digits = [b'0'; 6];
-    for digit in digits[..last].iter_mut().rev() {
-        *digit = b'0' + (rest % 10) as u8;
-        rest /= 10;
-    }
-    out.push_str(str::from_utf8(&digits[..last]).unwrap_or_default());
+    let first = usize::from(rounded > 0);
+    let last = text.iter().rposition(|digit| *digit != b'0').unwrap_or(0);
+    out.push_str(str::from_utf8(&text[first..=last]).unwrap_or_default());
     true
 }
 

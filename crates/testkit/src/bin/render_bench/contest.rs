@@ -48,8 +48,9 @@ pub(crate) struct Places {
     environment: Option<PathBuf>,
 }
 
-/// Consecutive frames, so that an engine's data is in the caches for all but the first.
-const FRAMES_PER_TURN: usize = 3;
+/// Consecutive frames, so that an engine's data is in the caches for all but the first. After a pause, the scheduler runs
+/// all threads on one processor for some milliseconds, which are several of our frames.
+const FRAMES_PER_TURN: usize = 10;
 
 /// The engines whose depth is the reference; the first available one is used.
 const REFERENCES: [(&str, &str); 4] = [("open3d", ""), ("embree", "1"), ("mitsuba", ""), ("ray", "")];
