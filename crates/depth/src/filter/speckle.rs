@@ -1,6 +1,7 @@
 use oaktwin_image::Image;
 use oaktwin_parameter::parameters;
 use oaktwin_simd::Level;
+use rayon::prelude::*;
 
 use super::{Pixel, simd};
 
@@ -47,6 +48,11 @@ impl Speckle {
 
     /// Runs the filter; an image of 2³¹ pixels or more remains unchanged.
     pub(super) fn run<P: Pixel>(&self, level: Level, image: &mut Image<P>) {
+        self.run_in_bands(level, image, band_height(image.height() as usize));
+    }
+
+    /// Runs the filter in parallel on bands of `height` rows; the result does not depend on it.
+    pub(super) fn run_in_bands<P: Pixel>(&self, level: Level, image: &mut Image<P>, height: usize) {
         let width = image.width() as usize;
         if width == 0 || self.speckle_range == 0 || i32::try_from(image.pixels().len()).is_err() {
             return;
@@ -54,24 +60,31 @@ impl Speckle {
         let most: u16 = P::MAX.into();
         let threshold = i32::try_from(self.difference_threshold.min(most.into())).unwrap_or_default();
         let threshold = P::cut(threshold);
-        drop_lone(level, image, threshold);
-        let mut runs = self.runs(level, image, threshold);
-        runs.patches.settle();
-        let mut run = 0;
-        for (pixel, &left) in image.pixels_mut().iter_mut().zip(&runs.left) {
-            run += usize::from(1 - left);
-            let stays = runs.patches.nodes[run] == 0;
-            *pixel = if stays { *pixel } else { P::default() };
-        }
+        let band = width * height;
+        drop_lone(level, image, band, threshold);
+        let bands = image.pixels().par_chunks(band);
+        let parts: Vec<Runs> = bands
+            .map(|rows| self.runs(level, rows, width, threshold))
+            .collect();
+        let (lefts, mut patches) = self.joined(level, image, band, threshold, parts);
+        patches.settle();
+        let bands = image.pixels_mut().par_chunks_mut(band);
+        bands.zip(&lefts).for_each(|(pixels, (before, left))| {
+            let mut run = *before;
+            for (pixel, &left) in pixels.iter_mut().zip(left) {
+                run += usize::from(1 - left);
+                let stays = patches.nodes[run] == 0;
+                *pixel = if stays { *pixel } else { P::default() };
+            }
+        });
     }
 
-    /// Joins the runs of similar pixels to regions.
-    fn runs<P: Pixel>(&self, level: Level, image: &Image<P>, threshold: P) -> Runs {
-        let width = image.width() as usize;
+    /// Joins the runs of similar pixels of some rows to regions.
+    fn runs<P: Pixel>(&self, level: Level, rows: &[P], width: usize, threshold: P) -> Runs {
         let empty = (vec![P::default(); width], vec![0; width]);
         let (mut above, mut left_above) = (&empty.0[..], &empty.1[..]);
         let (mut up, mut joins) = (vec![0; width], vec![0; width]);
-        let mut left = vec![0; image.pixels().len()];
+        let mut left = vec![0; rows.len()];
         let mut patches = Patches {
             nodes: vec![i32::MIN],
             range: i32::try_from(self.speckle_range).unwrap_or(i32::MAX),
@@ -80,7 +93,8 @@ impl Speckle {
         // of joins.
         let (mut run_of, mut run_above) = (vec![0usize; width], vec![0usize; width]);
         let (mut begins, mut joined) = (vec![0u32; width + 1], vec![0u32; width + 1]);
-        for (row, left) in image.rows().zip(left.chunks_exact_mut(width)) {
+        let mut first = Vec::new();
+        for (row, left) in rows.chunks_exact(width).zip(left.chunks_exact_mut(width)) {
             let links = &mut Links {
                 left: &mut *left,
                 left_above,
@@ -98,7 +112,7 @@ impl Speckle {
                 joined[places] = x;
                 places += usize::from(*join);
             }
-            begins[runs] = image.width();
+            begins[runs] = u32::try_from(width).unwrap_or(u32::MAX);
             let lengths = begins[..=runs]
                 .windows(2)
                 .map(|pair| (pair[1] - pair[0]).cast_signed());
@@ -109,27 +123,101 @@ impl Speckle {
             for &x in &joined[..places] {
                 patches.join(run_above[x as usize], run_of[x as usize]);
             }
+            if first.is_empty() {
+                first.clone_from(&run_of);
+            }
             (above, left_above) = (row, left);
             std::mem::swap(&mut run_of, &mut run_above);
         }
-        Runs { left, patches }
+        Runs {
+            left,
+            patches,
+            first,
+            last: run_above,
+        }
+    }
+
+    /// Joins the regions of bands. Returns the number of runs before each band and its connections with the left.
+    fn joined<P: Pixel>(
+        &self,
+        level: Level,
+        image: &Image<P>,
+        band: usize,
+        threshold: P,
+        parts: Vec<Runs>,
+    ) -> (Vec<(usize, Vec<u8>)>, Patches) {
+        let width = image.width() as usize;
+        let mut lefts: Vec<(usize, Vec<u8>)> = Vec::with_capacity(parts.len());
+        let mut patches = Patches {
+            nodes: vec![i32::MIN],
+            range: i32::try_from(self.speckle_range).unwrap_or(i32::MAX),
+        };
+        let mut last_row: Vec<usize> = Vec::new();
+        let (mut left, mut up, mut joins) = (vec![0; width], vec![0; width], vec![0; width]);
+        for (index, part) in parts.into_iter().enumerate() {
+            let before = patches.nodes.len() - 1;
+            let offset = i32::try_from(before).unwrap_or_default();
+            let own = part.patches.nodes.iter().skip(1);
+            patches
+                .nodes
+                .extend(own.map(|node| if *node > 0 { node + offset } else { *node }));
+            let seam = index * band;
+            let rows = [seam.wrapping_sub(width)..seam, seam..seam + width];
+            if let Some((_, above)) = lefts.last()
+                && let [Some(upper), Some(lower)] = rows.map(|row| image.pixels().get(row))
+            {
+                let links = &mut Links {
+                    left: &mut left,
+                    left_above: &above[above.len() - width..],
+                    up: &mut up,
+                    joins: &mut joins,
+                };
+                simd::speckle_links(level, threshold, [upper, lower], links);
+                for ((a, b), join) in last_row.iter().zip(&part.first).zip(&joins) {
+                    if *join != 0 {
+                        patches.join(*a, before + b);
+                    }
+                }
+            }
+            last_row = part.last.iter().map(|run| before + run).collect();
+            lefts.push((before, part.left));
+        }
+        (lefts, patches)
     }
 }
 
+/// The number of rows that a thread processes.
+fn band_height(height: usize) -> usize {
+    const LEAST: usize = 64;
+    height.div_ceil(rayon::current_num_threads()).max(LEAST)
+}
+
 /// Drops pixels without a similar neighbour: noise has many of them, and they need no runs.
-fn drop_lone<P: Pixel>(level: Level, image: &mut Image<P>, threshold: P) {
+fn drop_lone<P: Pixel>(level: Level, image: &mut Image<P>, band: usize, threshold: P) {
     let width = image.width() as usize;
     let nothing = vec![P::default(); width];
-    let mut left = vec![0; width + 1];
-    let (mut above, mut rest) = (&nothing[..], image.pixels_mut());
-    while let Some((row, next)) = rest
-        .split_at_mut_checked(width)
-        .filter(|(row, _)| !row.is_empty())
-    {
-        let below = next.get(..width).unwrap_or(&nothing);
-        simd::speckle_lone(level, threshold, [above, below], &mut left, row);
-        (above, rest) = (row, next);
-    }
+    // The rows beside each band, which other threads change. Lone pixels are similar to none, changed or not.
+    let row_at = |start: Option<usize>| {
+        let row = start.and_then(|start| image.pixels().get(start..start + width));
+        row.unwrap_or(&nothing).to_vec()
+    };
+    let starts = (0..image.pixels().len()).step_by(band);
+    let beside: Vec<[Vec<P>; 2]> = starts
+        .map(|start| [row_at(start.checked_sub(width)), row_at(Some(start + band))])
+        .collect();
+    let bands = image.pixels_mut().par_chunks_mut(band);
+    bands.zip(&beside).for_each(|(rows, [above, below])| {
+        let mut left = vec![0; width + 1];
+        let (mut above, mut rest) = (&above[..], rows);
+        while let Some((row, next)) = rest
+            .split_at_mut_checked(width)
+            .filter(|(row, _)| !row.is_empty())
+        {
+            let below = next.get(..width).unwrap_or(below);
+            simd::speckle_lone(level, threshold, [above, below], &mut left, row);
+            (above, rest) = (row, next);
+        }
+    });
 }
 
 /// The runs of similar pixels, numbered from 1.
@@ -137,6 +225,9 @@ struct Runs {
     /// 0 where a run begins, else 1.
     left: Vec<u8>,
     patches: Patches,
+    /// The runs of the first and of the last row, by column.
+    first: Vec<usize>,
+    last: Vec<usize>,
 }
 
 /// A forest of runs whose trees are regions. Parents have smaller numbers than their children.

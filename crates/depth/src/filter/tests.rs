@@ -160,6 +160,7 @@ proptest! {
     #[test]
     fn speckles_match_flood_filling(
         pixels in pixels(), width in 1u32..150, range in 0u32..300, threshold in prop_oneof![0u32..20, 0u32..70_000],
+        band in 1usize..6,
     ) {
         prop_assume!(pixels.len() >= width as usize);
         let before = image(width, &pixels);
@@ -167,6 +168,9 @@ proptest! {
         let mut chain = Chain::new(vec![Filter::Speckle(speckle)]);
         let after = chain.run(before.clone());
         prop_assert_eq!(&after, &without_speckles(&before, speckle));
+        let mut in_bands = before;
+        speckle.run_in_bands(Level::detect(), &mut in_bands, band);
+        prop_assert_eq!(&after, &in_bands);
         // The filter is idempotent.
         prop_assert_eq!(&chain.run(after.clone()), &after);
     }
