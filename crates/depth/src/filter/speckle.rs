@@ -67,14 +67,13 @@ impl Speckle {
             .map(|rows| self.runs(level, rows, width, threshold))
             .collect();
         let (lefts, mut patches) = self.joined(level, image, band, threshold, parts);
-        patches.settle();
+        patches.settle(lefts.iter().map(|(before, _)| *before));
         let bands = image.pixels_mut().par_chunks_mut(band);
         bands.zip(&lefts).for_each(|(pixels, (before, left))| {
             let mut run = *before;
             for (pixel, &left) in pixels.iter_mut().zip(left) {
                 run += usize::from(1 - left);
-                let stays = patches.nodes[run] == 0;
-                *pixel = if stays { *pixel } else { P::default() };
+                *pixel = if patches.stays(run) { *pixel } else { P::default() };
             }
         });
     }
@@ -85,10 +84,7 @@ impl Speckle {
         let (mut above, mut left_above) = (&empty.0[..], &empty.1[..]);
         let (mut up, mut joins) = (vec![0; width], vec![0; width]);
         let mut left = vec![0; rows.len()];
-        let mut patches = Patches {
-            nodes: vec![i32::MIN],
-            range: i32::try_from(self.speckle_range).unwrap_or(i32::MAX),
-        };
+        let mut patches = Patches::new(self.speckle_range);
         // For each column, the runs in this row and in the row above; for this row, the starts of runs and the columns
         // of joins.
         let (mut run_of, mut run_above) = (vec![0usize; width], vec![0usize; width]);
@@ -148,13 +144,14 @@ impl Speckle {
     ) -> (Vec<(usize, Vec<u8>)>, Patches) {
         let width = image.width() as usize;
         let mut lefts: Vec<(usize, Vec<u8>)> = Vec::with_capacity(parts.len());
-        let mut patches = Patches {
-            nodes: vec![i32::MIN],
-            range: i32::try_from(self.speckle_range).unwrap_or(i32::MAX),
+        let mut parts = parts.into_iter();
+        let Some(first) = parts.next() else {
+            return (lefts, Patches::new(self.speckle_range));
         };
-        let mut last_row: Vec<usize> = Vec::new();
+        let (mut patches, mut last_row) = (first.patches, first.last);
+        lefts.push((0, first.left));
         let (mut left, mut up, mut joins) = (vec![0; width], vec![0; width], vec![0; width]);
-        for (index, part) in parts.into_iter().enumerate() {
+        for (index, part) in (1..).zip(parts) {
             let before = patches.nodes.len() - 1;
             let offset = i32::try_from(before).unwrap_or_default();
             let own = part.patches.nodes.iter().skip(1);
@@ -239,6 +236,13 @@ struct Patches {
 }
 
 impl Patches {
+    fn new(speckle_range: u32) -> Self {
+        Self {
+            nodes: vec![i32::MIN],
+            range: i32::try_from(speckle_range).unwrap_or(i32::MAX),
+        }
+    }
+
     /// Returns the root of a run's tree, and halves the path to it.
     #[inline]
     fn find(&mut self, mut run: usize) -> usize {
@@ -272,15 +276,37 @@ impl Patches {
         }
     }
 
-    /// Sets the nodes of the runs that are kept to 0, and only those.
-    fn settle(&mut self) {
-        self.nodes[0] = 0;
-        for run in 1..self.nodes.len() {
-            // Parents precede their children. The loop is branchless, because noise is unpredictable.
-            let node = self.nodes[run];
-            let parent = self.nodes[usize::try_from(node.max(0)).unwrap_or_default()];
-            self.nodes[run] = parent | (node & (node >> 31));
+    /// Replaces each node by its root's, as far as that is in the same band. `befores` has the number of runs before each band.
+    fn settle(&mut self, befores: impl DoubleEndedIterator<Item = usize>) {
+        let (mut rest, mut bands) = (&mut self.nodes[..], Vec::new());
+        for before in befores.rev() {
+            let (earlier, band) = rest.split_at_mut(before + 1);
+            bands.push((i32::try_from(before).unwrap_or_default(), band));
+            rest = earlier;
         }
+        bands.into_par_iter().for_each(|(before, band)| {
+            for run in 0..band.len() {
+                // Parents precede their children. The loop is branchless, because noise is unpredictable.
+                let node = band[run];
+                let parent = if node > before {
+                    (node - before - 1).cast_unsigned() as usize
+                } else {
+                    run
+                };
+                band[run] = band[parent];
+            }
+        });
+    }
+
+    /// Whether a run is kept, once the nodes are settled.
+    #[inline]
+    fn stays(&self, run: usize) -> bool {
+        let mut node = self.nodes[run];
+        // Few regions cross bands.
+        while let Some(parent) = usize::try_from(node).ok().filter(|parent| *parent > 0) {
+            node = self.nodes[parent];
+        }
+        node == 0
     }
 }
 
