@@ -1,9 +1,12 @@
 use std::ops::Range;
 use std::path::PathBuf;
 
+use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueHint};
+use oaktwin::dataset::FORMATS;
 
 use super::ThreadArgs;
+use super::render::format_value;
 
 #[derive(Args, Debug)]
 #[command(after_help = "A recipe is a TOML file; two lines are enough:\n\n    \
@@ -38,7 +41,12 @@ pub(crate) struct GenerateArgs {
     pub(crate) only_frames: bool,
 
     /// Formats, separated by commas, instead of the recipe's
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    #[arg(
+        long,
+        value_name = "NAMES",
+        value_delimiter = ',',
+        value_parser = PossibleValuesParser::new(FORMATS.iter().map(format_value))
+    )]
     pub(crate) formats: Vec<String>,
 
     /// Seed of all random numbers, instead of the recipe's

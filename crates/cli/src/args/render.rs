@@ -148,6 +148,10 @@ pub(crate) struct RenderArgs {
 /// The formats for which a rendered scene is enough.
 fn formats() -> impl Iterator<Item = PossibleValue> {
     let suits = |format: &&FormatKind| format.needs == Needs::default();
-    let value = |format: &FormatKind| PossibleValue::new(format.name).help(format.help);
-    FORMATS.iter().filter(suits).map(value)
+    FORMATS.iter().filter(suits).map(format_value)
+}
+
+/// Returns the name of a format with its help.
+pub(super) fn format_value(format: &FormatKind) -> PossibleValue {
+    PossibleValue::new(format.name).help(format.help)
 }

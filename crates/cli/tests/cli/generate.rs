@@ -120,7 +120,7 @@ fn bad_input_is_explained() {
         ("generate recipe.toml -o set --frames 5..5", "has no frames"),
         (
             "generate recipe.toml -o set --formats bip",
-            "unknown format 'bip'; did you mean 'bop'",
+            "a similar value exists: 'bop'",
         ),
         ("generate recipe.toml", "--output"),
         (
