@@ -97,7 +97,7 @@ impl Blocks {
                 columns: S::of_columns(&mut self.columns),
                 out,
             };
-            // Most pairs have one zone; the others have zones of several sizes.
+            // Most pairs have one zone; the others have zones of 16, 32 and 48. Blocks of 48 are slower than three of 16.
             match (left.planes(), zone.count) {
                 (1, 96) => simd::run_at(level, Costs::<S, P, 1, 96>(work)),
                 (2, 96) => simd::run_at(level, Costs::<S, P, 2, 96>(work)),

@@ -205,6 +205,7 @@ fn relax<P: Lane, H: Lane, const D: usize, const IS_ALONG: bool>(
             let beside = nearer[d].min(farther[d]).plus_saturating(p1);
             let before = same[d].min(beside).min(most).minus(base);
             own[d] = costs[d].plus(before);
+            // In a loop of its own, over 64 values, LLVM would unroll this before it vectorizes, and wait for one value after another.
             least = least.min(own[d]);
         }
     }

@@ -1,7 +1,7 @@
 //! Scenes of a chosen size, and the view of them.
 
 use oaktwin_camera::ImageSize;
-use oaktwin_camera::math::{DAffine3, DVec3};
+use oaktwin_camera::math::{DAffine3, DQuat, DVec3};
 use oaktwin_render::View;
 use oaktwin_scene::{Instance, Mesh, Scene};
 use oaktwin_testkit::shapes::{heightfield, hills, icosphere};
@@ -30,7 +30,7 @@ pub(crate) fn balls(count: u32) -> Scene {
         let place = |at: f64| (at + 0.5) * step - WIDTH_M / 2.0;
         DAffine3::from_scale_rotation_translation(
             DVec3::splat(0.45 * step),
-            oaktwin_camera::math::DQuat::IDENTITY,
+            DQuat::IDENTITY,
             DVec3::new(place(column), place(row), 0.0),
         )
     });
