@@ -5,7 +5,7 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_files::OutputFiles;
 use serde_json::{Value, json};
 
-use super::common::{FrameFiles, Pieces, number, rgb, text};
+use super::common::{FrameFiles, Pieces, in_product, number, rgb, text};
 use super::rle;
 use crate::{Format, Records, Shot, WriteError};
 
@@ -19,10 +19,7 @@ impl Format for Coco {
     fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
         let rgb = rgb(NAME, shot)?;
         let (width, height) = (rgb.width(), rgb.height());
-        let file = match &shot.render_product {
-            Some(product) => format!("{product}/{:08}.png", shot.number),
-            None => format!("{:08}.png", shot.number),
-        };
+        let file = in_product(shot, format!("{:08}.png", shot.number));
         let mut frame = FrameFiles::default();
         frame.add_rgb(PathBuf::from("images").join(&file), rgb);
         frame.write(output)?;

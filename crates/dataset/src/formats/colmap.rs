@@ -6,7 +6,7 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_files::OutputFiles;
 use serde_json::{Value, json};
 
-use super::common::{FrameFiles, by_folder, pinhole, quaternion, rgb, text};
+use super::common::{FrameFiles, by_folder, in_product, pinhole, quaternion, rgb, text};
 use crate::{Format, Records, Shot, WriteError};
 
 const NAME: &str = "colmap";
@@ -21,10 +21,7 @@ impl Format for Colmap {
         let view = pinhole(NAME, shot)?;
         let rgb = rgb(NAME, shot)?;
         let folder = PathBuf::from(format!("{:06}", shot.sequence));
-        let name = match &shot.render_product {
-            Some(product) => format!("{product}/{:06}.png", shot.number),
-            None => format!("{:06}.png", shot.number),
-        };
+        let name = in_product(shot, format!("{:06}.png", shot.number));
         let mut frame = FrameFiles::default();
         frame.add_rgb(folder.join("images").join(&name), rgb);
         frame.write(output)?;

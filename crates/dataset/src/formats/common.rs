@@ -322,6 +322,14 @@ pub(super) fn sequence_folder(shot: &Shot) -> PathBuf {
     }
 }
 
+/// Returns a path in the folder of the shot's render product, if it has one.
+pub(super) fn in_product(shot: &Shot, path: String) -> String {
+    match &shot.render_product {
+        Some(product) => format!("{product}/{path}"),
+        None => path,
+    }
+}
+
 /// Seconds with nine decimals.
 pub(super) fn seconds(time_ns: u64) -> String {
     format!("{}.{:09}", time_ns / 1_000_000_000, time_ns % 1_000_000_000)

@@ -6,7 +6,7 @@ use oaktwin_files::OutputFiles;
 use oaktwin_image::{Image, pfm, png};
 use serde_json::{Value, json};
 
-use super::common::{DepthSummary, Depths, FrameFiles, center, count_lost, fixed, missing};
+use super::common::{DepthSummary, Depths, FrameFiles, center, count_lost, fixed, in_product, missing};
 use crate::{Format, Records, Shot, StereoImages, WriteError};
 
 /// Middlebury 2014: a folder for each frame with `im0.png`, `disp0.pfm`, `mask0nocc.png` (255 where the surface is visible in both images, 128
@@ -19,10 +19,7 @@ const MIDDLEBURY: &str = "middlebury";
 impl Format for Middlebury {
     fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
         let stereo = pair(MIDDLEBURY, shot)?;
-        let folder = match &shot.render_product {
-            Some(product) => format!("{product}/{:06}", shot.number),
-            None => format!("{:06}", shot.number),
-        };
+        let folder = in_product(shot, format!("{:06}", shot.number));
         let mut frame = FrameFiles::default();
         for side in 0..2 {
             frame.add(format!("{folder}/im{side}.png"), move || {
@@ -62,10 +59,7 @@ const STEPS: f32 = 256.0;
 impl Format for Kitti {
     fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
         let stereo = pair(KITTI, shot)?;
-        let root = match &shot.render_product {
-            Some(product) => format!("{product}/training"),
-            None => "training".to_owned(),
-        };
+        let root = in_product(shot, "training".to_owned());
         let name = format!("{:06}_10.png", shot.number);
         let mut frame = FrameFiles::default();
         frame.add(format!("{root}/image_2/{name}"), || {
@@ -111,10 +105,7 @@ const SCENEFLOW: &str = "sceneflow";
 impl Format for SceneFlow {
     fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
         let stereo = pair(SCENEFLOW, shot)?;
-        let root = match &shot.render_product {
-            Some(product) => format!("{product}/FlyingThings3D"),
-            None => "FlyingThings3D".to_owned(),
-        };
+        let root = in_product(shot, "FlyingThings3D".to_owned());
         let path = |kind: &str, side: &str, extension: &str| {
             let (sequence, number) = (shot.sequence, shot.number);
             format!("{root}/{kind}/TRAIN/A/{sequence:04}/{side}/{number:04}.{extension}")

@@ -159,7 +159,7 @@ impl Speckle {
                 .nodes
                 .extend(own.map(|node| if *node > 0 { node + offset } else { *node }));
             let seam = index * band;
-            let rows = [seam.wrapping_sub(width)..seam, seam..seam + width];
+            let rows = [seam - width..seam, seam..seam + width];
             if let Some((_, above)) = lefts.last()
                 && let [Some(upper), Some(lower)] = rows.map(|row| image.pixels().get(row))
             {

@@ -2,9 +2,11 @@
 
 use std::path::Path;
 
-use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_camera::ImageSize;
+use oaktwin_camera::math::DVec3;
 use oaktwin_scene::Mesh;
 use oaktwin_testkit::shapes::{heightfield, hills, icosphere};
+use oaktwin_testkit::views::looking_at;
 
 use crate::protocol::ViewJson;
 use crate::triangles::Files;
@@ -98,16 +100,15 @@ impl Scene {
 
     /// A view with a horizontal field of view of 77°, like that of an OAK-D's stereo cameras.
     pub(crate) fn view(&self, width: u32, height: u32) -> ViewJson {
-        let eye = DVec3::from(self.eye);
-        let forward = (DVec3::from(self.target) - eye).normalize();
-        let right = forward.cross(self.up).normalize();
-        let world_from_camera = DMat3::from_cols(right, forward.cross(right), forward);
+        let size = ImageSize::new(width, height);
+        let view = looking_at(self.eye.into(), self.target.into(), self.up, size);
+        let pose = view.world_from_camera;
         ViewJson {
             width,
             height,
-            focal: f64::from(width) / 2.0 / 38.5f64.to_radians().tan(),
-            rotation: world_from_camera.transpose().to_cols_array_2d(),
-            translation: self.eye,
+            focal: view.camera.intrinsics.fx,
+            rotation: pose.rotation.transpose().to_cols_array_2d(),
+            translation: pose.translation.to_array(),
             near: 0.01,
         }
     }

@@ -150,11 +150,11 @@ impl<'a> Worker<'a> {
     fn frames(&mut self, mode: &str, threads: usize, count: usize) -> Result<Frames, String> {
         let mut frames = Frames::default();
         for _ in 0..count {
-            let (start, cpu) = (Instant::now(), process::cpu_s());
-            let depth = self.frame(mode, threads)?;
-            frames.wall_s.push(start.elapsed().as_secs_f64());
-            frames.cpu_s.push(process::cpu_s() - cpu);
-            drop(depth);
+            // Dropping the frame is not timed.
+            let (depth, elapsed) = process::timed(|| self.frame(mode, threads));
+            depth?;
+            frames.wall_s.push(elapsed.wall_s);
+            frames.cpu_s.push(elapsed.cpu_s);
         }
         Ok(frames)
     }

@@ -1,7 +1,7 @@
 //! Measures how costs grow, for `cargo xtask bench scaling`.
 //!
-//! `scaling-bench AXIS FRAMES` prints a JSON object per point: what is measured with its unit, the place on the axis and the
-//! measured values.
+//! `scaling-bench axes` prints the names of the axes. `scaling-bench AXIS FRAMES` prints a JSON object per point: what is measured
+//! with its unit, the place on the axis and the measured values.
 
 #![expect(clippy::print_stdout, reason = "the output is the program's purpose")]
 
@@ -15,8 +15,12 @@ use serde_json::json;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
-    let usage = "usage: scaling-bench AXIS FRAMES";
+    let usage = "usage: scaling-bench axes | AXIS FRAMES";
     let name = arguments.next().ok_or(usage)?;
+    if name == "axes" {
+        axes::ALL.iter().for_each(|(name, _)| println!("{name}"));
+        return Ok(());
+    }
     let frames: u32 = arguments.next().ok_or(usage)?.parse()?;
     let axis = axes::ALL.iter().find(|(known, _)| *known == name);
     let (_, measure) = axis.ok_or_else(|| {
@@ -34,24 +38,19 @@ struct Measurement {
 
 impl Measurement {
     /// Times work after a warm-up, and prints the milliseconds of processor time.
-    fn frames(&self, what: &str, at: u64, mut work: impl FnMut()) {
-        let times = self.times(&mut work);
-        let values: Vec<f64> = times.iter().map(|time| time.cpu_s * 1e3).collect();
-        print(&format!("{what}, ms"), at, &values);
+    fn frames(&self, what: &str, at: u64, work: impl FnMut()) {
+        self.times(what, at, work, |time| time.cpu_s);
     }
 
     /// Times work after a warm-up, and prints the elapsed milliseconds.
-    fn elapsed(&self, what: &str, at: u64, mut work: impl FnMut()) {
-        let times = self.times(&mut work);
-        let values: Vec<f64> = times.iter().map(|time| time.wall_s * 1e3).collect();
-        print(&format!("{what}, ms"), at, &values);
+    fn elapsed(&self, what: &str, at: u64, work: impl FnMut()) {
+        self.times(what, at, work, |time| time.wall_s);
     }
 
-    fn times(&self, work: &mut impl FnMut()) -> Vec<Elapsed> {
+    fn times(&self, what: &str, at: u64, mut work: impl FnMut(), seconds: fn(Elapsed) -> f64) {
         work();
-        (0..self.frames.max(1))
-            .map(|_| process::timed(&mut *work).1)
-            .collect()
+        let times = (0..self.frames.max(1)).map(|_| seconds(process::timed(&mut work).1) * 1e3);
+        print(&format!("{what}, ms"), at, &times.collect::<Vec<_>>());
     }
 }
 
