@@ -4,8 +4,8 @@ use oaktwin::camera::math::DVec3;
 use pyo3::prelude::*;
 use pyo3::{Borrowed, FromPyObject};
 
+use crate::array::numbers;
 use crate::error::wrong;
-use crate::pose::numbers;
 use crate::settings::{mistyped, strings, whole_number};
 
 /// `size`: (width, height) in px.

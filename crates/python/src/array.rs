@@ -147,6 +147,26 @@ pub(crate) fn zeros<'py, T: Element>(
     Ok(made.cast_into()?)
 }
 
+/// Converts anything that NumPy can convert to an array of numbers.
+pub(crate) fn numbers<'py>(
+    name: &str,
+    object: &Bound<'py, PyAny>,
+) -> PyResult<(Vec<usize>, PyReadonlyArrayDyn<'py, f64>)> {
+    let array = object
+        .py()
+        .import("numpy")?
+        .call_method1("array", (object, "float64"))
+        .map_err(|cause| {
+            wrong(
+                name,
+                format_args!("is not an array of numbers ({cause})"),
+                "pass an array of numbers",
+            )
+        })?;
+    let array = contiguous::<f64>(name, array.cast::<PyUntypedArray>()?)?;
+    Ok((array.shape().to_vec(), array))
+}
+
 /// Reads an array (N, 3) as `dtype`.
 pub(crate) fn triples<T: Element + Copy>(
     name: &str,

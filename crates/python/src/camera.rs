@@ -9,10 +9,11 @@ use oaktwin::sense::check_hfov;
 use pyo3::prelude::*;
 
 use crate::arguments::Size;
+use crate::array::numbers;
 use crate::choice::choose;
 use crate::error::{error, wrong};
 use crate::finding::warn;
-use crate::pose::{matrix, numbers, one_pose, rows};
+use crate::pose::{matrix, one_pose, rows};
 use crate::projection;
 
 /// A camera: intrinsics, lens, and its pose on a device.
@@ -355,7 +356,7 @@ impl Camera {
         points: &Bound<'py, PyAny>,
         world_from_camera: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<projection::Projected<'py>> {
-        projection::project(py, self, points, world_from_camera)
+        projection::project(py, &self.camera, points, world_from_camera)
     }
 
     /// Converts depth images to points.
@@ -373,13 +374,13 @@ impl Camera {
         depth: &Bound<'py, PyAny>,
         world_from_camera: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyArrayDyn<f32>>> {
-        projection::unproject(py, self, depth, world_from_camera)
+        projection::unproject(py, &self.camera, depth, world_from_camera)
     }
 
     /// Returns the unit direction in which each pixel's centre sees, (H, W, 3) float32 in the camera's frame; NaN outside the
     /// lens's field of view.
     fn rays<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f32>>> {
-        projection::rays(py, self)
+        projection::rays(py, &self.camera)
     }
 
     /// The position in this camera's image of each pixel of an undistorted image, (x, y) in px, (H, W, 2) float32, for
@@ -395,7 +396,7 @@ impl Camera {
         py: Python<'py>,
         target: Option<&Self>,
     ) -> PyResult<Bound<'py, PyArray3<f32>>> {
-        projection::undistortion_maps(py, self, target)
+        projection::undistortion_maps(py, &self.camera, target.map(|target| &target.camera))
     }
 
     /// Returns the camera of a part of the image: width x height pixels with the upper left corner (x, y).

@@ -6,11 +6,12 @@ use oaktwin::scene::Up;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::array::numbers;
 use crate::choice::named;
 use crate::device::Device;
 use crate::error::{error, wrong};
 use crate::finding;
-use crate::pose::{numbers, poses};
+use crate::pose::poses;
 
 /// The bytes of a sample: its time and two vectors, in the list and in the arrays.
 const SAMPLE_BYTES: u64 = 2 * 7 * 8;

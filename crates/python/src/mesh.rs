@@ -8,9 +8,9 @@ use oaktwin::scene::{self, Attribute, ColorSpace, Material, Texture, TextureSour
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::array::numbers;
 use crate::array::{contiguous, is_like, triples, view};
 use crate::error::{error, wrong};
-use crate::pose::numbers;
 
 /// The positional and keyword arguments of a pickle.
 type Arguments<'py> = ((Bound<'py, PyAny>, Bound<'py, PyAny>), Bound<'py, PyDict>);

@@ -1,13 +1,13 @@
 //! Conversions between 4×4 NumPy matrices and rigid transforms.
 
-use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use oaktwin::camera::math::{DMat3, DQuat, DVec3};
 use oaktwin::camera::{Axes, RigidTransform};
 use oaktwin::render;
 use pyo3::prelude::*;
 
 use crate::arguments::vector;
-use crate::array::contiguous;
+use crate::array::numbers;
 use crate::choice::choose;
 use crate::error::{error, wrong};
 
@@ -25,26 +25,6 @@ pub(crate) fn matrix<'py, const R: usize, const C: usize>(
 /// Returns a transform as an array.
 pub(crate) fn rows<'py>(py: Python<'py>, transform: &RigidTransform) -> PyResult<Bound<'py, PyArray2<f64>>> {
     matrix(py, &transform.rows())
-}
-
-/// Converts anything that NumPy can convert to an array of numbers.
-pub(crate) fn numbers<'py>(
-    name: &str,
-    object: &Bound<'py, PyAny>,
-) -> PyResult<(Vec<usize>, PyReadonlyArrayDyn<'py, f64>)> {
-    let array = object
-        .py()
-        .import("numpy")?
-        .call_method1("array", (object, "float64"))
-        .map_err(|cause| {
-            wrong(
-                name,
-                format_args!("is not an array of numbers ({cause})"),
-                "pass an array of numbers",
-            )
-        })?;
-    let array = contiguous::<f64>(name, array.cast::<PyUntypedArray>()?)?;
-    Ok((array.shape().to_vec(), array))
 }
 
 /// One pose (4, 4) or several (N, 4, 4), and whether it is a batch.

@@ -2,15 +2,14 @@
 
 use numpy::{PyArray1, PyArray3, PyArrayDyn, PyArrayMethods};
 use oaktwin::camera::math::{DMat3, DVec3};
-use oaktwin::camera::{LensModel, OpenCv, PixelPoint, RigidTransform, undistort_rectify_map};
+use oaktwin::camera::{Camera, LensModel, OpenCv, PixelPoint, RigidTransform, undistort_rectify_map};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
-use crate::array::zeros;
-use crate::camera::Camera;
+use crate::array::{numbers, zeros};
 use crate::error::{error, wrong};
 use crate::images::Depth;
-use crate::pose::{numbers, one_pose, poses};
+use crate::pose::{one_pose, poses};
 use crate::threads;
 
 /// The number of points that a thread processes at once.
@@ -45,7 +44,7 @@ pub(crate) fn project<'py>(
         writable.1.as_slice_mut().map_err(error)?,
     );
     let points = points.as_slice().map_err(error)?.as_chunks::<3>().0;
-    let model = camera.camera;
+    let model = *camera;
     threads::run(py, || {
         (out.0.par_iter_mut(), out.1.par_iter_mut(), points)
             .into_par_iter()
@@ -63,11 +62,11 @@ pub(crate) fn project<'py>(
 
 /// The ray of each pixel of the image; `None` outside the lens's field of view.
 fn rays_of(camera: &Camera) -> Vec<Option<DVec3>> {
-    let size = camera.camera.intrinsics.size;
+    let size = camera.intrinsics.size;
     let row = |y: u32| {
         (0..size.width).into_par_iter().with_min_len(CHUNK).map(move |x| {
             let pixel = PixelPoint::<OpenCv>::new(f64::from(x), f64::from(y));
-            camera.camera.unproject(pixel)
+            camera.unproject(pixel)
         })
     };
     (0..size.height).into_par_iter().flat_map(row).collect()
@@ -79,7 +78,7 @@ fn single(vector: Option<DVec3>) -> [f32; 3] {
 }
 
 pub(crate) fn rays<'py>(py: Python<'py>, camera: &Camera) -> PyResult<Bound<'py, PyArrayDyn<f32>>> {
-    let size = camera.camera.intrinsics.size;
+    let size = camera.intrinsics.size;
     let array: Bound<'py, PyArrayDyn<f32>> = zeros(py, &[size.height as usize, size.width as usize, 3])?;
     let mut writable = array.try_readwrite().map_err(error)?;
     let out = writable.as_slice_mut().map_err(error)?.as_chunks_mut::<3>().0;
@@ -99,7 +98,7 @@ pub(crate) fn unproject<'py>(
     world_from_camera: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyArrayDyn<f32>>> {
     let (depth, shape) = Depth::read("depth", depth)?;
-    let size = camera.camera.intrinsics.size;
+    let size = camera.intrinsics.size;
     if shape.size != size {
         let is = format!("is {} px, but the camera has {size} px", shape.size);
         return Err(wrong(
@@ -151,15 +150,12 @@ pub(crate) fn undistortion_maps<'py>(
     camera: &Camera,
     target: Option<&Camera>,
 ) -> PyResult<Bound<'py, PyArray3<f32>>> {
-    if let Some(target) = target.filter(|target| target.camera.lens != LensModel::Pinhole) {
-        let is = format!(
-            "has a lens with distortion, {}",
-            target.camera.lens.names().option
-        );
+    if let Some(target) = target.filter(|target| target.lens != LensModel::Pinhole) {
+        let is = format!("has a lens with distortion, {}", target.lens.names().option);
         return Err(wrong("target", is, "pass a pinhole camera"));
     }
-    let target = target.map_or(camera.camera.intrinsics, |target| target.camera.intrinsics);
-    let model = camera.camera;
+    let target = target.map_or(camera.intrinsics, |target| target.intrinsics);
+    let model = *camera;
     let map = threads::run(py, || {
         undistort_rectify_map(&model, DMat3::IDENTITY, &target).collect::<Vec<_>>()
     })?;

@@ -4,7 +4,8 @@ use oaktwin_parameter::{Numbered, choice, parameters};
 use oaktwin_simd::{Level, saturating_trunc};
 use rayon::prelude::*;
 
-use super::{Pixel, simd};
+use super::Pixel;
+use super::kernels::kernels;
 
 parameters! {
     /// `DecimationFilter`: reduces the size of the image by a whole factor without changing the values.
@@ -84,7 +85,7 @@ impl Decimation {
         let width = (width as usize).max(1);
         let rows = rows.par_chunks(factor);
         let rows = out.pixels_mut().par_chunks_exact_mut(width).zip(rows);
-        rows.for_each(|(out, rows)| simd::decimation(level, factor, self.mode, rows, out));
+        rows.for_each(|(out, rows)| decimate(level, factor, self.mode, rows, out));
         out
     }
 }
@@ -210,4 +211,9 @@ fn mean<P: Pixel>(values: &[[P; LANES]]) -> [P; LANES] {
         means[lane] = P::cut(saturating_trunc(mean.floor()));
     }
     means
+}
+
+kernels! {
+    /// [`row`]
+    fn decimate<'a> = row => (factor: usize, mode: DecimationMode, rows: &'a [&'a [P]], out: &'a mut [P]);
 }

@@ -4,7 +4,7 @@ use oaktwin_simd::{Level, Weight};
 use rayon::prelude::*;
 
 use super::Pixel;
-use super::simd;
+use super::kernels::kernels;
 
 parameters! {
     /// `SpatialFilter`: smooths along rows and columns, in both directions, and stops at edges.
@@ -52,19 +52,19 @@ impl Spatial {
         for _ in 0..self.num_iterations {
             image.pixels_mut().par_chunks_mut(LANES * width).for_each_init(
                 || vec![P::default(); LANES * width],
-                |tile, rows| simd::spatial_along(level, &settings, rows, tile),
+                |tile, rows| run_along(level, &settings, rows, tile),
             );
             strips(image.pixels_mut(), width)
                 .into_par_iter()
                 .for_each(|mut strip| {
                     for y in 1..strip.len() {
                         if let [above, row] = &mut strip[y - 1..=y] {
-                            simd::spatial_down(level, &settings, above, row);
+                            run_down(level, &settings, above, row);
                         }
                     }
                     for y in (1..strip.len()).rev() {
                         if let [row, below] = &mut strip[y - 1..=y] {
-                            simd::spatial_up(level, &settings, below, row);
+                            run_up(level, &settings, below, row);
                         }
                     }
                 });
@@ -166,4 +166,13 @@ pub(super) fn up<P: Pixel>(settings: &Settings<P>, below: &[P], row: &mut [P]) {
         let is_mixed = (*pixel != zero) & (below != zero) & (pixel.distance(below) < settings.delta);
         *pixel = if is_mixed { mixed } else { *pixel };
     }
+}
+
+kernels! {
+    /// [`along`]
+    fn run_along<'a> = along => (settings: &'a Settings<P>, rows: &'a mut [P], tile: &'a mut [P]);
+    /// [`down`]
+    fn run_down<'a> = down => (settings: &'a Settings<P>, above: &'a [P], row: &'a mut [P]);
+    /// [`up`]
+    fn run_up<'a> = up => (settings: &'a Settings<P>, below: &'a [P], row: &'a mut [P]);
 }

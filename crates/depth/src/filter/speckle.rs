@@ -3,7 +3,8 @@ use oaktwin_parameter::parameters;
 use oaktwin_simd::Level;
 use rayon::prelude::*;
 
-use super::{Pixel, simd};
+use super::Pixel;
+use super::kernels::kernels;
 
 parameters! {
     /// `SpeckleFilter`: drops small regions of similar pixels.
@@ -97,7 +98,7 @@ impl Speckle {
                 up: &mut up,
                 joins: &mut joins,
             };
-            simd::speckle_links(level, threshold, [above, row], links);
+            find_links(level, threshold, [above, row], links);
             let last = patches.nodes.len() - 1;
             let (mut runs, mut places) = (0, 0);
             let columns = run_of.iter_mut().zip(&*left).zip(&joins);
@@ -169,7 +170,7 @@ impl Speckle {
                     up: &mut up,
                     joins: &mut joins,
                 };
-                simd::speckle_links(level, threshold, [upper, lower], links);
+                find_links(level, threshold, [upper, lower], links);
                 for ((a, b), join) in last_row.iter().zip(&part.first).zip(&joins) {
                     if *join != 0 {
                         patches.join(*a, before + b);
@@ -211,7 +212,7 @@ fn drop_lone<P: Pixel>(level: Level, image: &mut Image<P>, band: usize, threshol
             .filter(|(row, _)| !row.is_empty())
         {
             let below = next.get(..width).unwrap_or(below);
-            simd::speckle_lone(level, threshold, [above, below], &mut left, row);
+            drop_lone_row(level, threshold, [above, below], &mut left, row);
             (above, rest) = (row, next);
         }
     });
@@ -352,4 +353,11 @@ pub(super) fn links<P: Pixel>(threshold: P, [above, row]: [&[P]; 2], links: &mut
     for ((join, (left, left_above)), (up_left, up)) in links.joins.iter_mut().skip(1).zip(around).zip(ups) {
         *join = up & !(left & left_above & up_left);
     }
+}
+
+kernels! {
+    /// [`links`]
+    fn find_links<'a> = links => (threshold: P, rows: [&'a [P]; 2], into: &'a mut Links<'a>);
+    /// [`lone`]
+    fn drop_lone_row<'a> = lone => (threshold: P, around: [&'a [P]; 2], left: &'a mut [u8], row: &'a mut [P]);
 }

@@ -4,7 +4,7 @@ use oaktwin_simd::{Level, Weight};
 use rayon::prelude::*;
 
 use super::Pixel;
-use super::simd;
+use super::kernels::kernels;
 
 parameters! {
     /// `TemporalFilter`: smooths each pixel over the frames, and keeps a value that has disappeared for a while.
@@ -117,7 +117,7 @@ impl Temporal {
             .par_chunks_mut(PART)
             .zip(memory.history.par_chunks_mut(PART));
         pixels.zip(memories).for_each(|(pixels, (last, history))| {
-            simd::temporal(level, settings, pixels, last, history);
+            run_update(level, settings, pixels, last, history);
         });
         memory.phase = (memory.phase + 1) % 8;
     }
@@ -144,4 +144,9 @@ pub(super) fn update<P: Pixel>(settings: Settings<P>, pixels: &mut [P], last: &m
         };
         *history = if is_new { begun } else { past & !settings.bit };
     }
+}
+
+kernels! {
+    /// [`update`]
+    fn run_update<'a> = update => (settings: Settings<P>, pixels: &'a mut [P], last: &'a mut [P], history: &'a mut [u8]);
 }

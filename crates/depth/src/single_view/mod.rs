@@ -54,6 +54,7 @@
 mod assumptions;
 mod confidence;
 mod outliers;
+mod output;
 mod plan;
 mod reasons;
 mod sense;
@@ -67,7 +68,7 @@ pub use assumptions::{
     TargetRounding,
 };
 pub use oaktwin_parameter::nvidia::{Attributes as Parameters, MAX_OUTLIER_RANGE_PX, OutputMode};
-pub use sense::{Output, Wanted};
+pub use output::{Output, Wanted};
 
 use crate::batch::Batch;
 use crate::random::Stream;

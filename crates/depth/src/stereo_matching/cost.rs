@@ -9,7 +9,7 @@ use super::block_sum::{BlockSum, Columns, Mean};
 use super::lanes::Lane;
 use super::paths::{chunk, chunk_mut};
 use super::plan::{Plan, Raw, Zone};
-use super::scan::View;
+use super::view::View;
 
 /// The block sums of a scan.
 #[derive(Clone, Debug, Default)]

@@ -50,6 +50,7 @@ mod cost;
 mod extended;
 mod inspect;
 mod lanes;
+mod out;
 mod pair;
 mod parameters;
 mod pass;
@@ -60,6 +61,7 @@ mod refine;
 mod rvc4;
 mod scan;
 mod select;
+mod view;
 
 pub use inspect::inspect;
 pub use pair::{Luminance, Pair, PairError};
@@ -76,7 +78,8 @@ use oaktwin_image::{Image, ZDepth};
 use oaktwin_simd::Level;
 
 use self::census::Source;
-use self::pass::{Out, Workspace};
+use self::out::Out;
+use self::pass::Workspace;
 use self::plan::Plan;
 use crate::ParameterError;
 use crate::disparity::{DepthTable, Fixed};

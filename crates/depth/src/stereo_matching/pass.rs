@@ -8,9 +8,11 @@ use oaktwin_simd::Level;
 
 use super::census::{Census, Source};
 use super::lanes::{Lane, Short};
+use super::out::Out;
 use super::plan::{Plan, Width};
 use super::rvc4;
-use super::scan::{Scan, View};
+use super::scan::Scan;
+use super::view::View;
 
 /// The buffers of a pass, reused for the next one.
 #[derive(Clone, Debug, Default)]
@@ -39,16 +41,6 @@ impl<P: Lane, H: Lane, S: Lane> Default for Scans<P, H, S> {
             halves: Vec::new(),
         }
     }
-}
-
-/// The outputs of a pass, or of a row.
-#[derive(Debug)]
-pub(super) struct Out<'a> {
-    /// Disparities in steps from the shift, 0 for invalid.
-    pub(super) disparity: &'a mut [u16],
-    pub(super) confidence: &'a mut [u8],
-    /// The codes of the [reasons](crate::Reason) that depend on the position of a match; empty if they are not needed.
-    pub(super) lost: &'a mut [u8],
 }
 
 /// Matches two images of the same size.

@@ -1,7 +1,7 @@
 //! The constants of a matcher pass for one image size, derived from the parameters.
 
 use super::parameters::{AdaptivePenalty, CensusKernel, DisparityWidth, Interpolation, Parameters};
-use super::rvc4::Steps;
+use super::rvc4::steps::Steps;
 use crate::preset::Platform;
 
 /// The maximum number of candidates.

@@ -2,8 +2,8 @@
 
 use oaktwin_simd::{self as simd, Kernel, Level};
 
+use super::out::Out;
 use super::parameters::Interpolation;
-use super::pass::Out;
 use super::plan::Plan;
 use super::rvc4::{LOST, OCCLUDED};
 use super::select::Found;

@@ -2,24 +2,14 @@
 
 use oaktwin_simd::{self as simd, Kernel, Level};
 
-use super::census::Census;
 use super::cost::Blocks;
 use super::lanes::Lane;
-use super::pass::Out;
+use super::out::Out;
 use super::paths::{FROM_ROW, Penalties, Row, Slots, Sums};
-use super::plan::{self, Plan};
+use super::plan;
 use super::refine::{self, NONE, Refined};
 use super::select::{Found, RightKeys, Select};
-
-/// The input of both scans.
-#[derive(Clone, Copy)]
-pub(super) struct View<'a> {
-    pub(super) level: Level,
-    pub(super) plan: &'a Plan,
-    /// The left image, and the right one mirrored.
-    pub(super) census: [&'a Census; 2],
-    pub(super) width: usize,
-}
+use super::view::View;
 
 /// The sums of one scan for a row.
 enum Half<'a, H> {

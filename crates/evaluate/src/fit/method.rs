@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 use super::error_domain::ErrorDomain;
 use super::least_squares::Solution;
-use super::points::{OfTarget, Point};
+use super::point::{OfTarget, Point};
 use super::report::Report;
 use super::target::Observation;
 use super::work::Work;

@@ -29,12 +29,14 @@
 //! to the true distances, pixel by pixel. The stated distances are those at the centre of the region.
 
 mod error_domain;
+mod evaluation;
 mod findings;
 #[cfg(test)]
 mod fixture;
 mod least_squares;
 mod method;
 mod plot;
+mod point;
 mod points;
 mod recording;
 mod report;

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::FitError;
 use super::error_domain::ErrorDomain;
 use super::method::Method;
+use super::point::{OfTarget, Point};
 use super::recording::TargetRecording;
 use super::report::Target;
 use super::target::{Observation, Sum};
@@ -18,25 +19,6 @@ const MAX_TILT_DEG: f64 = 5.0;
 /// The rotation, in degrees and in standard errors, below which it is ignored.
 const MIN_TILT_DEG: f64 = 0.3;
 const MIN_TILT_ERRORS: f64 = 4.0;
-
-/// A measured error at a distance.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Point {
-    /// The true depth in metres.
-    pub(super) depth_m: f64,
-    /// The error as a share of the depth, positive if too far.
-    pub(super) error: f64,
-    /// The standard error, if it is known.
-    pub(super) sigma: Option<f64>,
-}
-
-/// An error of one target.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct OfTarget {
-    /// The index of the target.
-    pub(super) target: Option<usize>,
-    pub(super) point: Point,
-}
 
 /// Returns the errors of a measured curve.
 pub(super) fn of_curve(curve: &Curve) -> Vec<OfTarget> {

@@ -1,6 +1,6 @@
 use half::f16;
 
-use super::read::Values;
+use super::values::Values;
 use super::{FORMAT, header};
 use crate::CodecError;
 use crate::bytes::Scalar;
@@ -157,54 +157,9 @@ impl Number {
     }
 }
 
-/// Converts values in Fortran order to C order.
-pub(super) fn to_c_order<T: Copy>(shape: &[usize], values: &[T]) -> Vec<T> {
-    let mut index = vec![0usize; shape.len()];
-    let mut strides = Vec::with_capacity(shape.len());
-    let mut stride = 1usize;
-    for axis in shape {
-        strides.push(stride);
-        stride *= axis;
-    }
-    let mut out = Vec::with_capacity(values.len());
-    let mut at = 0usize;
-    for _ in 0..values.len() {
-        out.push(values[at]);
-        // Advance to the next index in C order, in which the last axis is contiguous.
-        for axis in (0..shape.len()).rev() {
-            index[axis] += 1;
-            at += strides[axis];
-            if index[axis] < shape[axis] {
-                break;
-            }
-            at -= strides[axis] * shape[axis];
-            index[axis] = 0;
-        }
-    }
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use proptest::prelude::*;
-
-    proptest! {
-        #[test]
-        fn converts_from_fortran_order(a in 1usize..5, b in 1usize..5, c in 1usize..5) {
-            let mut fortran = vec![0; a * b * c];
-            let mut expected = Vec::new();
-            for i in 0..a {
-                for j in 0..b {
-                    for k in 0..c {
-                        fortran[i + a * (j + b * k)] = 100 * i + 10 * j + k;
-                        expected.push(100 * i + 10 * j + k);
-                    }
-                }
-            }
-            prop_assert_eq!(to_c_order(&[a, b, c], &fortran), expected);
-        }
-    }
 
     #[test]
     fn parses_types() {

@@ -6,10 +6,12 @@
 mod header;
 mod layout;
 mod read;
+mod values;
 mod write;
 
 pub use layout::{Layout, Number};
-pub use read::{Array, Values, decode};
+pub use read::{Array, decode};
+pub use values::Values;
 pub use write::{Element, Field, begin, encode, encode_records, put};
 
 const FORMAT: &str = "NPY";

@@ -1,5 +1,6 @@
 use super::FORMAT;
-use super::layout::{Layout, to_c_order};
+use super::layout::Layout;
+use super::values::Values;
 use crate::{CodecError, Image};
 
 /// A decoded array.
@@ -9,19 +10,6 @@ pub struct Array {
     pub shape: Vec<usize>,
     /// The values in C order.
     pub values: Values,
-}
-
-/// The values of an array.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Values {
-    /// `uint8`
-    U8(Vec<u8>),
-    /// `uint16`
-    U16(Vec<u16>),
-    /// `float32`, or `float16`
-    F32(Vec<f32>),
-    /// `float64`
-    F64(Vec<f64>),
 }
 
 /// Decodes an array of `uint8`, `uint16`, `float16`, `float32` or `float64` with two to four axes, in any byte order and either
@@ -51,18 +39,6 @@ pub fn decode(bytes: &[u8]) -> Result<Array, CodecError> {
         shape: layout.shape,
         values,
     })
-}
-
-impl Values {
-    /// Converts the values of an array in Fortran order to C order.
-    pub(super) fn to_c_order(&self, shape: &[usize]) -> Self {
-        match self {
-            Self::U8(values) => Self::U8(to_c_order(shape, values)),
-            Self::U16(values) => Self::U16(to_c_order(shape, values)),
-            Self::F32(values) => Self::F32(to_c_order(shape, values)),
-            Self::F64(values) => Self::F64(to_c_order(shape, values)),
-        }
-    }
 }
 
 impl Array {

@@ -3,9 +3,10 @@
 use oaktwin_camera::math::DVec3;
 use oaktwin_simd::{Lanes, round_ties_even};
 
-use super::draw::Job;
 use super::frame::{Frame, Grid, Projection};
-use super::tile::{Id, Rectangle, STRIDE, Tile};
+use super::id::Id;
+use super::job::Job;
+use super::tile::{Rectangle, STRIDE, Tile};
 
 /// A corner in the frame of a tile's grid: `(u, v, z)` as from [`Projection::on_tile`].
 #[derive(Clone, Copy, Debug)]

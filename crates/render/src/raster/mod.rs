@@ -4,10 +4,13 @@
 //! tile independently draws its clusters from near to far and skips occluded ones. Pixels store 1/z, which is linear over the
 //! image of a triangle.
 
+mod bounds;
 mod cluster;
 mod cull;
 mod draw;
 mod frame;
+mod id;
+mod job;
 mod large;
 mod list;
 mod order;
@@ -15,18 +18,21 @@ mod small;
 #[cfg(test)]
 mod tests;
 mod tile;
+mod visible;
 
 use oaktwin_image::{Image, ZDepth};
 use oaktwin_scene::Scene;
 use oaktwin_simd::{Level, run_lanes_at};
 use rayon::prelude::*;
 
-use self::cluster::{Bounds, ClusteredMesh};
-use self::cull::Visible;
-use self::draw::{DrawTile, Job};
+use self::bounds::Bounds;
+use self::cluster::ClusteredMesh;
+use self::draw::DrawTile;
 use self::frame::Frame;
+use self::job::Job;
 use self::small::Scratch;
 use self::tile::Tile;
+use self::visible::Visible;
 use crate::{Hit, View, Visibility};
 
 /// The clusters of a scene.

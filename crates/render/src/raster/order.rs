@@ -5,7 +5,7 @@ use std::ops::Range;
 use oaktwin_scene::Mesh;
 use rayon::prelude::*;
 
-use super::cluster::{Bounds, valid_corners};
+use super::bounds::{Bounds, valid_corners};
 
 /// Returns the triangle of a key, which is its lower half; the upper half is the position on the curve.
 #[expect(clippy::cast_possible_truncation, reason = "takes the lower half")]

@@ -3,11 +3,12 @@
 use oaktwin_simd::{F64Lanes, I32Lanes, Lanes, Row};
 
 use super::cluster::{Cluster, ClusteredMesh, LANES, MAX_TRIANGLES, MAX_VERTICES};
-use super::draw::Job;
 use super::frame::{Grid, Projection};
+use super::id::Id;
+use super::job::Job;
 use super::large;
 use super::list::TriangleList;
-use super::tile::{Id, ROW, STRIDE, Tile};
+use super::tile::{ROW, STRIDE, Tile};
 
 /// The extent in pixels below which triangles are small.
 const SMALL: i32 = 8;

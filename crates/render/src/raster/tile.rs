@@ -2,8 +2,9 @@
 
 use oaktwin_simd::{I32Lanes, Lanes};
 
-use super::draw::Job;
 use super::frame::Frame;
+use super::id::Id;
+use super::job::Job;
 
 /// The number of columns of a tile.
 pub(super) const WIDTH: usize = 128;
@@ -38,25 +39,6 @@ pub(super) struct Tile {
     farthest: [f32; BLOCKS],
     /// Whether a block was drawn on since `farthest` was computed.
     is_stale: [bool; BLOCKS],
-}
-
-/// A triangle of a tile: the index of its entry and its index in the cluster.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Id(i32);
-
-impl Id {
-    pub(super) const NONE: Self = Self(-1);
-
-    /// There are fewer than 2^24 entries: more would not fit into memory.
-    #[expect(clippy::cast_possible_truncation, reason = "see above")]
-    pub(super) const fn new(entry: usize, triangle: u32) -> Self {
-        Self(((entry as u32) << 8 | triangle).cast_signed())
-    }
-
-    pub(super) const fn parts(self) -> (usize, usize) {
-        let bits = self.0.cast_unsigned() as usize;
-        (bits >> 8, bits & 255)
-    }
 }
 
 /// A rectangle of a tile's columns and rows, both inclusive.

@@ -1,5 +1,6 @@
 //! Converts primvars to attributes of triangles, stored as compactly as their values allow.
 
+use super::value::Value;
 use super::weld::Welder;
 use super::{Interpolation, Primvar};
 use crate::Attribute;
@@ -15,26 +16,6 @@ pub(super) struct Triangles<'a> {
     /// Whether triangle `i` is face `i` for all triangles.
     pub(super) are_faces: bool,
 }
-
-/// An attribute value.
-pub(super) trait Value: Copy + PartialEq {
-    const ZERO: Self;
-    fn is_finite(&self) -> bool;
-}
-
-macro_rules! values {
-    ($($float:ty),*) => {$(
-        impl<const N: usize> Value for [$float; N] {
-            const ZERO: Self = [0.0; N];
-
-            fn is_finite(&self) -> bool {
-                self.iter().all(|x| x.is_finite())
-            }
-        }
-    )*};
-}
-
-values!(f32, f64);
 
 /// Converts a checked primvar to an attribute.
 pub(super) fn attribute<T: Value>(primvar: Primvar<T>, triangles: &Triangles<'_>) -> Attribute<T> {

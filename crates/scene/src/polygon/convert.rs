@@ -3,11 +3,12 @@
 use oaktwin_camera::math::DVec3;
 use oaktwin_diagnostic::{Finding, Level};
 
-use super::attribute::{Triangles, Value, attribute};
+use super::attribute::{Triangles, attribute};
 use super::faces::Faces;
 use super::material::FaceMaterials;
 use super::primvar::Elements;
 use super::triangulate::Triangulator;
+use super::value::Value;
 use super::{Interpolation, PolygonMesh, Primvar, Scheme, normals};
 use crate::{MaterialSpan, Mesh};
 

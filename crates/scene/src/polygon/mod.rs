@@ -11,6 +11,7 @@ mod normals;
 mod primvar;
 mod subdivision;
 mod triangulate;
+mod value;
 mod weld;
 
 pub use primvar::{Interpolation, Primvar};

@@ -1,6 +1,6 @@
 //! Stores face-varying values once per vertex if all its corners have the same value.
 
-use super::attribute::Value;
+use super::value::Value;
 
 /// Finds earlier corners of a vertex with the same value.
 pub(super) struct Welder<T> {

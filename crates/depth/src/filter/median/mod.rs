@@ -7,7 +7,8 @@ use rayon::prelude::*;
 
 pub(crate) use network::{Network, Networks};
 
-use super::{Pixel, simd};
+use super::Pixel;
+use super::kernels::kernels;
 
 choice! {
     /// `MedianFilter`: the median of a square around each pixel. The image's border is repeated outside; 0 is a value.
@@ -67,13 +68,13 @@ impl Median {
     pub(super) fn run<P: Pixel>(self, level: Level, image: &mut Image<P>) {
         match self {
             Self::Kernel3x3 => bands(image, |rows, sorted, out| {
-                simd::median3(level, rows, sorted, out);
+                median3(level, rows, sorted, out);
             }),
             Self::Kernel5x5 => bands(image, |rows, sorted, out| {
-                simd::median5(level, rows, sorted, out);
+                median5(level, rows, sorted, out);
             }),
             Self::Kernel7x7 => bands(image, |rows, sorted, out| {
-                simd::median7(level, rows, sorted, out);
+                median7(level, rows, sorted, out);
             }),
         }
     }
@@ -175,4 +176,13 @@ fn load<P: Pixel>(row: &[P], x: usize) -> [P; LANES] {
     let mut lanes = [P::default(); LANES];
     lanes[..rest.len()].copy_from_slice(rest);
     lanes
+}
+
+kernels! {
+    /// [`row3`]
+    fn median3<'a> = row3 => (rows: [&'a [P]; 3], sorted: &'a mut [Vec<P>], out: &'a mut [P]);
+    /// [`row5`]
+    fn median5<'a> = row5 => (rows: [&'a [P]; 5], sorted: &'a mut [Vec<P>], out: &'a mut [P]);
+    /// [`row7`]
+    fn median7<'a> = row7 => (rows: [&'a [P]; 7], sorted: &'a mut [Vec<P>], out: &'a mut [P]);
 }

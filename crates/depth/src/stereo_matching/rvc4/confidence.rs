@@ -3,7 +3,8 @@
 use oaktwin_simd::{self as simd, Kernel, Level};
 use rayon::prelude::*;
 
-use super::{BAND, ConfidenceMetrics, DISPARITY, OCCLUDED, around, three};
+use super::super::parameters::ConfidenceMetrics;
+use super::{BAND, DISPARITY, OCCLUDED, around, three};
 
 /// Replaces the share, of 255, by which the smallest sum is below the smallest one that is not its neighbour with the
 /// confidence.

@@ -1,7 +1,8 @@
 //! Hole filling with the mean of the superpixel: [`HoleFilling`].
 
+use super::super::parameters::HoleFilling;
 use super::superpixels::{Superpixels, Total};
-use super::{DISPARITY, HoleFilling, each_row};
+use super::{DISPARITY, each_row};
 
 /// The sums of a superpixel.
 #[derive(Clone, Copy, Debug, Default)]

@@ -6,15 +6,15 @@
 mod adaptive_median;
 mod confidence;
 mod hole_filling;
+pub(super) mod steps;
 mod superpixels;
 
 use oaktwin_simd::{self as simd, Kernel, Level};
 use rayon::prelude::*;
 
+use self::steps::Steps;
 use self::superpixels::Superpixels;
 use super::census::Census;
-use super::parameters::{ConfidenceMetrics, HoleFilling, Parameters};
-use crate::preset::Platform;
 
 /// The bit of a disparity that fails the left-right check or whose counterpart is outside the image.
 pub(super) const LOST: u16 = 1 << 15;
@@ -28,19 +28,6 @@ pub(super) const DISPARITY: u16 = OCCLUDED - 1;
 /// The number of rows in a unit of work.
 const BAND: usize = superpixels::SIDE;
 
-/// The steps of RVC4.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Steps {
-    metrics: ConfidenceMetrics,
-    holes: Option<HoleFilling>,
-    /// The confidence below which pixels are filtered.
-    median: Option<u8>,
-    /// The number of fractional bits of a disparity.
-    bits: u32,
-    /// The minimum confidence of a valid pixel.
-    kept_from: u8,
-}
-
 /// The buffers of the steps, reused for the next image.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Memory {
@@ -49,25 +36,6 @@ pub(super) struct Memory {
 }
 
 impl Steps {
-    /// Returns the steps, or `None` on another platform.
-    pub(super) fn new(p: &Parameters) -> Option<Self> {
-        (p.platform == Platform::Rvc4).then_some(Self {
-            metrics: p.confidence_metrics,
-            holes: p.hole_filling.enable.then_some(p.hole_filling),
-            median: p
-                .adaptive_median
-                .enable
-                .then_some(p.adaptive_median.confidence_threshold),
-            bits: p.subpixel.bits(),
-            kept_from: p.confidence_threshold,
-        })
-    }
-
-    /// Whether the steps need the disparities of the right image.
-    pub(super) fn look_back(&self) -> bool {
-        self.metrics.occlusion_weight > 0
-    }
-
     /// Converts disparities with their [bits](LOST) to final ones, with 0 for invalid, and cost ratios to confidence.
     pub(super) fn run(
         &self,

@@ -2,7 +2,8 @@
 
 use oaktwin_simd::Kernel;
 
-use super::patches::{Found, Patch};
+use super::Found;
+use super::patches::Patch;
 use crate::time_of_flight::light::{CHANNELS, phasor};
 
 /// The receivers that are processed together.

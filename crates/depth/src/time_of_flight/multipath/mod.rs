@@ -33,7 +33,7 @@ use oaktwin_simd::{self as simd, Level};
 use rayon::prelude::*;
 
 use self::gather::{Gather, LANES, Lit};
-use self::patches::{Found, Patch, Surveyor};
+use self::patches::{Patch, Surveyor};
 pub(super) use self::spread::{Add, Normals, Surfaces};
 use self::spread::{Receiver, Spread};
 use super::light::Lamp;
@@ -66,6 +66,13 @@ pub(super) struct Multipath {
     rows: Vec<usize>,
     /// Receivers, row by row.
     receivers: Vec<Receiver>,
+}
+
+/// The position of a receiver, in [`Patch`]'s frame. The normal is 0 without a surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Found {
+    point: [f32; 3],
+    normal: [f32; 3],
 }
 
 /// The division of an image.

@@ -3,7 +3,7 @@
 use oaktwin_simd as simd;
 
 use super::spread::{Normals, Surfaces};
-use super::{Grid, View};
+use super::{Found, Grid, View};
 use crate::time_of_flight::light::{Albedos, InverseDepth};
 
 /// The surface of a cell, in metres in the camera's frame.
@@ -18,13 +18,6 @@ pub(super) struct Patch {
     pub(super) area: f32,
     /// The distance from the lamp, m.
     pub(super) range: f32,
-}
-
-/// The position of a receiver, in [`Patch`]'s frame. The normal is 0 without a surface.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Found {
-    pub(super) point: [f32; 3],
-    pub(super) normal: [f32; 3],
 }
 
 /// The memory of one thread for a band of cells.

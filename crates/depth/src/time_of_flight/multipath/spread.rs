@@ -2,8 +2,8 @@
 
 use oaktwin_simd::Kernel;
 
+use super::Found;
 use super::between;
-use super::patches::Found;
 use crate::time_of_flight::light::{CHANNELS, Lamp, LightRow, phasor, plane};
 
 /// The dissimilarity at which a receiver's weight is a quarter.

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 
 use super::super::error_domain::ErrorDomain;
 use super::super::least_squares::{Problem, Solution, solve};
-use super::super::points::Point;
+use super::super::point::Point;
 
 /// The data of a fit.
 #[derive(Clone, Copy, Debug)]

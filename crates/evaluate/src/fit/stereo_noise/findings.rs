@@ -1,6 +1,6 @@
 //! Findings about a fit, and the reasons why parameters cannot be fitted.
 
-use super::super::points::Point;
+use super::super::point::Point;
 use super::errors::{Errors, Systematic};
 use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 

@@ -12,7 +12,7 @@ use oaktwin_depth::stereo_noise::{DepthRounding, Parameters};
 use super::error_domain::{ErrorDomain, left_of_rounding};
 use super::least_squares::Solution;
 use super::method::{Fitted, Method};
-use super::points::Point;
+use super::point::Point;
 use super::report::{Parameter, Report, number};
 use super::target::Observation;
 use super::work::Work;

@@ -5,7 +5,7 @@ use oaktwin_depth::time_of_flight::Parameters;
 use super::super::error_domain::ErrorDomain;
 use super::super::least_squares::{Problem, Solution, solve};
 use super::super::method::Fitted;
-use super::super::points::Point;
+use super::super::point::Point;
 use super::super::report::{Report, number};
 use super::rays::mean;
 

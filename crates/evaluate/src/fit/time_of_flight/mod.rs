@@ -12,7 +12,7 @@ use oaktwin_depth::time_of_flight::{Parameters, TimeOfFlight};
 
 use super::error_domain::{ErrorDomain, left_of_rounding};
 use super::method::{Fitted, Method};
-use super::points::{OfTarget, Point};
+use super::point::{OfTarget, Point};
 use super::report::Parameter;
 use super::target::Observation;
 use super::work::Work;

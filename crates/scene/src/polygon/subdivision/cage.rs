@@ -2,8 +2,8 @@ use oaktwin_memory::{self as memory, Shortage};
 
 use super::Scheme;
 use crate::polygon::PolygonMesh;
-use crate::polygon::attribute::Value;
 use crate::polygon::faces::Faces;
+use crate::polygon::value::Value;
 
 /// The maximum number of faces of a refined mesh.
 pub(super) const MAX_FACES: u64 = 1 << 25;

@@ -6,7 +6,7 @@
 use std::borrow::Cow;
 
 use super::Problem;
-use super::text::Structure;
+use super::structure::Structure;
 
 /// A text layer without escape sequences.
 #[derive(Debug, Default, PartialEq, Eq)]

@@ -10,6 +10,7 @@ mod outline;
 mod package;
 mod properties;
 mod skeleton;
+mod structure;
 mod text;
 mod values;
 

@@ -80,7 +80,7 @@ fn begins_prim(statement: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::text::Structure;
+    use super::super::structure::Structure;
     use super::*;
 
     fn fit(text: &str) -> bool {

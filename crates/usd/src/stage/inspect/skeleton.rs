@@ -87,7 +87,7 @@ impl<'a> Skeleton<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::text::Structure;
+    use super::super::structure::Structure;
     use super::*;
 
     #[test]
