@@ -60,7 +60,7 @@ async function start(root: HTMLElement): Promise<void> {
   render(<AppContext.Provider value={app}><Page /></AppContext.Provider>, root);
   const loop = new FrameLoop(studio, probes, defaults);
   window.studio = {
-    get isIdle() { return loop.isIdle && (app.view.get()?.viewer.isIdle ?? false); },
+    get isIdle() { return loop.isIdle && (app.view.get()?.isIdle ?? false); },
     get painted() { return app.signals.painted; },
     get drawn() { return app.view.get()?.viewer.drawn ?? 0; },
     get received() { return loop.received; },

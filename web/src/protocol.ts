@@ -14,9 +14,10 @@
  * | `POST /api/scenes?name=room.glb`, the file as the body | {@link SceneInfo}; 422 with {@link Failure} |
  * | `POST /api/calibrations?name=unit.json`, the file as the body | {@link CalibrationInfo}; 422 with {@link Failure} |
  * | `GET /api/models/{name}/body` | a mesh in the body frame |
- * | `POST /api/export`, {@link ExportRequest} | a file (`Content-Disposition` has its name); 422 with {@link Failure} |
+ * | `POST /api/export`, {@link ExportRequest} | a file (`Content-Disposition` has its name, `X-Findings` the {@link Finding}s); 422 with {@link Failure} |
  * | `POST /api/accuracy`, {@link OakState} | {@link AccuracyCurve}; 422 with {@link Failure} |
  * | `POST /api/coverage`, {@link CoverageRequest} | {@link CoverageAnswer}; 422 with {@link Failure} |
+ * | `POST /api/coverage/surface`, {@link SurfaceRequest} | a mesh of the region's surface, see {@link SurfaceRequest}; 422 with {@link Failure} |
  * | `GET /api/live`, a WebSocket | {@link ClientMessage} as text; {@link ServerMessage} as text, frames as binary |
  *
  * Any other status than 200 has a {@link Failure} as its body.
@@ -36,8 +37,14 @@ export interface Catalog {
   engines: Engine[];
   /** The filters that can be chosen, with the parameters of each. */
   filters: Filter[];
+  /** The ways in which a stereo pair can have changed since its calibration; each is 0 by default. */
+  drift: Parameter[];
+  /** The formats of robots and simulators, each with one line about it. */
+  robotFormats: { name: string; help: string }[];
   /** The reasons why a pixel has no value, sorted by code; codes have gaps. Code 0 is a measured pixel. */
   reasons: Reason[];
+  /** What can become of a point of a surface, sorted by code: code 0 is a measured one; the reasons, and others such as "hidden". */
+  outcomes: Reason[];
   /** The largest file that can be dropped, bytes. */
   maxUploadBytes: number;
 }
@@ -209,6 +216,10 @@ export interface OakState {
   seed: number;
   /** The seed of an individual unit's calibration error; null for a unit without one. */
   deviceSeed: number | null;
+  /** The seed of a unit of the model's population, whose cameras differ from the nominal ones; null for the nominal device. */
+  populationSeed: number | null;
+  /** The drift of the stereo pair since its calibration: only what is not 0, as text, by the names in {@link Catalog.drift}. */
+  drift: Record<string, string>;
   /** For matchers: the brightness of the dot projector and of the scene's own light. Night is an ambient of 0. */
   projector: number;
   ambient: number;
@@ -238,6 +249,8 @@ export interface FrameRequest {
   images: ImageName[];
   /** The rectangle for {@link FrameHeader.statistics}, as fractions of the image: left, top, right, bottom. */
   region: [number, number, number, number];
+  /** The side of the squares of pixels that share a colour, 1 to 8; 1 if missing. Colour takes most of the time of a new view. */
+  colorStep?: number;
 }
 
 /** Asks about a pixel of the last frame of an OAK. */
@@ -350,13 +363,13 @@ export interface AccuracyCurve {
 }
 
 export interface ExportRequest {
-  what: "asset" | "image" | "statistics" | "parameters" | "command" | "python";
+  what: "asset" | "robot" | "image" | "error" | "statistics" | "parameters" | "command" | "python";
   scene: string;
   state: OakState;
   size: [number, number] | null;
   /** For `image`. */
   image?: ImageName;
-  /** `usda` or `usdz` for an asset; `npy` or `png` for an image; `json` or `csv` for statistics. */
+  /** `usda` or `usdz` for an asset; a name of {@link Catalog.robotFormats} for `robot`, a zip archive; `npy` or `png` for an image; `json` or `csv` for statistics. */
   format?: string;
 }
 
@@ -365,6 +378,16 @@ export interface CoverageRequest {
   states: OakState[];
   /** A box in the world, or the path of an object. */
   region: { minimum: Vec3; maximum: Vec3 } | { object: string };
+}
+
+/**
+ * Asks for the surface of a region in small triangles. In the mesh, the object of a triangle is the code of its outcome in
+ * {@link Catalog.outcomes}; the colours mean nothing.
+ */
+export interface SurfaceRequest {
+  scene: string;
+  state: OakState;
+  region: CoverageRequest["region"];
 }
 
 /** For each of the states. */

@@ -46,8 +46,14 @@ const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.l
 
 const browser = await launch();
 const started = performance.now();
-const { page } = await open(browser);
-const lines = [["usable after", `${Math.round(performance.now() - started)} ms`]];
+// Usable: images are there, the 3D view is drawn and controls answer. The images of full size follow.
+let usable = 0;
+const shown = (page) => page.waitForFunction(() => window.studio?.painted >= 4 && window.studio.drawn > 0, null, { polling: 10 });
+const { page } = await open(browser, { opened: async (page) => {
+  await shown(page);
+  usable = performance.now() - started;
+} });
+const lines = [["usable after", `${Math.round(usable)} ms`], ["images of full size after", `${Math.round(performance.now() - started)} ms`]];
 for (const [engine, parameter] of [["stereo-noise", "bias"], ["single-view", "noiseSigma"], ["stereo-matching", "confidenceThreshold"]]) {
   await page.getByTestId("engine").selectOption(engine);
   await page.waitForTimeout(300);

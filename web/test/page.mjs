@@ -16,13 +16,14 @@ export async function launch(args = []) {
 }
 
 /** Opens the page and waits for its first images. `errors` collects what the console and the page report. */
-export async function open(browser, { path = "", viewport = { width: 1280, height: 800 }, ...options } = {}) {
+export async function open(browser, { path = "", viewport = { width: 1280, height: 800 }, opened = async () => {}, ...options } = {}) {
   const context = await browser.newContext({ viewport, ...options });
   const page = await context.newPage();
   const errors = [];
   page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
   page.on("pageerror", (error) => errors.push(String(error)));
-  await page.goto(url + path);
+  await page.goto(url + path, { waitUntil: "commit" });
+  await opened(page);
   await rest(page);
   return { page, context, errors };
 }

@@ -1,5 +1,7 @@
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
+import { mkdtemp, readFile, rm, truncate, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { after as afterAll, before, test } from "node:test";
 import { after, drop, launch, open, pixels, rest, skip, url } from "./page.mjs";
 
@@ -89,6 +91,38 @@ test("a broken calibration and a file that is too large change nothing", { skip 
   await page.getByTestId("notice").filter({ hasText: "large.glb" }).waitFor();
   assert.deepEqual(uploads, [], "a file that is too large is not sent");
   assert.equal(page.url(), address);
+  await context.close();
+});
+
+test("a dropped file of 500 MB is refused before it is sent", { skip }, async () => {
+  const { page, context } = await open(browser);
+  const folder = await mkdtemp(join(tmpdir(), "oaktwin-"));
+  const path = join(folder, "huge.glb");
+  await writeFile(path, "");
+  // It has no data on the disk.
+  await truncate(path, 500e6);
+  const uploads = [];
+  page.on("request", (request) => request.method() === "POST" && uploads.push(request.url()));
+  const scene = await page.getByTestId("scene").textContent();
+  await page.evaluate(() => {
+    const input = document.createElement("input");
+    input.type = "file";
+    input.id = "source";
+    input.hidden = true;
+    document.body.append(input);
+  });
+  await page.locator("#source").setInputFiles(path);
+  await page.evaluate(() => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(document.getElementById("source").files[0]);
+    window.dispatchEvent(new DragEvent("drop", { dataTransfer, cancelable: true, bubbles: true }));
+  });
+  const notice = page.getByTestId("notice").filter({ hasText: "huge.glb" });
+  await notice.waitFor();
+  assert.match(await notice.textContent(), /500/);
+  assert.deepEqual(uploads, []);
+  assert.equal(await page.getByTestId("scene").textContent(), scene);
+  await rm(folder, { recursive: true });
   await context.close();
 });
 
@@ -200,7 +234,7 @@ test("assistive technology finds its way in both themes", { skip }, async () => 
     };
     await check("images and numbers");
     await page.getByTestId("tab-place").click();
-    await page.getByTestId("target").selectOption({ index: 1 });
+    await page.getByTestId("target").selectOption("/Room/Table/Top");
     await check("placement");
     await page.keyboard.press("?");
     await check("keys");
@@ -211,7 +245,7 @@ test("assistive technology finds its way in both themes", { skip }, async () => 
 test("the coverage of an object is measured, and a sweep ranks poses", { skip }, async () => {
   const { page, context, errors } = await open(browser);
   await page.getByTestId("tab-place").click();
-  await page.getByTestId("target").selectOption({ index: 1 });
+  await page.getByTestId("target").selectOption("/Room/Table/Top");
   const share = (table, column) => page.locator(table).evaluate((table, column) => {
     return [...table.rows].slice(1).map((row) => Number.parseFloat(row.cells[column].textContent));
   }, column);

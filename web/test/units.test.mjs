@@ -10,6 +10,7 @@ const { check, slider } = await load("state/parameters.ts");
 const { History } = await load("state/history.ts");
 const { fromFragment, toFragment } = await load("state/link.ts");
 const { DEFAULT_DISPLAY } = await load("state/display.ts");
+const { choosable } = await load("state/document.ts");
 const { rank, sweep } = await load("studio/sweep.ts");
 
 const text = (bytes) => new TextDecoder().decode(bytes);
@@ -93,7 +94,7 @@ test("a gesture is one step of undo", () => {
 const state = {
   model: "OAK-D", calibration: null, pose: { position: [1, 2, 3], quaternion: [0, 0, 0, 1] }, sensor: "depth_stereo", lens: "pinhole",
   engine: "stereo-noise", preset: null, filters: ["median"], parameters: { bias: "0.1" }, extendedDisparity: true, seed: 3,
-  deviceSeed: 4, projector: 0.5, ambient: 0,
+  deviceSeed: 4, populationSeed: 5, drift: { yaw: "0.3" }, projector: 0.5, ambient: 0,
 };
 
 test("a link restores the state, and links with other content are ignored", () => {
@@ -116,4 +117,9 @@ test("a sweep tries all heights and tilts, and ranks them", () => {
   const poses = [0.1, 0.5, 0.5, 0.2, 0, 0].map((measured, i) => ({ measured, medianAbsoluteErrorM: 0.1 / (i + 1), lost: {} }));
   const ranked = rank(states, { poses }, "z");
   assert.deepEqual(ranked.slice(0, 3).map(({ heightM, tiltDeg }) => [heightM, Math.round(tiltDeg)]), [[1, 30], [1, 15], [2, 0]]);
+});
+
+test("what contains several objects can be chosen, too", () => {
+  const paths = ["/Room/Table/Leg", "/Room/Table/Top", "/Room/Lamp/Shade", "/Door"];
+  assert.deepEqual(choosable(paths), ["/Door", "/Room", "/Room/Lamp/Shade", "/Room/Table", "/Room/Table/Leg", "/Room/Table/Top"]);
 });

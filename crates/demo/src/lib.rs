@@ -7,6 +7,7 @@ mod surfaces;
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_image::{CodecError, Image, png};
+use rayon::prelude::*;
 
 /// The name of the stage among the [`files`]; its textures lie beside it.
 pub const STAGE: &str = "demo_room.usda";
@@ -26,11 +27,12 @@ pub fn world_from_body() -> RigidTransform {
 /// # Errors
 /// Never but for lack of memory.
 pub fn files() -> Result<Vec<(&'static str, Vec<u8>)>, CodecError> {
-    let mut files = vec![(STAGE, include_bytes!("../assets/demo_room.usda").to_vec())];
-    for (name, paint) in TEXTURES {
-        files.push((name, png::encode(&paint())?));
-    }
-    Ok(files)
+    let stage = (STAGE, include_bytes!("../assets/demo_room.usda").to_vec());
+    let textures = TEXTURES
+        .par_iter()
+        .map(|(name, paint)| Ok((*name, png::encode(&paint())?)));
+    let textures = textures.collect::<Result<Vec<_>, CodecError>>()?;
+    Ok([vec![stage], textures].concat())
 }
 
 /// An sRGB picture, rows from the top.

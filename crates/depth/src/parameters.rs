@@ -1,8 +1,9 @@
 //! The parameters of everything in this crate, as lists for help, schemas and manuals.
 
 use oaktwin_diagnostic::suggest;
-use oaktwin_parameter::Group;
-pub use oaktwin_parameter::{About, Choice, Kind, Listing, ParameterError, Platform, Source, choice, choose};
+pub use oaktwin_parameter::{
+    About, Choice, Group, Kind, Listing, ParameterError, Platform, Source, choice, choose,
+};
 
 use crate::{filter, imager, single_view, stereo_matching, stereo_noise, time_of_flight};
 

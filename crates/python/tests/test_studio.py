@@ -60,6 +60,8 @@ def export(link, **request):
         {"engine": "stereo-noise", "deviceSeed": 4, "filters": ["spatial:alpha=0.6"], "parameters": {"bias": "0.2"}},
         {"engine": "single-view", "parameters": {"noiseSigma": "0.5"}},
         {"model": "OAK-D Pro PoE", "engine": "stereo-matching", "preset": "ROBOTICS", "projector": 0.7, "ambient": 0.25, "seed": 3},
+        {"populationSeed": 5, "drift": {"yaw": "0.3", "pitch": "-0.2"}},
+        {"model": "OAK-D Pro PoE", "engine": "stereo-matching", "projector": 0.7, "populationSeed": 6, "drift": {"roll": "1"}},
         {"model": "OAK-D ToF", "sensor": "depth_tof", "engine": "time-of-flight"},
     ],
 )
@@ -78,6 +80,8 @@ def test_the_script_reproduces_the_page(studio, monkeypatch, changes):
         "extendedDisparity": False,
         "seed": 0,
         "deviceSeed": None,
+        "populationSeed": None,
+        "drift": {},
         "projector": 0.0,
         "ambient": 1.0,
     }

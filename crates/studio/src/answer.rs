@@ -1,10 +1,12 @@
 //! Answers over HTTP.
 
 use axum::body::Body;
-use axum::http::{StatusCode, header};
+use axum::http::StatusCode;
+use axum::http::header::{self, HeaderName};
 use axum::response::{IntoResponse, Response};
 use serde::Serialize;
 
+use crate::export::File;
 use crate::protocol::Failure;
 
 /// Answers with JSON.
@@ -30,8 +32,13 @@ pub(crate) fn binary(bytes: impl Into<Body>) -> Response {
     ([(header::CONTENT_TYPE, "application/octet-stream")], bytes.into()).into_response()
 }
 
-/// Answers with a file to be saved under a name.
-pub(crate) fn file(name: &str, bytes: Vec<u8>) -> Response {
+/// Answers with a file to be saved under a name. A header has the findings, as JSON in ASCII.
+pub(crate) fn file(file: File) -> Response {
+    let File {
+        name,
+        bytes,
+        findings,
+    } = file;
     let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "._-".contains(letter);
     let name: String = name
         .chars()
@@ -43,8 +50,25 @@ pub(crate) fn file(name: &str, bytes: Vec<u8>) -> Response {
             header::CONTENT_DISPOSITION,
             format!("attachment; filename=\"{name}\""),
         ),
+        (HeaderName::from_static("x-findings"), ascii(&findings)),
     ];
     (headers, bytes).into_response()
+}
+
+/// Writes JSON in which other characters than those of ASCII are escaped.
+fn ascii(value: &impl Serialize) -> String {
+    let json = serde_json::to_string(value).unwrap_or_default();
+    let mut units = [0; 2];
+    json.chars()
+        .map(|letter| match letter.is_ascii() {
+            true => letter.to_string(),
+            false => letter
+                .encode_utf16(&mut units)
+                .iter()
+                .map(|unit| format!("\\u{unit:04x}"))
+                .collect(),
+        })
+        .collect()
 }
 
 fn json_with(status: StatusCode, value: &impl Serialize) -> Response {

@@ -1,11 +1,12 @@
 //! What the page knows before any scene: models, engines, filters and their parameters.
 
 use oaktwin::accuracy::Bands;
-use oaktwin::camera::RigidTransform;
+use oaktwin::camera::{RigidTransform, StereoDrift};
 use oaktwin::catalog::{Catalog, DepthKind, Twin, TwinCamera, TwinDepthSensor};
 use oaktwin::depth::filter;
-use oaktwin::depth::parameters::{Kind, Listing, Source, group};
+use oaktwin::depth::parameters::{Choice, Group, Kind, Listing, Source, group};
 use oaktwin::depth::preset::{Platform, Preset, TIME_OF_FLIGHT_PRESETS};
+use oaktwin::robot;
 use oaktwin::sensor::{ENGINES, EngineInput, EngineKind, Technology, default_engine};
 use serde::Serialize;
 
@@ -21,7 +22,10 @@ pub(crate) struct CatalogInfo {
     models: Vec<Model>,
     engines: Vec<Engine>,
     filters: Vec<FilterInfo>,
+    drift: Vec<Parameter>,
+    robot_formats: Vec<RobotFormat>,
     reasons: Vec<Reason>,
+    outcomes: Vec<Reason>,
     max_upload_bytes: u64,
 }
 
@@ -93,6 +97,12 @@ struct FilterInfo {
 }
 
 #[derive(Debug, Serialize)]
+struct RobotFormat {
+    name: &'static str,
+    help: &'static str,
+}
+
+#[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
 struct Parameter {
     name: &'static str,
@@ -117,7 +127,17 @@ impl CatalogInfo {
             models: catalog.nominals().iter().map(Model::new).collect(),
             engines: ENGINES.iter().map(|kind| Engine::new(kind)).collect(),
             filters: filter::NAMES.iter().map(|name| FilterInfo::new(name)).collect(),
+            drift: (Group::list_of::<StereoDrift>(Platform::default()).iter())
+                .map(Parameter::new)
+                .collect(),
+            robot_formats: (robot::Format::NAMES.iter().zip(robot::Format::ABOUT))
+                .map(|(name, about)| RobotFormat {
+                    name,
+                    help: about.trim(),
+                })
+                .collect(),
             reasons: reasons::all(),
+            outcomes: reasons::of_surfaces(),
             max_upload_bytes,
         }
     }

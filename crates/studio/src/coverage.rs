@@ -3,11 +3,13 @@
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
+use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DVec3;
-use oaktwin::coverage::{self, Candidate, CoverageError, Options, Region, Rig, RigOptions};
+use oaktwin::coverage::{self, Candidate, CoverageError, Options, PATCHES, Patches, Region, Rig, RigOptions};
 use oaktwin::scene::Bounds;
 use serde::{Deserialize, Serialize};
 
+use crate::mesh;
 use crate::protocol::{Failure, OakState};
 use crate::studio::Studio;
 
@@ -61,6 +63,40 @@ impl RegionRequest {
     }
 }
 
+/// A region with the state that is assessed on its surface.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SurfaceRequest {
+    scene: String,
+    state: OakState,
+    region: RegionRequest,
+}
+
+/// Returns the surface of the region as a mesh. The object of each triangle is the code of its outcome.
+pub(crate) fn surface(studio: &Studio, request: &SurfaceRequest) -> Result<Vec<u8>, Failure> {
+    let failed = |error: CoverageError| Failure::of("region", &error);
+    let scene = studio.scenes.get(&request.scene)?;
+    let (rig, pose) = rig(studio, &request.state)?;
+    let candidate = Candidate::new(&rig, "1", pose);
+    let region = request.region.region();
+    let patches = Patches::new(&scene.renderer, &region, &candidate, PATCHES).map_err(failed)?;
+    let outcomes = patches.outcomes.iter().map(|outcome| u32::from(outcome.0));
+    Ok(mesh::of_triangles(patches.corners.iter().zip(outcomes)))
+}
+
+/// Returns the OAK of a state, and its pose.
+fn rig(studio: &Studio, state: &OakState) -> Result<(Rig, RigidTransform), Failure> {
+    let twin = state.twin(studio)?;
+    let options = RigOptions {
+        sensor: Some(state.sensor_kind().to_owned()),
+        engine: state.options()?,
+        size: None,
+        pair: state.pair_options(None)?,
+    };
+    let (rig, _) = Rig::new(&twin, &options).map_err(|error| Failure::of("engine", &error))?;
+    Ok((rig, state.pose.transform()?))
+}
+
 /// Measures the coverage of the region by each state.
 pub(crate) fn coverage(studio: &Studio, request: &CoverageRequest) -> Result<CoverageAnswer, Failure> {
     if request.states.len() > MAX_STATES {
@@ -72,17 +108,7 @@ pub(crate) fn coverage(studio: &Studio, request: &CoverageRequest) -> Result<Cov
     }
     let failed = |error: CoverageError| Failure::of("region", &error);
     let scene = studio.scenes.get(&request.scene)?;
-    let rigs = request.states.iter().map(|state| {
-        let twin = state.twin(studio)?;
-        let options = RigOptions {
-            sensor: Some(state.sensor_kind().to_owned()),
-            engine: state.options()?,
-            size: None,
-            pair: state.pair_options(None)?,
-        };
-        let (rig, _) = Rig::new(&twin, &options).map_err(|error| Failure::of("engine", &error))?;
-        Ok((rig, state.pose.transform()?))
-    });
+    let rigs = request.states.iter().map(|state| rig(studio, state));
     let rigs = rigs.collect::<Result<Vec<_>, Failure>>()?;
     let candidates: Vec<Candidate<'_>> = rigs
         .iter()

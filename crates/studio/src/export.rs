@@ -1,7 +1,11 @@
 //! What can be taken away: assets, images, numbers, and the commands that reproduce them.
 
+use oaktwin::depth::parameters::choose;
+use oaktwin::diagnostic::Finding;
 use oaktwin::image::{Image, millimetres, npy, png};
+use oaktwin::robot::{self, Attachment};
 use oaktwin::usd::asset::{AssetOptions, Format, asset};
+use oaktwin::usd::usdz;
 
 use crate::frame::statistics;
 use crate::image::{Data, pixels};
@@ -13,28 +17,41 @@ use crate::studio::Studio;
 /// The whole image.
 const ALL: [f64; 4] = [0.0, 0.0, 1.0, 1.0];
 
-/// A file with its name.
-pub(crate) type File = (String, Vec<u8>);
+/// A file to be saved.
+#[derive(Debug, Default)]
+pub(crate) struct File {
+    pub(crate) name: String,
+    pub(crate) bytes: Vec<u8>,
+    /// What the format cannot represent.
+    pub(crate) findings: Vec<Finding>,
+}
+
+impl File {
+    fn new(name: impl Into<String>, bytes: Vec<u8>) -> Self {
+        Self {
+            name: name.into(),
+            bytes,
+            findings: Vec::new(),
+        }
+    }
+
+    fn text(name: &str, text: String) -> Self {
+        Self::new(name, text.into_bytes())
+    }
+}
 
 /// Makes the file of a request.
 pub(crate) fn export(studio: &Studio, request: &ExportRequest) -> Result<File, Failure> {
     let format = request.format.as_deref();
     match request.what {
         Export::Asset => usd(studio, request, format.unwrap_or("usd")),
+        Export::Robot => robot(studio, request, format.unwrap_or_default()),
         Export::Image => image(studio, request, format.unwrap_or("png")),
+        Export::Error => error_image(studio, request),
         Export::Statistics => numbers(studio, request, format.unwrap_or("json")),
-        Export::Parameters => Ok((
-            "parameters.toml".to_owned(),
-            snippet::toml(&request.state)?.into_bytes(),
-        )),
-        Export::Command => Ok((
-            "render.sh".to_owned(),
-            snippet::command(studio, request)?.into_bytes(),
-        )),
-        Export::Python => Ok((
-            "render.py".to_owned(),
-            snippet::python(studio, request)?.into_bytes(),
-        )),
+        Export::Parameters => Ok(File::text("parameters.toml", snippet::toml(&request.state)?)),
+        Export::Command => Ok(File::text("render.sh", snippet::command(studio, request)?)),
+        Export::Python => Ok(File::text("render.py", snippet::python(studio, request)?)),
     }
 }
 
@@ -53,7 +70,27 @@ fn usd(studio: &Studio, request: &ExportRequest, format: &str) -> Result<File, F
     };
     let failed = |error: oaktwin::usd::asset::AssetError| Failure::from(error.to_string());
     let asset = asset(&twin, &options).map_err(failed)?;
-    Ok((asset.file_name(format), asset.bytes(format).map_err(failed)?))
+    Ok(File::new(
+        asset.file_name(format),
+        asset.bytes(format).map_err(failed)?,
+    ))
+}
+
+/// Makes a zip archive of a description for robots and simulators, because each has several files.
+fn robot(studio: &Studio, request: &ExportRequest, format: &str) -> Result<File, Failure> {
+    let format: robot::Format = choose("format", format).map_err(|error| Failure::of("format", &error))?;
+    let twin = request.state.twin(studio)?;
+    let exported = robot::export(&studio.catalog, &twin, &Attachment::default(), format);
+    let robot::Export { files, findings } = exported.map_err(|error| Failure::from(error.to_string()))?;
+    let files: Vec<(&str, &[u8])> = files
+        .iter()
+        .map(|(name, bytes)| (name.as_str(), bytes.as_slice()))
+        .collect();
+    let bytes = usdz::pack(&files).map_err(|error| Failure::from(error.to_string()))?;
+    Ok(File {
+        findings,
+        ..File::new(format!("{}_{format}.zip", twin.device.id), bytes)
+    })
 }
 
 /// Measures the requested state anew.
@@ -70,6 +107,7 @@ fn measured(
         size: request.size,
         images,
         region: ALL,
+        color_step: None,
     };
     Station::default().measure(studio, &request).cloned()
 }
@@ -92,7 +130,26 @@ fn image(studio: &Studio, request: &ExportRequest, format: &str) -> Result<File,
     };
     let stem = serde_json::to_value(name).ok();
     let stem = stem.as_ref().and_then(|name| name.as_str()).unwrap_or("image");
-    Ok((format!("{stem}.{format}"), bytes))
+    Ok(File::new(format!("{stem}.{format}"), bytes))
+}
+
+/// The measured minus the true depth in metres; NaN where there is none of them.
+fn error_image(studio: &Studio, request: &ExportRequest) -> Result<File, Failure> {
+    let seen = measured(studio, request, Vec::new())?;
+    let image = &seen.capture.distance.0;
+    let truth = seen
+        .truth()
+        .ok_or_else(|| Failure::from("there is no exact depth".to_owned()))?;
+    let is_valid = |z: f32| z.is_finite() && z > 0.0;
+    let errors: Vec<f32> = (image.pixels().iter().zip(truth.pixels()))
+        .map(
+            |(&measured, &exact)| match is_valid(measured) && is_valid(exact) {
+                true => measured - exact,
+                false => f32::NAN,
+            },
+        )
+        .collect();
+    Ok(File::new("error.npy", array(image, &[], &errors)?))
 }
 
 fn array<P, T: npy::Element>(image: &Image<P>, more: &[usize], values: &[T]) -> Result<Vec<u8>, Failure> {
@@ -129,7 +186,7 @@ fn numbers(studio: &Studio, request: &ExportRequest, format: &str) -> Result<Fil
         }
         _ => return Err(unknown(format, "json or csv")),
     };
-    Ok((format!("statistics.{format}"), text.into_bytes()))
+    Ok(File::text(&format!("statistics.{format}"), text))
 }
 
 fn unknown(format: &str, formats: &str) -> Failure {

@@ -25,6 +25,7 @@ mod server;
 mod snippet;
 mod station;
 mod studio;
+mod unit;
 mod upload;
 mod wire;
 
@@ -137,6 +138,11 @@ pub fn serve(
         ));
         let serving = axum::serve(listener, server::router(&studio)).into_future();
         ready(&link);
+        // While the browser starts.
+        let warm = Arc::clone(&studio);
+        drop(tokio::task::spawn_blocking(move || {
+            warm.scenes.first().mesh(server::DEFAULT_TRIANGLES)
+        }));
         tokio::select! {
             ended = serving => ended.map_err(|error| StudioError::System(error.to_string())),
             () = until(is_stopped) => {

@@ -161,6 +161,18 @@ pub(crate) fn of_scene(renderer: &Renderer, objects: &[SceneObject], limit: usiz
     welded.encode(all)
 }
 
+/// Encodes triangles, each with a number in the place of its object.
+pub(crate) fn of_triangles<'a>(triangles: impl Iterator<Item = (&'a [DVec3; 3], u32)>) -> Vec<u8> {
+    let mut welded = Welded::default();
+    for (corners, object) in triangles {
+        corners
+            .iter()
+            .for_each(|corner| welded.add(*corner, [0; 3], object));
+    }
+    let all = welded.indices.len() / 3;
+    welded.encode(all)
+}
+
 /// Encodes the body of a model in its own frame.
 pub(crate) fn of_body(twin: &Twin) -> Vec<u8> {
     let body = body::body(twin);

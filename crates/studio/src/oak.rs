@@ -1,7 +1,7 @@
 //! From the state of an OAK on the page to the types of the library.
 
 use oaktwin::camera::{ImageSize, RigidTransform};
-use oaktwin::catalog::{LensChoice, Twin};
+use oaktwin::catalog::{Device, LensChoice, Twin};
 use oaktwin::depth::parameters::choose;
 use oaktwin::diagnostic::Finding;
 use oaktwin::pair::{PairCameras, PairOptions};
@@ -12,6 +12,7 @@ use oaktwin::sensor::{EngineInput, EngineKind, Sensor, SensorOptions};
 
 use crate::protocol::{Failure, OakState, Pose};
 use crate::studio::Studio;
+use crate::unit::Drawn;
 
 /// An OAK in a scene, ready to be rendered.
 #[derive(Debug)]
@@ -47,13 +48,31 @@ impl Pose {
 }
 
 impl OakState {
-    /// Returns the twin: nominal, or of a dropped calibration.
+    /// Returns the twin: nominal, of a dropped calibration, or a unit of the population.
     pub(crate) fn twin(&self, studio: &Studio) -> Result<Twin, Failure> {
-        let device = (studio.catalog.device(&self.model)).map_err(|error| Failure::of("model", &error))?;
-        let Some(id) = &self.calibration else {
-            return Ok(studio.catalog.nominal(device));
+        let (catalog, device) = (&*studio.catalog, self.device(studio)?);
+        match (&self.calibration, self.drawn(studio)?) {
+            (None, None) => Ok(catalog.nominal(device)),
+            (None, Some(drawn)) => drawn.twin(catalog, device),
+            (Some(id), None) => studio.calibrations.twin(catalog, device, id),
+            (Some(_), Some(_)) => {
+                let error =
+                    "a calibration is that of one unit; choose the calibration or a unit of the population";
+                Err(Failure::of("populationSeed", error))
+            }
+        }
+    }
+
+    fn device<'a>(&self, studio: &'a Studio) -> Result<&'a Device, Failure> {
+        (studio.catalog.device(&self.model)).map_err(|error| Failure::of("model", &error))
+    }
+
+    /// Returns the unit of the population, if one is chosen.
+    pub(crate) fn drawn(&self, studio: &Studio) -> Result<Option<Drawn>, Failure> {
+        let Some(seed) = self.population_seed else {
+            return Ok(None);
         };
-        studio.calibrations.twin(&studio.catalog, device, id)
+        Ok(Some(Drawn::new(&studio.catalog, self.device(studio)?, seed)))
     }
 
     pub(crate) fn lens(&self) -> Result<LensChoice, Failure> {
@@ -77,6 +96,7 @@ impl OakState {
             extended_disparity: self.extended_disparity,
             seed: self.seed,
             device_seed: self.device_seed,
+            drift: self.drift()?,
             ..SensorOptions::default()
         })
     }
@@ -129,6 +149,7 @@ impl Oak {
         };
         let placed = oak_cameras(&twin, &state.pose.transform()?, &options);
         let (mut cameras, mut findings) = placed.map_err(|error| Failure::of("sensor", &error))?;
+        findings.extend(state.drawn(studio)?.map(|drawn| drawn.finding()));
         let is_matching = state.engine()?.input == EngineInput::Pair;
         let pair = match is_matching || needs_pair {
             // Only a matcher reports the depth of the rectified camera.

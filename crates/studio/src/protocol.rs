@@ -23,6 +23,9 @@ pub(crate) struct FrameRequest {
     pub(crate) size: Option<[u32; 2]>,
     pub(crate) images: Vec<ImageName>,
     pub(crate) region: [f64; 4],
+    /// The side of the squares of pixels that share a colour.
+    #[serde(default)]
+    pub(crate) color_step: Option<u32>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -50,6 +53,10 @@ pub(crate) struct OakState {
     pub(crate) extended_disparity: bool,
     pub(crate) seed: u64,
     pub(crate) device_seed: Option<u64>,
+    #[serde(default)]
+    pub(crate) population_seed: Option<u64>,
+    #[serde(default)]
+    pub(crate) drift: BTreeMap<String, String>,
     pub(crate) projector: f64,
     pub(crate) ambient: f64,
 }
@@ -238,7 +245,9 @@ pub(crate) struct ExportRequest {
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Export {
     Asset,
+    Robot,
     Image,
+    Error,
     Statistics,
     Parameters,
     Command,

@@ -26,6 +26,17 @@ pub(crate) fn all() -> Vec<Reason> {
     legend.map(reason).collect()
 }
 
+/// Returns the outcomes at points of a surface, sorted by their codes: the reasons of pixels, and others.
+pub(crate) fn of_surfaces() -> Vec<Reason> {
+    let outcomes = oaktwin::coverage::reasons().iter();
+    let reason = |outcome: &oaktwin::coverage::Reason| Reason {
+        code: outcome.code,
+        name: outcome.name.clone(),
+        documentation: outcome.doc.clone(),
+    };
+    outcomes.map(reason).collect()
+}
+
 /// Returns the codes of a measured image, which every engine provides.
 pub(crate) fn codes(measurement: &Measurement) -> Option<&Image<u8>> {
     let codes: &ReasonCodes = measurement.capture.extra(Annotator::DepthSensorReason)?;

@@ -16,7 +16,7 @@ use serde::de::DeserializeOwned;
 
 use crate::answer::{binary, failure, file, json, json_or_failure};
 use crate::catalog::CatalogInfo;
-use crate::coverage::CoverageRequest;
+use crate::coverage::{CoverageRequest, SurfaceRequest};
 use crate::protocol::{ExportRequest, Failure, OakState};
 use crate::scene::LoadedScene;
 use crate::studio::Studio;
@@ -26,7 +26,8 @@ use crate::{accuracy, coverage, export, guard, live, mesh, page, upload};
 const MAX_JSON_BYTES: usize = 1 << 20;
 /// The maximum number of triangles in a mesh of the page.
 const MAX_TRIANGLES: usize = 10_000_000;
-const DEFAULT_TRIANGLES: usize = 100_000;
+/// The number of triangles of the mesh that a page shows first.
+pub(crate) const DEFAULT_TRIANGLES: usize = 100_000;
 
 type Server = State<Arc<Studio>>;
 
@@ -46,6 +47,7 @@ pub(crate) fn router(studio: &Arc<Studio>) -> Router {
         .route("/api/export", post(take_away))
         .route("/api/accuracy", post(accuracy_curve))
         .route("/api/coverage", post(region_coverage))
+        .route("/api/coverage/surface", post(region_surface))
         .route("/api/live", get(live_socket))
         .fallback(async || {
             failure(
@@ -171,7 +173,7 @@ async fn take_away(State(studio): Server, body: Body) -> Response {
         Err(error) => Err(error),
     };
     match made {
-        Ok((name, bytes)) => file(&name, bytes),
+        Ok(made) => file(made),
         Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),
     }
 }
@@ -190,6 +192,17 @@ async fn region_coverage(State(studio): Server, body: Body) -> Response {
         Ok(asked) => blocking(move || coverage::coverage(&studio, &asked)).await,
         Err(error) => Err(error),
     })
+}
+
+async fn region_surface(State(studio): Server, body: Body) -> Response {
+    let made = match request::<SurfaceRequest>(body).await {
+        Ok(asked) => blocking(move || coverage::surface(&studio, &asked)).await,
+        Err(error) => Err(error),
+    };
+    match made {
+        Ok(bytes) => binary(bytes),
+        Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),
+    }
 }
 
 async fn live_socket(State(studio): Server, upgrade: WebSocketUpgrade) -> Response {

@@ -9,6 +9,9 @@ use crate::oak::image_size;
 use crate::protocol::{ExportRequest, Failure, OakState};
 use crate::studio::Studio;
 
+/// The folder of the calibrations of units that a command draws.
+const UNITS: &str = "units";
+
 /// Returns the changed parameters as a file for `--params`.
 pub(crate) fn toml(state: &OakState) -> Result<String, Failure> {
     let engine = state.engine()?;
@@ -26,11 +29,20 @@ pub(crate) fn toml(state: &OakState) -> Result<String, Failure> {
 pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String, Failure> {
     let state = &request.state;
     let scene = studio.scenes.get(&request.scene)?;
+    let mut out = String::new();
     let mut words = vec!["oaktwin".to_owned(), "render".to_owned(), shell(&scene.argument)];
     let mut option = |name: &str, value: &str| words.extend([format!("--{name}"), shell(value)]);
     option("model", &state.model);
     if let Some(id) = &state.calibration {
         option("calibration", &studio.calibrations.name(id)?);
+    }
+    if let (Some(drawn), Some(seed)) = (state.drawn(studio)?, state.population_seed) {
+        let model = shell(&state.model);
+        let _ = writeln!(
+            out,
+            "oaktwin population {model} --units 1 --seed {seed} --output {UNITS}"
+        );
+        option("calibration", &format!("{UNITS}/{}", drawn.file_name()));
     }
     if state.lens != "pinhole" {
         option("lens", &state.lens);
@@ -55,6 +67,9 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
     if let Some(seed) = state.device_seed {
         option("device-seed", &seed.to_string());
     }
+    if let Some(drift) = state.drift()? {
+        option("drift", &drift.to_text());
+    }
     if state.engine()?.input == EngineInput::Pair {
         option("projector", &state.projector.to_string());
         option("ambient", &state.ambient.to_string());
@@ -66,7 +81,8 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
     }
     words.push("--pose".to_owned());
     words.extend(state.pose.numbers().map(|number| format!("{number:?}")));
-    Ok(words.join(" ") + "\n")
+    let _ = writeln!(out, "{}", words.join(" "));
+    Ok(out)
 }
 
 /// Returns a script that computes the images of the state.
@@ -81,13 +97,11 @@ pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String,
         quoted(&scene.argument)
     );
     let options = options(state);
+    let unit = unit(state)?;
     if state.engine()?.input == EngineInput::Pair {
         let size = size.map_or_else(String::new, |size| {
             format!("size=({}, {}), ", size.width, size.height)
         });
-        let unit = state
-            .device_seed
-            .map_or_else(String::new, |seed| format!(", device_seed={seed}"));
         let _ = write!(
             out,
             "\npair = scene.render_pair(\n    device, world_from_body, {size}projector={:?}, ambient={:?}, seed={}{unit}\n)\n\
@@ -105,9 +119,7 @@ pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String,
     if state.seed != 0 {
         let _ = write!(engine, ", seed={}", state.seed);
     }
-    if let Some(seed) = state.device_seed {
-        let _ = write!(engine, ", device_seed={seed}");
-    }
+    engine.push_str(&unit);
     let _ = write!(
         out,
         "camera = device.depth_camera({kind}){resized}\n\n\
@@ -133,8 +145,25 @@ fn device(studio: &Studio, state: &OakState) -> Result<String, Failure> {
                 quoted(&state.model)
             )
         }
-        None => format!("device = oaktwin.Device({}{lens})", quoted(&state.model)),
+        None => {
+            let unit = state.population_seed.map_or_else(String::new, |seed| {
+                format!("\ndevice = device.population(1, seed={seed})[0]")
+            });
+            format!("device = oaktwin.Device({}{lens}){unit}", quoted(&state.model))
+        }
     })
+}
+
+/// The arguments that describe the unit, each with a comma in front.
+fn unit(state: &OakState) -> Result<String, Failure> {
+    let mut out = String::new();
+    if let Some(seed) = state.device_seed {
+        let _ = write!(out, ", device_seed={seed}");
+    }
+    if let Some(drift) = state.drift()? {
+        let _ = write!(out, ", drift={}", quoted(&drift.to_text()));
+    }
+    Ok(out)
 }
 
 /// The arguments that sensors and matchers share, each with a comma in front.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use oaktwin::camera::{ImageSize, RigidTransform};
+use oaktwin::camera::{Camera, ImageSize, RigidTransform};
 use oaktwin::depth::{Capture, Engine};
 use oaktwin::diagnostic::Finding;
 use oaktwin::image::annotation::{Annotator, Frame};
@@ -18,6 +18,8 @@ use crate::studio::Studio;
 
 /// The number of sizes that are kept: the coarse one of movements, and that at rest.
 const KEPT: usize = 2;
+/// The maximum side of the squares of pixels that share a colour.
+const MAX_COLOR_STEP: u32 = 8;
 const TRUTH: [Annotator; 2] = [Annotator::Rgb, Annotator::DistanceToImagePlane];
 
 /// An OAK of a page.
@@ -42,6 +44,7 @@ struct Sent {
 struct Key {
     scene: String,
     view: View,
+    color_step: u32,
 }
 
 /// The rendered images of a view.
@@ -109,7 +112,8 @@ impl Station {
         let world_from_body = request.state.pose.transform()?;
         let view = oak.camera.view(&world_from_body);
         check_memory(view.camera.intrinsics.size)?;
-        let seen = self.see(&scene, view);
+        let color_step = request.color_step.unwrap_or(1).clamp(1, MAX_COLOR_STEP);
+        let seen = self.see(&scene, view, color_step);
         if let Some(cameras) = &oak.pair {
             let key = PairKey(light_of(&request.state), request.size);
             if seen.pair.as_ref().is_none_or(|(known, _)| *known != key) {
@@ -199,17 +203,20 @@ impl Station {
     }
 
     /// Returns what a view sees, rendered once.
-    fn see(&mut self, scene: &LoadedScene, view: View) -> &mut Seen {
+    fn see(&mut self, scene: &LoadedScene, view: View, color_step: u32) -> &mut Seen {
         let key = Key {
             scene: scene.info.id.clone(),
             view,
+            color_step,
         };
         let known = self.views.iter().position(|seen| seen.key == key);
         let seen = match known {
             Some(index) => self.views.remove(index),
             None => {
-                let options = AnnotateOptions::default();
-                let (frame, findings) = scene.renderer.annotate(&view, &TRUTH, Backend::Auto, &options);
+                let (frame, findings) = match color_step {
+                    1 => annotate(&scene.renderer, &view, &TRUTH),
+                    step => with_coarse_color(&scene.renderer, &view, step),
+                };
                 Seen {
                     key,
                     frame: Arc::new(frame),
@@ -226,6 +233,35 @@ impl Station {
         let last = self.views.len() - 1;
         &mut self.views[last]
     }
+}
+
+fn annotate(renderer: &Renderer, view: &View, annotators: &[Annotator]) -> (Frame, Vec<Finding>) {
+    renderer.annotate(view, annotators, Backend::Auto, &AnnotateOptions::default())
+}
+
+/// Renders ground truth, with one colour for each square of `step` pixels: shading takes most of the time.
+fn with_coarse_color(renderer: &Renderer, view: &View, step: u32) -> (Frame, Vec<Finding>) {
+    let (mut frame, mut findings) = annotate(renderer, view, &[Annotator::DistanceToImagePlane]);
+    let ImageSize { width, height } = view.camera.intrinsics.size;
+    let size = ImageSize::new(width.div_ceil(step), height.div_ceil(step));
+    let coarse = View {
+        camera: Camera::new(
+            view.camera.intrinsics.resized_about_centre(size, false),
+            view.camera.lens,
+        ),
+        ..*view
+    };
+    let (colors, more) = annotate(renderer, &coarse, &[Annotator::Rgb]);
+    findings.extend(more);
+    frame.rgb = colors.rgb.and_then(|colors| {
+        let color = |x: u32, y: u32| {
+            let color = colors.get(x * size.width / width, y * size.height / height);
+            color.copied().unwrap_or_default()
+        };
+        let pixels = (0..height).flat_map(|y| (0..width).map(move |x| color(x, y)));
+        Image::new(width, height, pixels.collect())
+    });
+    (frame, findings)
 }
 
 impl Seen {

@@ -8,8 +8,8 @@ use tokio::io::AsyncWriteExt;
 
 use crate::protocol::Failure;
 
-/// The maximum size of a dropped file, bytes.
-pub(crate) const MAX_BYTES: u64 = 1 << 30;
+/// The maximum size of a dropped file, bytes. A larger one is opened faster from the command line, without a copy.
+pub(crate) const MAX_BYTES: u64 = 256 << 20;
 
 /// Returns the name of a dropped file without its folders. The extension determines the format.
 pub(crate) fn file_name(name: &str) -> Result<String, Failure> {

@@ -91,6 +91,18 @@ export function reasonTable(): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
+/** The codes from this one on are those of points of surfaces that no pixel shows, and of such without a reason. */
+const FIRST_OUTCOME = 127;
+/** Of points that are not measured for no known reason, not resolved, hidden, facing away and outside the view. */
+const OUTCOME_COLORS: Rgb[] = parse("7a5195" + "b9a44c" + "4a5f8a" + "7f858d" + "b9c0c9");
+const MEASURED_COLOR: Rgb = [47, 163, 107];
+
+/** The colour of what became of a point of a surface. */
+export function outcomeColor(code: number): Rgb {
+  if (code === 0) return MEASURED_COLOR;
+  return code < FIRST_OUTCOME ? reasonColor(code) : (OUTCOME_COLORS[(code - FIRST_OUTCOME) % OUTCOME_COLORS.length] as Rgb);
+}
+
 export function css([red, green, blue]: Rgb): string {
   return `rgb(${red}, ${green}, ${blue})`;
 }

@@ -1,5 +1,5 @@
 import type {
-  AccuracyCurve, CalibrationInfo, Catalog, CoverageAnswer, CoverageRequest, ExportRequest, Failure, Finding, OakState, SceneInfo,
+  AccuracyCurve, CalibrationInfo, Catalog, CoverageAnswer, CoverageRequest, ExportRequest, Failure, Finding, OakState, SceneInfo, SurfaceRequest,
 } from "../protocol";
 import { decodeMesh, type Mesh } from "./wire";
 
@@ -12,6 +12,12 @@ export class ApiError extends Error {
   get findings(): Finding[] {
     return this.failure.findings ?? [];
   }
+}
+
+export interface Exported {
+  name: string;
+  file: Blob;
+  findings: Finding[];
 }
 
 async function request(path: string, init?: RequestInit): Promise<Response> {
@@ -67,11 +73,17 @@ export const api = {
 
   coverage: (body: CoverageRequest, signal: AbortSignal) => json<CoverageAnswer>("/api/coverage", posted(body, signal)),
 
-  /** Returns a file and its name. */
-  async export(body: ExportRequest): Promise<{ name: string; file: Blob }> {
+  async surface(body: SurfaceRequest, signal: AbortSignal): Promise<Mesh> {
+    const response = await request("/api/coverage/surface", posted(body, signal));
+    return decodeMesh(await response.arrayBuffer());
+  },
+
+  /** Returns a file with its name, and what its format cannot represent. */
+  async export(body: ExportRequest): Promise<Exported> {
     const response = await request("/api/export", posted(body));
     const disposition = response.headers.get("Content-Disposition") ?? "";
     const name = /filename="([^"]+)"/.exec(disposition)?.[1] ?? `oaktwin-${body.what}`;
-    return { name, file: await response.blob() };
+    const findings = JSON.parse(response.headers.get("X-Findings") ?? "[]") as Finding[];
+    return { name, file: await response.blob(), findings };
   },
 };

@@ -50,6 +50,8 @@ export interface Display {
   showRoof: boolean;
   cloud: CloudSource;
   cloudColor: CloudColor;
+  /** Whether the 3D view shows what the selected OAK measures of the region's surface. */
+  paintsCoverage: boolean;
   /** The share of the page's height that the 3D view has. */
   split: number;
   showLeft: boolean;
@@ -73,6 +75,7 @@ export const DEFAULT_DISPLAY: Display = {
   showRoof: false,
   cloud: "none",
   cloudColor: "error",
+  paintsCoverage: true,
   split: 0.46,
   showLeft: true,
   showRight: true,

@@ -28,6 +28,19 @@ export interface StudioDocument {
   target: Target | null;
 }
 
+/** Returns the objects that can be chosen, by path: those of the scene, and what has several of them below it. */
+export function choosable(paths: readonly string[]): string[] {
+  const below = new Map<string, number>();
+  for (const path of paths) {
+    for (let end = path.lastIndexOf("/"); end > 0; end = path.lastIndexOf("/", end - 1)) {
+      const parent = path.slice(0, end);
+      below.set(parent, (below.get(parent) ?? 0) + 1);
+    }
+  }
+  const groups = [...below].filter(([, count]) => count > 1).map(([path]) => path);
+  return [...new Set([...paths, ...groups])].sort();
+}
+
 export const WHOLE_IMAGE: Rectangle = [0, 0, 1, 1];
 
 /** More would neither fit on the page nor be measured in time. */
@@ -61,6 +74,8 @@ export function defaultState(model: Model, pose: Pose): OakState {
     extendedDisparity: false,
     seed: 0,
     deviceSeed: null,
+    populationSeed: null,
+    drift: {},
     projector: model.hasProjector ? 1 : 0,
     ambient: 1,
   };
@@ -68,14 +83,15 @@ export function defaultState(model: Model, pose: Pose): OakState {
 
 /** Returns the state of another model that keeps what does not depend on the model. */
 export function withModel(state: OakState, model: Model): OakState {
-  const { pose, seed, deviceSeed, ambient } = state;
-  const next = { ...defaultState(model, pose), seed, deviceSeed, ambient };
+  const { pose, seed, deviceSeed, populationSeed, ambient } = state;
+  const next = { ...defaultState(model, pose), seed, deviceSeed, populationSeed, ambient };
   const sensor = model.depthSensors.find(({ id }) => id === state.sensor);
   if (!sensor) return next;
+  const drift = sensor.kind === "stereo" ? state.drift : {};
   const engine = sensor.engines.includes(state.engine) ? state.engine : next.engine;
   const preset = state.preset !== null && sensor.presets.includes(state.preset) ? state.preset : null;
   const parameters = engine === state.engine ? state.parameters : {};
-  return { ...next, sensor: sensor.id, engine, preset, parameters, filters: state.filters, extendedDisparity: state.extendedDisparity };
+  return { ...next, sensor: sensor.id, engine, preset, parameters, drift, filters: state.filters, extendedDisparity: state.extendedDisparity };
 }
 
 /** Returns a key that no OAK has. */

@@ -87,7 +87,10 @@ function stateFrom(json: unknown): OakState | null {
   if (!position || !quaternion) return null;
   const text = (value: unknown) => (typeof value === "string" ? value : null);
   const number = (value: unknown, fallback: number) => (Number.isFinite(value) ? (value as number) : fallback);
-  const parameters = isObject(json.parameters) ? Object.entries(json.parameters).filter(([, value]) => text(value) !== null) : [];
+  const texts = (value: unknown) => {
+    const entries = isObject(value) ? Object.entries(value).filter(([, one]) => text(one) !== null) : [];
+    return Object.fromEntries(entries) as Record<string, string>;
+  };
   return {
     model: json.model,
     calibration: text(json.calibration),
@@ -97,10 +100,12 @@ function stateFrom(json: unknown): OakState | null {
     engine: text(json.engine) ?? "",
     preset: text(json.preset),
     filters: Array.isArray(json.filters) ? json.filters.filter((filter) => typeof filter === "string") : null,
-    parameters: Object.fromEntries(parameters) as Record<string, string>,
+    parameters: texts(json.parameters),
     extendedDisparity: json.extendedDisparity === true,
     seed: number(json.seed, 0),
     deviceSeed: Number.isFinite(json.deviceSeed) ? (json.deviceSeed as number) : null,
+    populationSeed: Number.isFinite(json.populationSeed) ? (json.populationSeed as number) : null,
+    drift: texts(json.drift),
     projector: number(json.projector, 1),
     ambient: number(json.ambient, 1),
   };

@@ -40,12 +40,12 @@ export function range({ type, choices, minimum, maximum, unit }: Parameter): str
 /** A slider reaches this many times as far as the default where the range is much wider or has no end. */
 const USEFUL = 4;
 
-/** Returns the limits of a slider, or null if a parameter has none that a slider could use. */
-export function slider(parameter: Parameter, fallback: number): { from: number; to: number; step: number } | null {
+/** Returns the limits of a slider, or null if a parameter has none that a slider could use. `reach` shortens its range. */
+export function slider(parameter: Parameter, fallback: number, reach = 1): { from: number; to: number; step: number } | null {
   if (parameter.type !== "number" && parameter.type !== "integer") return null;
   if (parameter.choices || !Number.isFinite(fallback)) return null;
-  const lowest = parameter.minimum ?? Math.min(0, USEFUL * fallback);
-  const highest = parameter.maximum ?? Math.max(0, USEFUL * fallback);
+  const lowest = (parameter.minimum ?? Math.min(0, USEFUL * fallback)) * reach;
+  const highest = (parameter.maximum ?? Math.max(0, USEFUL * fallback)) * reach;
   const size = Math.abs(fallback - lowest);
   const isWide = size > 0 && highest - lowest > 3 * USEFUL * size;
   const to = isWide ? Number((lowest + USEFUL * size).toPrecision(2)) : highest;

@@ -2,8 +2,8 @@ import type { OakState, Parameter } from "../protocol";
 import { Store } from "../util/store";
 
 /** What the defaults of an engine's parameters depend on. */
-function keyOf({ model, calibration, sensor, lens, engine, preset, extendedDisparity }: OakState): string {
-  return JSON.stringify([model, calibration, sensor, lens, engine, preset, extendedDisparity]);
+function keyOf({ model, calibration, populationSeed, sensor, lens, engine, preset, extendedDisparity, drift }: OakState): string {
+  return JSON.stringify([model, calibration, populationSeed, sensor, lens, engine, preset, extendedDisparity, drift]);
 }
 
 /**

@@ -47,7 +47,7 @@ function useCalibration(studio: Studio, info: CalibrationInfo): void {
   studio.document.commit("calibration", (document) =>
     changeOak(document, document.selected, (state) => {
       const next = model && model.name !== state.model ? withModel(state, model) : state;
-      return { ...next, calibration: info.id };
+      return { ...next, calibration: info.id, populationSeed: null };
     }),
   );
   studio.notify("note", `${info.name} calibrates the selected OAK${model ? `, an ${model.name}` : ""}.`, info.findings);

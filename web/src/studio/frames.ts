@@ -14,6 +14,9 @@ const REST = 150;
 /** The limits of images while something moves. The smaller ones are used while an OAK moves and the server takes long to render anew. */
 const COARSE: [number, number][] = [[640, 400], [480, 300], [320, 200], [240, 150]];
 
+/** The side of the squares of pixels that share a colour while an OAK moves. */
+const COLOR_STEP = 3;
+
 /** A frame that takes longer than the first number makes the next one coarser, one below the second finer, ms. */
 const SLOW = 50;
 const FAST = 20;
@@ -47,8 +50,8 @@ export class FrameLoop {
   private readonly moving = new WeakSet<Wanted>();
   /** The place in {@link COARSE} of the next such request. */
   private coarseness = 0;
-  /** The limit of the last request of each OAK. */
-  private readonly limits = new Map<string, string | undefined>();
+  /** How fine the last request of each OAK was: see {@link limitKey}. */
+  private readonly limits = new Map<string, string>();
   private timer = 0;
   private wasLost = false;
 
@@ -104,7 +107,7 @@ export class FrameLoop {
       this.requested.set(oak.key, key);
       // A new parameter needs no new rendering, unless the size changes.
       const isMoved = (before?.[1] as OakState | undefined)?.pose !== oak.state.pose;
-      const wanted = this.request(oak, COARSE[isMoved ? this.coarseness : 0] ?? null, images);
+      const wanted = this.request(oak, COARSE[isMoved ? this.coarseness : 0] ?? null, images, isMoved ? COLOR_STEP : 1);
       if (isMoved) this.moving.add(wanted);
       this.rest();
     }
@@ -118,17 +121,17 @@ export class FrameLoop {
       const limit = FULL_SIZES.find(({ size }) => size === display.get().fullSize)?.limit ?? null;
       const images = neededImages(display.get());
       for (const oak of document.get().oaks) {
-        if (!oak.isHidden && this.studio.hasDepth(oak.state) && this.limits.get(oak.key) !== limit?.join()) this.request(oak, limit, images);
+        if (!oak.isHidden && this.studio.hasDepth(oak.state) && this.limits.get(oak.key) !== limitKey(limit, 1)) this.request(oak, limit, images, 1);
       }
     }, REST);
   }
 
-  private request(oak: Oak, limit: [number, number] | null, images: ImageName[]): Wanted {
+  private request(oak: Oak, limit: [number, number] | null, images: ImageName[], colorStep: number): Wanted {
     const { scene, region } = this.studio.document.get();
     const resolution = findSensor(this.studio.catalog.get(), oak.state)?.resolution;
     const size = resolution ? fit(resolution, limit) : null;
-    this.limits.set(oak.key, limit?.join());
-    const wanted = { oak: oak.key, scene, state: oak.state, size, images, region };
+    this.limits.set(oak.key, limitKey(limit, colorStep));
+    const wanted = { oak: oak.key, scene, state: oak.state, size, images, region, colorStep };
     this.scheduler.request(wanted);
     return wanted;
   }
@@ -178,6 +181,10 @@ export class FrameLoop {
     if (!this.scheduler.settle(rejection.oak, rejection.id)) return;
     this.studio.rejections.set(new Map(this.studio.rejections.get()).set(rejection.oak, rejection));
   }
+}
+
+function limitKey(limit: [number, number] | null, colorStep: number): string {
+  return `${limit?.join() ?? "native"}/${colorStep}`;
 }
 
 function without<T>(map: ReadonlyMap<string, T>, key: string): ReadonlyMap<string, T> {

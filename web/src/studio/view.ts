@@ -1,6 +1,6 @@
 import type { Group } from "three";
 import { Matrix4, Quaternion, Vector3 } from "three";
-import { depthTable, errorTable, oakColor, reasonTable } from "../gpu/colormaps";
+import { depthTable, errorTable, oakColor, outcomeColor, reasonTable } from "../gpu/colormaps";
 import { findScales } from "../gpu/scales";
 import { api } from "../net/api";
 import type { Mesh } from "../net/wire";
@@ -12,6 +12,7 @@ import { makeCloud, placeCloud } from "../view3d/cloud";
 import type { GizmoMode } from "../view3d/gizmo";
 import { makeOak, matrix, place } from "../view3d/oakobject";
 import { Viewer } from "../view3d/viewer";
+import { Painting } from "./painting";
 import type { Shown, Studio } from "./studio";
 
 /** How many triangles of a scene are loaded: what can be turned without a GPU at 10 images per second. */
@@ -20,6 +21,11 @@ const FULL_DETAIL = 5_000_000;
 
 /** How many points all clouds have together: drawing them is what takes time without a GPU. */
 const MAX_POINTS = 300_000;
+
+/** The time between two images of the 3D view while an OAK flies without a graphics card: the images of the OAK come first, ms. */
+const FLIGHT_PACE = 150;
+/** The time between two poses of an OAK that flies, ms. */
+const RIDE_PACE = 30;
 
 /** Keeps the 3D view up to date with what the page knows. */
 export class SceneView {
@@ -31,6 +37,8 @@ export class SceneView {
   /** The triangles that are drawn, and those that the scene has. */
   readonly detail = new Store<{ shown: number; of: number } | null>(null);
   readonly viewer: Viewer;
+  /** What the selected OAK measures of the region's surface. */
+  readonly painting: Painting;
   private readonly bodies = new Map<string, Mesh | null>();
   private groups: { oak: Oak; group: Group }[] = [];
   private readonly seen = new Map<string, readonly unknown[]>();
@@ -38,11 +46,21 @@ export class SceneView {
   private mesh: Mesh | null = null;
   private loaded = "";
   private wantsDetail = false;
+  /** The timer of the next pose of an OAK that flies. */
+  private ridden = 0;
   /** The height of what covered the OAK when the scene was loaded. */
   private roof: number | null = null;
 
   constructor(private readonly studio: Studio, canvas: HTMLCanvasElement) {
-    this.viewer = new Viewer(canvas, { onPose: (pose) => this.movePose(pose), onPick: (object) => this.pick(object), onOak: (index) => this.select(index), onView: () => this.ride() });
+    this.viewer = new Viewer(canvas, {
+      onPose: (pose) => this.movePose(pose),
+      onPick: (object) => this.pick(object),
+      onOak: (index) => this.select(index),
+      onView: () => this.ride(),
+      onBox: ([minimum, maximum]) => studio.document.commit("target box", (document) => ({ ...document, target: { minimum, maximum } })),
+    });
+    this.painting = new Painting(studio);
+    this.painting.subscribe(() => this.viewer.setPainting(this.painting.get().mesh, outcomeColor));
     const { document, display, scene, frames, probe } = studio;
     scene.subscribe(() => void this.loadScene());
     for (const store of [document, display, this.gizmo, this.isRiding]) store.subscribe(() => this.follow());
@@ -51,6 +69,11 @@ export class SceneView {
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.paintBackground());
     this.follow();
     void this.loadScene();
+  }
+
+  /** Whether everything is drawn. */
+  get isIdle(): boolean {
+    return this.viewer.isIdle && this.painting.isIdle;
   }
 
   /** Looks at the selected OAK from behind. */
@@ -68,6 +91,7 @@ export class SceneView {
   /** Couples the selected OAK with the view, or releases it. */
   setRiding(isOn: boolean): void {
     if (isOn) this.lookThrough();
+    this.viewer.pace = isOn && this.viewer.isSoftware ? FLIGHT_PACE : 0;
     this.isRiding.set(isOn);
   }
 
@@ -120,7 +144,10 @@ export class SceneView {
     if (this.isNew("scene", this.mesh, shown.showScene)) this.viewer.showScene(shown.showScene);
     const roof = shown.showRoof ? null : this.roof;
     if (info && this.isNew("roof", this.mesh, roof)) this.viewer.setRoof(info, roof);
-    if (this.isNew("target", state.target, info)) this.viewer.setTarget(targetBounds(state.target, info));
+    if (this.isNew("target", state.target, info)) {
+      const isBox = state.target !== null && "minimum" in state.target;
+      this.viewer.setTarget(targetBounds(state.target, info), isBox, info?.up ?? "z");
+    }
     if (this.isNew("background", info, shown.showGrid, shown.theme)) this.paintBackground();
     this.followClouds();
   }
@@ -242,9 +269,13 @@ export class SceneView {
     this.viewer.setMarker(answer.point, eye.add(new Vector3(...frame.state.pose.position)).toArray() as Vec3);
   }
 
-  /** Moves the selected OAK to where the view is. */
+  /** Moves the selected OAK to where the view is, not more often than images could follow. */
   private ride(): void {
-    if (this.isRiding.get()) this.movePose(this.viewer.pose());
+    if (!this.isRiding.get() || this.ridden) return;
+    this.ridden = window.setTimeout(() => {
+      this.ridden = 0;
+      if (this.isRiding.get()) this.movePose(this.viewer.pose());
+    }, RIDE_PACE);
   }
 
   private movePose(pose: Pose): void {
@@ -269,5 +300,11 @@ export class SceneView {
 export function targetBounds(target: Target | null, scene: SceneInfo | null): [Vec3, Vec3] | null {
   if (!target) return null;
   if ("minimum" in target) return [target.minimum, target.maximum];
-  return scene?.objects.find(({ path }) => path === target.object)?.bounds ?? null;
+  const own = scene?.objects.filter(({ path }) => path === target.object || path.startsWith(`${target.object}/`)) ?? [];
+  const [first] = own;
+  if (!first) return null;
+  return own.reduce(([low, high], { bounds }): [Vec3, Vec3] => [
+    low.map((value, axis) => Math.min(value, bounds[0][axis] ?? value)) as Vec3,
+    high.map((value, axis) => Math.max(value, bounds[1][axis] ?? value)) as Vec3,
+  ], first.bounds);
 }

@@ -1,10 +1,11 @@
 import { useState } from "preact/hooks";
 import { fit } from "../studio/frames";
-import { api } from "../net/api";
+import { api, type Exported } from "../net/api";
 import type { ExportRequest } from "../protocol";
 import { FULL_SIZES, PANELS } from "../state/display";
 import { findSensor, selectedOak } from "../state/document";
 import type { Studio } from "../studio/studio";
+import { words } from "../util/format";
 import { useStore } from "../util/store";
 import { Button } from "./controls";
 import { useApp } from "./context";
@@ -27,7 +28,7 @@ const TEXTS: { title: string; what: What }[] = [
 ];
 
 /** Asks the server for something to take away from the selected OAK. */
-async function exported(studio: Studio, what: What): Promise<{ name: string; file: Blob } | null> {
+async function exported(studio: Studio, what: What): Promise<Exported | null> {
   const document = studio.document.get();
   const oak = selectedOak(document);
   const sensor = oak && findSensor(studio.catalog.get(), oak.state);
@@ -57,15 +58,25 @@ async function saveShown(studio: Studio): Promise<void> {
   else studio.notify("warning", "No image is shown.");
 }
 
+const EXACT = "The exact values; lengths are metres as 32-bit floating-point numbers";
+
+/** The title of a format of robots: abbreviations in capitals. */
+function robotTitle(name: string): string {
+  return `${name.length <= 4 ? name.toUpperCase() : words(name)} (ZIP)`;
+}
+
 /** What can be taken away: files of the selected OAK, and texts that reproduce its state. */
 export function ExportMenu() {
   const { studio } = useApp();
   const display = useStore(studio.display);
   const [text, setText] = useState<{ title: string; text: string } | null>(null);
-  const images = PANELS.filter(({ kind }) => kind !== "error" && display.panels.includes(kind));
+  const kinds = display.wipe ? [display.wipe.left, display.wipe.right] : display.panels;
+  const images = PANELS.filter(({ kind }) => kinds.includes(kind));
   const download = async (what: What) => {
     const answer = await exported(studio, what);
-    if (answer) save(answer.name, answer.file);
+    if (!answer) return;
+    save(answer.name, answer.file);
+    if (answer.findings.length) studio.notify("note", `${answer.name} is saved.`, answer.findings);
   };
   const show = async (title: string, what: What) => {
     const answer = await exported(studio, what);
@@ -75,8 +86,8 @@ export function ExportMenu() {
     <>
       <Menu icon="download" label="Export" testId="export">
         {(close) => {
-          const item = (title: string, run: () => void) => (
-            <button key={title} type="button" role="menuitem" class="menu-item" onClick={() => { close(); run(); }}>{title}</button>
+          const item = (title: string, run: () => void, tip?: string) => (
+            <button key={title} type="button" role="menuitem" class="menu-item" data-tip={tip} onClick={() => { close(); run(); }}>{title}</button>
           );
           return (
             <>
@@ -84,11 +95,15 @@ export function ExportMenu() {
               {TEXTS.map(({ title, what }) => item(title, () => void show(title, what)))}
               <p class="menu-head">Files</p>
               {FILES.map(({ title, what }) => item(title, () => void download(what)))}
+              <p class="menu-head">Robots and simulators</p>
+              {studio.catalog.get().robotFormats.map(({ name, help }) => item(robotTitle(name), () => void download({ what: "robot", format: name }), help))}
               <p class="menu-head">Images</p>
               {item("As shown (PNG)", () => void saveShown(studio))}
-              {images.flatMap(({ kind, title, images: [image] }) => (image === undefined || kind === "error" ? [] : [
+              {images.flatMap(({ kind, title, images: [image] }) => (image === undefined ? [] : kind === "error" ? [
+                item(`${title} (NumPy)`, () => void download({ what: "error" }), EXACT),
+              ] : [
                 item(`${title} (PNG)`, () => void download({ what: "image", image, format: "png" })),
-                item(`${title} (NumPy)`, () => void download({ what: "image", image, format: "npy" })),
+                item(`${title} (NumPy)`, () => void download({ what: "image", image, format: "npy" }), EXACT),
               ]))}
             </>
           );

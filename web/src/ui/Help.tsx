@@ -16,6 +16,7 @@ const KEYS: [string, [string, string][]][] = [
   ["3D view, after a click into it or with Tab", [
     ["Drag", "Orbit; with Ctrl turn the head; with Shift or the right button pan"],
     ["Wheel", "Zoom"],
+    ["Drag a pink handle", "Resize or move the box of the region; with Shift move it up and down"],
     ["Double click", "Put a point into the centre"],
     ["W A S D, Q E", "Fly; with Shift faster"],
     ["Arrow keys", "Move the OAK by 5 cm; with Shift by 5 mm"],

@@ -12,10 +12,12 @@ interface Props {
   /** What the server rejected about it. */
   problem: string | undefined;
   onChange: (value: string | undefined) => void;
+  /** The share of the range that the slider covers. */
+  reach?: number;
 }
 
 /** One parameter: a slider or a choice, a field, its unit, and a mark if it was changed or its default is an estimate. */
-export function ParameterField({ parameter, value, fallback, problem, onChange }: Props) {
+export function ParameterField({ parameter, value, fallback, problem, onChange, reach = 1 }: Props) {
   const { name, isEstimate } = parameter;
   const shown = value ?? brief(fallback);
   const isChanged = value !== undefined && value !== fallback;
@@ -32,13 +34,13 @@ export function ParameterField({ parameter, value, fallback, problem, onChange }
         {isEstimate && <span class="badge" data-tip="The default is an estimate: no source gives it">estimate</span>}
         {isChanged && <Button icon="reset" label={`Reset ${words(name)} to ${fallback}`} class="small" onClick={() => onChange(undefined)} />}
       </div>
-      <Control parameter={parameter} shown={shown} fallback={fallback} problem={problem} onText={set} />
+      <Control parameter={parameter} shown={shown} fallback={fallback} problem={problem} reach={reach} onText={set} />
     </div>
   );
 }
 
-function Control({ parameter, shown, fallback, problem, onText }: {
-  parameter: Parameter; shown: string; fallback: string; problem: string | undefined; onText: (text: string) => string | null;
+function Control({ parameter, shown, fallback, problem, reach, onText }: {
+  parameter: Parameter; shown: string; fallback: string; problem: string | undefined; reach: number; onText: (text: string) => string | null;
 }) {
   const label = words(parameter.name);
   if (parameter.type === "boolean") {
@@ -61,7 +63,7 @@ function Control({ parameter, shown, fallback, problem, onText }: {
       </label>
     );
   }
-  const limits = slider(parameter, Number(fallback));
+  const limits = slider(parameter, Number(fallback), reach);
   const step = limits?.step ?? (parameter.type === "integer" ? 1 : 0.01);
   const nudge = (direction: number) => {
     const by = parameter.type === "integer" ? Math.sign(direction) : direction * step;

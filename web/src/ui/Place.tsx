@@ -1,12 +1,12 @@
-import { useEffect, useRef, useState } from "preact/hooks";
-import { css, reasonColor } from "../gpu/colormaps";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { css, outcomeColor } from "../gpu/colormaps";
 import { api } from "../net/api";
-import type { CoverageAnswer, OakState, Vec3 } from "../protocol";
-import type { Oak, Target } from "../state/document";
-import { targetBounds } from "../studio/view";
+import type { CoverageAnswer, OakState, SceneInfo, Vec3 } from "../protocol";
+import { choosable, type Oak, type Target } from "../state/document";
+import { type SceneView, targetBounds } from "../studio/view";
 import { bareMillimetres, bareShare, words } from "../util/format";
 import { useStore } from "../util/store";
-import { Button, NumberField, Section } from "./controls";
+import { Button, Check, NumberField, Section } from "./controls";
 import { useApp } from "./context";
 import { ColumnName } from "./ColumnName";
 import { Sweep } from "./Sweep";
@@ -29,8 +29,9 @@ function Region({ target }: { target: Target | null }) {
   const scene = useStore(studio.scene);
   const set = (target: Target | null) => studio.document.commit("target", (document) => ({ ...document, target }));
   const bounds = targetBounds(target, scene);
+  const paths = useMemo(() => choosable(scene?.objects.map(({ path }) => path) ?? []), [scene]);
   const toBox = () => {
-    const [minimum, maximum] = bounds ?? scene?.bounds ?? [[-1, -1, 0], [1, 1, 1]];
+    const [minimum, maximum] = bounds ?? middle(scene);
     set({ minimum, maximum });
   };
   return (
@@ -44,17 +45,28 @@ function Region({ target }: { target: Target | null }) {
           onChange={(event) => set(event.currentTarget.value ? { object: event.currentTarget.value } : null)}
         >
           <option value="">{target && "minimum" in target ? "A box" : "Choose an object…"}</option>
-          {scene?.objects.map(({ path }) => <option key={path} value={path} selected={target !== null && "object" in target && target.object === path}>{path}</option>)}
+          {paths.map((path) => <option key={path} value={path} selected={target !== null && "object" in target && target.object === path}>{path}</option>)}
         </select>
       </label>
       <div class="row">
         <Button label="Click an object" tip="The next click in the 3D view chooses the object" onClick={() => view.get()?.isPicking.set(true)} />
         <Button label="Box" tip="A box in the world, at first around the chosen object" isOn={target !== null && "minimum" in target} onClick={toBox} />
-        {target && <Button label="None" class="text" onClick={() => set(null)} />}
+        {target && <Button label="Clear" class="text" onClick={() => set(null)} />}
       </div>
+      {target && "minimum" in target && <p class="hint">Drag the handles in the 3D view: a square moves a face, the ball the box (with Shift up and down).</p>}
       {target && "minimum" in target && <BoxFields box={target} onChange={set} />}
     </Section>
   );
+}
+
+/** A box in the middle of a scene, half as wide as it. */
+function middle(scene: SceneInfo | null): [Vec3, Vec3] {
+  if (!scene) return [[-1, -1, 0], [1, 1, 1]];
+  const [low, high] = scene.bounds;
+  const up = scene.up === "z" ? 2 : 1;
+  const at = (axis: number, share: number) => Number(((low[axis] ?? 0) + ((high[axis] ?? 0) - (low[axis] ?? 0)) * share).toFixed(3));
+  const corner = (level: number, height: number) => [0, 1, 2].map((axis) => at(axis, axis === up ? height : level)) as Vec3;
+  return [corner(0.25, 0), corner(0.75, 0.5)];
 }
 
 function BoxFields({ box, onChange }: { box: { minimum: Vec3; maximum: Vec3 }; onChange: (box: Target) => void }) {
@@ -120,13 +132,32 @@ function Coverage({ target }: { target: Target }) {
       {error && <p class="problem" role="alert">{error}</p>}
       {!answer && !error && <p class="hint">Computing…</p>}
       {answer && <CoverageTable oaks={shown} all={oaks} answer={answer} />}
-      <p class="hint">To paint what is lost onto the surfaces, show the true points coloured by reason in the 3D view.</p>
-      <Button
-        label="Paint the reasons"
-        onClick={() => studio.show({ cloud: "truth", cloudColor: "reason" })}
-      />
+      <Paint />
     </Section>
   );
+}
+
+/** Whether the surface in the 3D view has the colours of the table. */
+function Paint() {
+  const { studio, view } = useApp();
+  const { paintsCoverage } = useStore(studio.display);
+  const made = useStore(view);
+  return (
+    <>
+      <Check
+        label="Paint the surface"
+        tip="The 3D view shows with the colours of the table what the selected OAK measures of the surface"
+        isOn={paintsCoverage}
+        onChange={(paintsCoverage) => studio.show({ paintsCoverage })}
+      />
+      {made && <PaintProblem view={made} />}
+    </>
+  );
+}
+
+function PaintProblem({ view }: { view: SceneView }) {
+  const { error } = useStore(view.painting);
+  return error && <p class="problem" role="alert">{error}</p>;
 }
 
 function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer: CoverageAnswer }) {
@@ -134,11 +165,10 @@ function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer:
     const pose = answer.poses[i];
     return pose ? [{ oak, pose }] : [];
   });
-  const { reasons } = useStore(useApp().studio.catalog);
+  const { outcomes } = useStore(useApp().studio.catalog);
   const most = (name: string) => Math.max(...columns.map(({ pose }) => pose.lost[name] ?? 0));
   const names = [...new Set(columns.flatMap(({ pose }) => Object.keys(pose.lost)))].sort((a, b) => most(b) - most(a));
-  // Those of visibility, such as "hidden", are no reasons of pixels.
-  const lost = names.map((name) => ({ name, reason: reasons.find((reason) => reason.name === name) }));
+  const lost = names.map((name) => ({ name, outcome: outcomes.find((outcome) => outcome.name === name) }));
   return (
     <div class="scroll-x">
       <table class="numbers">
@@ -154,12 +184,12 @@ function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer:
         </thead>
         <tbody>
           <tr><th scope="row">Visible, %</th>{columns.map(({ oak, pose }) => <td key={oak.key}>{bareShare(pose.seen)}</td>)}</tr>
-          <tr><th scope="row">Measured, %</th>{columns.map(({ oak, pose }) => <td key={oak.key}><b>{bareShare(pose.measured)}</b></td>)}</tr>
+          <tr><th scope="row"><span class="swatch" style={{ background: css(outcomeColor(0)) }} />Measured, %</th>{columns.map(({ oak, pose }) => <td key={oak.key}><b>{bareShare(pose.measured)}</b></td>)}</tr>
           <tr><th scope="row">Median |error|, mm</th>{columns.map(({ oak, pose }) => <td key={oak.key}>{bareMillimetres(pose.medianAbsoluteErrorM)}</td>)}</tr>
-          {lost.map(({ name, reason }) => (
+          {lost.map(({ name, outcome }) => (
             <tr key={name}>
-              <th scope="row" data-tip={reason?.documentation}>
-                {reason && <span class="swatch" style={{ background: css(reasonColor(reason.code)) }} />}{words(name)}, %
+              <th scope="row" data-tip={outcome?.documentation}>
+                {outcome && <span class="swatch" style={{ background: css(outcomeColor(outcome.code)) }} />}{words(name)}, %
               </th>
               {columns.map(({ oak, pose }) => <td key={oak.key}>{bareShare(pose.lost[name] ?? 0)}</td>)}
             </tr>

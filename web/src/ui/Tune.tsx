@@ -1,20 +1,23 @@
+import { useMemo, useRef } from "preact/hooks";
 import type { DepthSensor, OakState, Parameter } from "../protocol";
-import { findEngine, findModel, findSensor, selectedOak } from "../state/document";
+import { findEngine, findModel, findSensor, type Oak, selectedOak } from "../state/document";
 import { grouped } from "../state/parameters";
 import { words } from "../util/format";
-import { useStore } from "../util/store";
+import { useSelected, useStore } from "../util/store";
 import { Button, Check, NumberField, Section, Select } from "./controls";
 import { useApp } from "./context";
 import { FilterList } from "./FilterList";
 import { ParameterField } from "./ParameterField";
+import { DriftSection, UnitSection } from "./Unit";
 
 /** The controls of the selected OAK. */
 export function Tune() {
   const { studio } = useApp();
-  const oak = selectedOak(useStore(studio.document));
+  const oak = useTunedOak();
   const catalog = useStore(studio.catalog);
   const rejection = useStore(studio.rejections).get(oak?.key ?? "");
-  const ran = useStore(studio.frames).get(oak?.key ?? "")?.header.filters ?? [];
+  const filters = useSelected(studio.frames, (frames) => JSON.stringify(frames.get(oak?.key ?? "")?.header.filters ?? []));
+  const ran = useMemo(() => JSON.parse(filters) as string[], [filters]);
   if (!oak) return null;
   const { state } = oak;
   const sensor = findSensor(catalog, state);
@@ -22,11 +25,12 @@ export function Tune() {
   if (!sensor) return <p class="hint pad">{state.model} has no depth sensor. Choose another model.</p>;
   const problem = (field: string) => (rejection?.field === field ? rejection.error : undefined);
   // What no field below shows is shown with the sensor.
-  const hasField = rejection?.field === "filters" || engine?.parameters.some(({ name }) => name === rejection?.field);
+  const hasField = rejection?.field === "filters" || rejection?.field?.startsWith("drift.") || engine?.parameters.some(({ name }) => name === rejection?.field);
   return (
     <>
       <SensorSection state={state} sensor={sensor} problem={hasField ? undefined : rejection?.error} />
-      <UnitSection state={state} />
+      <UnitSection state={state} problem={problem} />
+      {sensor.kind === "stereo" && <DriftSection state={state} problem={problem} />}
       <Section title="Filters" isOpen={state.filters !== null}>
         <FilterList
           filters={catalog.filters}
@@ -39,6 +43,23 @@ export function Tune() {
       {engine && <Parameters key={engine.name} parameters={engine.parameters} state={state} problem={problem} />}
     </>
   );
+}
+
+/** Returns the selected OAK as it was when anything but its pose changed: the controls need not be made anew while it moves. */
+function useTunedOak(): Oak | undefined {
+  const { studio } = useApp();
+  const last = useRef<Oak | undefined>(undefined);
+  return useSelected(studio.document, (document) => {
+    const next = selectedOak(document);
+    const { current } = last;
+    if (next && current && next.key === current.key && isTunedAlike(next.state, current.state)) return current;
+    last.current = next;
+    return next;
+  });
+}
+
+function isTunedAlike(a: OakState, b: OakState): boolean {
+  return Object.keys(a).every((key) => key === "pose" || a[key as keyof OakState] === b[key as keyof OakState]);
 }
 
 function SensorSection({ state, sensor, problem }: { state: OakState; sensor: DepthSensor; problem: string | undefined }) {
@@ -135,62 +156,6 @@ function Light({ state, isMatcher, hasProjector }: { state: OakState; isMatcher:
       </div>
       {!isMatcher && <p class="hint">The light changes the left and right images. Only engines that match images measure from them.</p>}
     </>
-  );
-}
-
-/** What differs from one device to the next, and from one image to the next. */
-function UnitSection({ state }: { state: OakState }) {
-  const { studio } = useApp();
-  const calibrations = useStore(studio.calibrations);
-  const isUnit = state.deviceSeed !== null;
-  const random = () => Math.floor(Math.random() * 100_000);
-  return (
-    <Section title="Noise and unit">
-      <div class="row end">
-        <NumberField
-          label="Noise seed"
-          tip="Images with the same seed have the same noise"
-          value={state.seed}
-          onChange={(seed) => studio.change("seed", (state) => ({ ...state, seed: Math.round(seed) }))}
-          step={1}
-          digits={0}
-          minimum={0}
-          maximum={4294967295}
-          testId="seed"
-        />
-        <Button icon="dice" label="Another seed" onClick={() => studio.change("seed", (state) => ({ ...state, seed: random() }))} />
-      </div>
-      <Check
-        label="Individual unit"
-        tip="A device with a random calibration error, instead of a perfect one"
-        isOn={isUnit}
-        onChange={(isOn) => studio.change("unit", (state) => ({ ...state, deviceSeed: isOn ? 1 : null }))}
-      />
-      {isUnit && (
-        <div class="row end">
-          <NumberField
-            label="Unit"
-            tip="Each number is another device"
-            value={state.deviceSeed ?? 1}
-            onChange={(seed) => studio.change("deviceSeed", (state) => ({ ...state, deviceSeed: Math.round(seed) }))}
-            step={1}
-            digits={0}
-            minimum={0}
-            maximum={4294967295}
-          />
-          <Button icon="dice" label="Another unit" onClick={() => studio.change("deviceSeed", (state) => ({ ...state, deviceSeed: random() }))} />
-        </div>
-      )}
-      {(calibrations.size > 0 || state.calibration !== null) && (
-        <Select
-          label="Calibration"
-          value={state.calibration ?? ""}
-          options={[{ value: "", title: "Nominal" }, ...[...calibrations.values()].map(({ id, name }) => ({ value: id, title: name }))]}
-          onChange={(id) => studio.change("calibration", (state) => ({ ...state, calibration: id || null }))}
-        />
-      )}
-      {calibrations.size === 0 && <p class="hint">Drop a device's calibration file here to model that device.</p>}
-    </Section>
   );
 }
 

@@ -2,17 +2,21 @@ import {
   Box3, Box3Helper, BufferGeometry, Color, DirectionalLight, Float32BufferAttribute, GridHelper, Group, HemisphereLight, Line,
   LineBasicMaterial, Matrix4, type Mesh, type MeshLambertMaterial, PerspectiveCamera, Plane, Points, PointsMaterial, Quaternion, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
 } from "three";
+import type { Rgb } from "../gpu/colormaps";
 import type { Mesh as WireMesh } from "../net/wire";
 import type { Pose, SceneInfo, Vec3 } from "../protocol";
-import { upVector } from "../util/pose";
+import { type UpAxis, upVector } from "../util/pose";
 import { Gizmo, type GizmoMode } from "./gizmo";
-import { makeMesh } from "./meshes";
+import { type Box, BoxHandles } from "./boxhandles";
+import { makeMesh, makePainting } from "./meshes";
 import { Navigation } from "./navigation";
 import { dispose } from "./oakobject";
 
 export interface ViewerHandlers {
   /** The selected OAK was moved in the view. */
   onPose(pose: Pose): void;
+  /** The box of the region was moved in the view. */
+  onBox(box: Box): void;
   /** An object of the scene was clicked, by its index; null for nothing. */
   onPick(object: number | null): void;
   /** The camera of the view moved. */
@@ -37,6 +41,8 @@ const CLICK = 4;
 export class Viewer {
   /** The number of images that were drawn. */
   drawn = 0;
+  /** The minimum time between two images, ms. */
+  pace = 0;
   readonly navigation: Navigation;
   readonly gizmo: Gizmo;
   private readonly renderer: WebGLRenderer;
@@ -51,8 +57,11 @@ export class Viewer {
   private mesh: Mesh<BufferGeometry, MeshLambertMaterial> | null = null;
   private grid: GridHelper | null = null;
   private target: Box3Helper | null = null;
+  private painting: Mesh<BufferGeometry, MeshLambertMaterial> | null = null;
+  private readonly box: BoxHandles;
   private objects: Uint32Array | null = null;
   private isWaiting = false;
+  private lastDraw = 0;
 
   constructor(private readonly canvas: HTMLCanvasElement, handlers: ViewerHandlers) {
     this.renderer = new WebGLRenderer({ canvas, antialias: false, powerPreference: "high-performance" });
@@ -65,6 +74,8 @@ export class Viewer {
       handlers.onView();
     });
     this.gizmo = new Gizmo(this.camera, canvas, this.scene, this.navigation, handlers.onPose, invalidate);
+    const ray = (clientX: number, clientY: number) => this.caster(clientX, clientY);
+    this.box = new BoxHandles(canvas, this.scene, this.navigation, ray, handlers.onBox, invalidate);
     this.marker = new Points(
       new BufferGeometry().setAttribute("position", new Float32BufferAttribute([0, 0, 0], 3)),
       new PointsMaterial({ color: MARKER_COLOR, size: 9, sizeAttenuation: false, depthTest: false, transparent: true }),
@@ -94,9 +105,24 @@ export class Viewer {
   invalidate(): void {
     if (this.isWaiting) return;
     this.isWaiting = true;
+    const wait = this.lastDraw + this.pace - performance.now();
+    if (wait > 0) setTimeout(() => this.draw(), wait);
+    else this.draw();
+  }
+
+  /** Whether a processor draws instead of a graphics card. */
+  get isSoftware(): boolean {
+    const gl = this.renderer.getContext();
+    const info = gl.getExtension("WEBGL_debug_renderer_info");
+    return /swiftshader|llvmpipe|softpipe|basic render/i.test(String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER)));
+  }
+
+  private draw(): void {
     requestAnimationFrame(() => {
       this.isWaiting = false;
+      this.lastDraw = performance.now();
       this.lamp.position.copy(this.camera.position);
+      this.box.fit(this.camera);
       this.renderer.render(this.scene, this.camera);
       this.drawn++;
     });
@@ -146,6 +172,7 @@ export class Viewer {
     if (!this.mesh) return;
     const down = new Vector3(...upVector(info.up)).negate();
     this.mesh.material.clippingPlanes = height === null ? null : [new Plane(down, height - ROOF_GAP)];
+    if (this.painting) this.painting.material.clippingPlanes = this.mesh.material.clippingPlanes;
     this.invalidate();
   }
 
@@ -200,8 +227,24 @@ export class Viewer {
     this.invalidate();
   }
 
-  /** Outlines the region whose coverage is computed. */
-  setTarget(bounds: [Vec3, Vec3] | null): void {
+  /** Paints a surface; `color` is that of a number in the place of a triangle's object. */
+  setPainting(mesh: WireMesh | null, color: (object: number) => Rgb): void {
+    if (this.painting) {
+      this.scene.remove(this.painting);
+      dispose(this.painting);
+      this.painting = null;
+    }
+    if (mesh) {
+      this.painting = makePainting(mesh, color);
+      this.painting.material.clippingPlanes = this.mesh?.material.clippingPlanes ?? null;
+      this.scene.add(this.painting);
+    }
+    this.invalidate();
+  }
+
+  /** Outlines the region whose coverage is computed; a box can be moved by handles. */
+  setTarget(bounds: Box | null, isMovable: boolean, up: UpAxis): void {
+    this.box.set(isMovable ? bounds : null, up);
     if (this.target) {
       this.scene.remove(this.target);
       this.target.dispose();
@@ -276,7 +319,7 @@ export class Viewer {
   private listenForClicks({ onPick, onOak }: ViewerHandlers): void {
     let start: [number, number] | null = null;
     this.canvas.addEventListener("pointerdown", (event) => {
-      start = event.button === 0 && !this.gizmo.isActive ? [event.clientX, event.clientY] : null;
+      start = event.button === 0 && !this.gizmo.isActive && !this.box.isActive ? [event.clientX, event.clientY] : null;
     });
     this.canvas.addEventListener("pointerup", (event) => {
       if (!start || Math.hypot(event.clientX - start[0], event.clientY - start[1]) > CLICK) return;

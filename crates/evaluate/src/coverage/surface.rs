@@ -185,24 +185,85 @@ fn place(
 }
 
 /// The point of this index in a triangle.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "indices of a scene are 32 bits wide"
-)]
 fn point(scene: &Scene, instance: usize, triangle: usize, [a, b, c]: [DVec3; 3], index: u32) -> SurfacePoint {
     let [_, u, v] = sequence(index);
     // The other half of the parallelogram is folded onto the triangle.
     let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
-    let normal = (b - a).cross(c - a).normalize_or_zero();
-    // A mirrored mesh has its outside on the other side of its winding.
-    let placed = &scene.instances[instance];
-    let is_mirrored = placed.world_from_mesh.matrix3.determinant() < 0.0;
-    SurfacePoint {
-        position: a + u * (b - a) + v * (c - a),
-        normal: if is_mirrored { -normal } else { normal },
-        is_double_sided: scene.meshes[placed.mesh as usize].double_sided,
-        instance: instance as u32,
-        triangle: triangle as u32,
+    SurfacePoint::new(
+        scene,
+        (instance, triangle),
+        [a, b, c],
+        a + u * (b - a) + v * (c - a),
+    )
+}
+
+impl SurfacePoint {
+    /// Creates the point at a position in a part of an instance's triangle.
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "indices of a scene are 32 bits wide"
+    )]
+    pub(super) fn new(
+        scene: &Scene,
+        (instance, triangle): (usize, usize),
+        [a, b, c]: [DVec3; 3],
+        position: DVec3,
+    ) -> Self {
+        let normal = (b - a).cross(c - a).normalize_or_zero();
+        // A mirrored mesh has its outside on the other side of its winding.
+        let placed = &scene.instances[instance];
+        let is_mirrored = placed.world_from_mesh.matrix3.determinant() < 0.0;
+        Self {
+            position,
+            normal: if is_mirrored { -normal } else { normal },
+            is_double_sided: scene.meshes[placed.mesh as usize].double_sided,
+            instance: instance as u32,
+            triangle: triangle as u32,
+        }
+    }
+}
+
+/// A part of a triangle of an instance, in the world.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Part {
+    pub(super) instance: usize,
+    pub(super) triangle: usize,
+    pub(super) corners: [DVec3; 3],
+    pub(super) area_m2: f64,
+}
+
+/// Returns the surface of a region as triangles; `None` if there are more than `limit`.
+///
+/// # Errors
+/// Returns an error if the region is invalid or has no surface.
+pub(super) fn parts(
+    scene: &Scene,
+    region: &Region,
+    limit: usize,
+) -> Result<Option<Vec<Part>>, CoverageError> {
+    let instances = region.instances(scene)?;
+    let chunks = instances.iter().flat_map(|&instance| chunks(scene, instance));
+    let all = chunks.flat_map(|chunk| {
+        polygons(scene, chunk, region.within).flat_map(move |(triangle, polygon)| {
+            let parts: Vec<Part> = fan(&polygon)
+                .map(|(corners, area_m2)| Part {
+                    instance: chunk.instance,
+                    triangle,
+                    corners,
+                    area_m2,
+                })
+                .collect();
+            parts
+        })
+    });
+    let found: Vec<Part> = all
+        .filter(|part| part.area_m2 > 0.0 && part.area_m2.is_finite())
+        .take(limit.saturating_add(1))
+        .collect();
+    match found.len() {
+        0 => Err(no_surface(scene, region)),
+        count if count > limit => Ok(None),
+        _ => Ok(Some(found)),
     }
 }
 

@@ -166,6 +166,8 @@ pub(super) fn state() -> Value {
         "extendedDisparity": false,
         "seed": 0,
         "deviceSeed": null,
+        "populationSeed": null,
+        "drift": {},
         "projector": 0.0,
         "ambient": 1.0,
     })

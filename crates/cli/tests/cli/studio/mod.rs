@@ -1,6 +1,8 @@
 //! `oaktwin studio` without a browser: what it answers, whom it answers, and what survives bad input.
 
 mod client;
+mod exports;
+mod surface;
 
 use std::net::TcpStream;
 
@@ -99,6 +101,36 @@ fn frames_follow_the_parameters() {
 }
 
 #[test]
+fn coarse_colours_leave_depth_exact() {
+    let program = program();
+    let server = server(&program);
+    let mut page = server.page();
+    send(&mut page, &request(1, &state()));
+    let exact = frame(&mut page);
+    let mut coarse = request(2, &state());
+    coarse["colorStep"] = json!(4);
+    send(&mut page, &coarse);
+    let coarse = frame(&mut page);
+    assert_eq!(coarse.image("depth"), exact.image("depth"));
+    let (fine, colors) = (exact.image("color").unwrap(), coarse.image("color").unwrap());
+    assert_ne!(fine, colors);
+    let pixel = |x: usize, y: usize| &colors[4 * (160 * y + x)..][..4];
+    for (x, y) in (0..160).flat_map(|x| (0..100).map(move |y| (x, y))) {
+        assert_eq!(pixel(x, y), pixel(x / 4 * 4, y / 4 * 4), "{x}, {y}");
+    }
+    let distance: u64 = (fine.iter().zip(&colors))
+        .map(|(a, b)| u64::from(a.abs_diff(*b)))
+        .sum();
+    assert!(
+        distance < 8 * colors.len() as u64,
+        "the picture is similar: {distance}"
+    );
+    // At rest, the page asks for the exact colours again.
+    send(&mut page, &request(3, &state()));
+    assert_eq!(frame(&mut page).image("color").unwrap(), fine);
+}
+
+#[test]
 fn all_engines_measure() {
     let program = program();
     let server = server(&program);
@@ -158,64 +190,6 @@ fn probes_explain_pixels() {
 }
 
 #[test]
-fn exports_reproduce_the_page() {
-    let program = program();
-    let server = server(&program);
-    for (engine, (name, value)) in [
-        ("stereo-noise", ("bias", "0.4")),
-        ("stereo-matching", ("bias", "0.2")),
-    ] {
-        let mut state = state();
-        state["engine"] = json!(engine);
-        state["seed"] = json!(7);
-        state["deviceSeed"] = json!(3);
-        state["filters"] = json!(["spatial:alpha=0.6"]);
-        state["parameters"][name] = json!(value);
-        let export = |what: &str, format: Value, image: Value| {
-            let request = json!({"what": what, "scene": "first", "state": state, "size": [320, 200], "format": format, "image": image});
-            let (status, body) = server.request("POST", "/api/export", request.to_string().as_bytes());
-            assert_eq!(status, 200, "{what}: {}", String::from_utf8_lossy(&body));
-            body
-        };
-        let shown = export("image", json!("npy"), json!("sensor"));
-        let command = String::from_utf8(export("command", Value::Null, Value::Null)).unwrap();
-        let words: Vec<&str> = command
-            .trim()
-            .strip_prefix("oaktwin ")
-            .unwrap()
-            .split(' ')
-            .collect();
-        program.good(&words);
-        let written = std::fs::read(program.path("oak/depth_sensor_distance_0000.npy")).unwrap();
-        assert!(written == shown, "{command}");
-
-        let toml = export("parameters", Value::Null, Value::Null);
-        program.put("own.toml", toml);
-        program.good(&[
-            "render",
-            "crate.obj",
-            "--model",
-            "OAK4-D",
-            "--up",
-            "z",
-            "--look-at",
-            "0",
-            "-2",
-            "0.5",
-            "0",
-            "0",
-            "0.5",
-            "--params",
-            "own.toml",
-        ]);
-        assert!(export("asset", json!("usda"), Value::Null).starts_with(b"#usda 1.0"));
-        let numbers: Value =
-            serde_json::from_slice(&export("statistics", json!("json"), Value::Null)).unwrap();
-        assert!(numbers["fillRate"].as_f64().unwrap() > 0.0);
-    }
-}
-
-#[test]
 fn rejections_name_the_field() {
     let program = program();
     let server = server(&program);
@@ -239,10 +213,19 @@ fn rejections_name_the_field() {
     check(&|state| state["parameters"] = json!({"bia": "1"}), "bia");
     check(&|state| state["preset"] = json!("fast"), "preset");
     check(&|state| state["lens"] = json!("fisheye"), "lens");
+    check(&|state| state["drift"] = json!({"yaw": "1e9"}), "drift.yaw");
+    check(&|state| state["drift"] = json!({"yav": "1"}), "drift.yav");
     check(&|state| state["pose"]["quaternion"] = json!([0, 0, 0, 0]), "pose");
     check(
         &|state| state["calibration"] = json!("calibration-9"),
         "calibration",
+    );
+    check(
+        &|state| {
+            state["calibration"] = json!("calibration-9");
+            state["populationSeed"] = json!(1);
+        },
+        "populationSeed",
     );
 }
 

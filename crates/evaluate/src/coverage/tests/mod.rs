@@ -1,5 +1,6 @@
 mod candidates;
 mod geometry;
+mod patches;
 mod pictures;
 mod placements;
 mod points;

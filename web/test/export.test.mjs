@@ -1,0 +1,105 @@
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after as afterAll, before, test } from "node:test";
+import { after, launch, open, pixels, skip } from "./page.mjs";
+
+let browser;
+before(async () => {
+  if (!skip) browser = await launch();
+});
+afterAll(() => browser?.close());
+
+/** Chooses an entry of the menu and returns the saved file. */
+async function exported(page, name) {
+  await page.getByTestId("export").click();
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("menuitem", { name, exact: true }).click()]);
+  return { name: download.suggestedFilename(), bytes: await readFile(await download.path()) };
+}
+
+/** Returns the text that an entry of the menu shows. */
+async function shown(page, name) {
+  await page.getByTestId("export").click();
+  await page.getByRole("menuitem", { name }).click();
+  const text = await page.getByTestId("snippet").textContent();
+  await page.keyboard.press("Escape");
+  return text;
+}
+
+/** Reads the shape and the values of an NPY file of 32-bit numbers. */
+function floats(bytes) {
+  const length = bytes.readUInt16LE(8);
+  const header = bytes.toString("latin1", 10, 10 + length);
+  assert.match(header, /'descr': '<f4'/);
+  const shape = /\((\d+), (\d+)\)/.exec(header).slice(1).map(Number);
+  return { shape, values: new Float32Array(bytes.buffer.slice(bytes.byteOffset + 10 + length, bytes.byteOffset + bytes.length)) };
+}
+
+test("descriptions for robots are saved as archives", { skip }, async () => {
+  const { page, context, errors } = await open(browser);
+  for (const [title, name] of [["URDF (ZIP)", "urdf"], ["SDF (ZIP)", "sdf"], ["MJCF (ZIP)", "mjcf"], ["Webots (ZIP)", "webots"], ["Blender (ZIP)", "blender"]]) {
+    const file = await exported(page, title);
+    assert.match(file.name, new RegExp(`^[a-z0-9_]+_${name}\\.zip$`));
+    assert.equal(file.bytes.toString("latin1", 0, 4), "PK\x03\x04");
+    assert.match(file.bytes.toString("latin1"), /meshes\/[a-z0-9_]+\.obj/, `${name} has its meshes`);
+  }
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("every image that is shown can be saved with its exact values", { skip }, async () => {
+  const { page, context, errors } = await open(browser);
+  const depth = floats((await exported(page, "Exact depth (NumPy)")).bytes);
+  const sensor = floats((await exported(page, "Sensor depth (NumPy)")).bytes);
+  const error = floats((await exported(page, "Error (NumPy)")).bytes);
+  assert.deepEqual([depth.shape, error.shape], [sensor.shape, sensor.shape]);
+  const isFine = depth.values.some((value) => Number.isFinite(value) && Math.abs(value * 1000 - Math.round(value * 1000)) > 0.01);
+  assert.ok(isFine, "exact depth is not rounded to millimetres");
+  let measured = 0;
+  for (let i = 0; i < sensor.values.length; i++) {
+    const [exact, own, difference] = [depth.values[i], sensor.values[i], error.values[i]];
+    if (Number.isNaN(difference)) continue;
+    measured++;
+    assert.equal(difference, Math.fround(own - exact));
+  }
+  assert.ok(measured > sensor.values.length / 4);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("a unit of the population and a drift change what is measured, and enter commands and the link", { skip }, async () => {
+  const { page, context, errors } = await open(browser);
+  const nominal = await pixels(page, "sensor");
+  await after(page, () => page.getByTestId("device").selectOption("population"));
+  const first = await pixels(page, "sensor");
+  assert.notEqual(first, nominal);
+  await after(page, () => page.getByTestId("population-seed").fill("7"));
+  const unit = await pixels(page, "sensor");
+  assert.notEqual(unit, first);
+  await page.getByTestId("drift").getByRole("button", { name: "Drift" }).click();
+  const yaw = page.locator('[data-testid="drift"] [data-parameter="yaw"] input[type="text"]');
+  const received = await page.evaluate(() => window.studio.received);
+  await yaw.fill("1000");
+  assert.equal(await yaw.getAttribute("aria-invalid"), "true");
+  assert.equal(await page.evaluate(() => window.studio.received), received, "nothing is sent");
+  await after(page, () => yaw.fill("0.4"));
+  const drifted = await pixels(page, "sensor");
+  assert.notEqual(drifted, unit);
+
+  const command = await shown(page, "Command line");
+  assert.match(command, /oaktwin population .* --units 1 --seed 7 --output units\n/);
+  assert.match(command, /--calibration units\/[a-z0-9_]+_000000\.json .*--drift yaw=0\.4/);
+  const python = await shown(page, "Python");
+  assert.match(python, /device\.population\(1, seed=7\)\[0\]/);
+  assert.match(python, /drift="yaw=0\.4"/);
+  const address = await page.evaluate(() => new Promise((resolve) => setTimeout(() => resolve(location.hash), 600)));
+  const other = await open(browser, { path: address });
+  assert.equal(await pixels(other.page, "sensor"), drifted, "the link restores both");
+  await other.context.close();
+
+  await after(page, () => page.getByTestId("drift").getByRole("button", { name: "Reset", exact: true }).click());
+  assert.equal(await pixels(page, "sensor"), unit);
+  await after(page, () => page.getByTestId("device").selectOption(""));
+  assert.equal(await pixels(page, "sensor"), nominal);
+  assert.deepEqual(errors, []);
+  await context.close();
+});

@@ -1,0 +1,101 @@
+// Records the animation of the page: a flight, a parameter, a pixel without a value, and a painted surface.
+import { rest } from "./page.mjs";
+import { animation } from "./webp.mjs";
+
+const WIDTH = 960;
+const QUALITY = 0.62;
+/** How long a frame of a movement is shown, and the last one of a scene, ms. */
+const STEP = 90;
+const PAUSE = 1400;
+
+/** The object whose surface is painted. */
+const PAINTED = "/Room/Shell/Floor";
+
+/** Takes frames of the page and joins them. */
+export class Film {
+  #frames = [];
+  #height = 0;
+
+  constructor(page) {
+    this.page = page;
+  }
+
+  async take(milliseconds = STEP) {
+    await rest(this.page);
+    const png = await this.page.screenshot({ type: "png" });
+    const { text, height } = await this.page.evaluate(async ([text, width, quality]) => {
+      const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+      const canvas = new OffscreenCanvas(width, Math.round((bitmap.height * width) / bitmap.width));
+      const context = canvas.getContext("2d", { alpha: false });
+      context.imageSmoothingQuality = "high";
+      context.drawImage(bitmap, 0, 0, canvas.width, canvas.height);
+      const blob = await canvas.convertToBlob({ type: "image/webp", quality });
+      let binary = "";
+      for (const byte of new Uint8Array(await blob.arrayBuffer())) binary += String.fromCharCode(byte);
+      return { text: btoa(binary), height: canvas.height };
+    }, [png.toString("base64"), WIDTH, QUALITY]);
+    this.#height = height;
+    this.#frames.push({ file: Buffer.from(text, "base64"), milliseconds });
+  }
+
+  /** The animated WebP file. */
+  file() {
+    return animation(this.#frames, WIDTH, this.#height);
+  }
+}
+
+/** Records everything, on a page that shows the demo room. */
+export async function record(page) {
+  const film = new Film(page);
+  // The pictures are small.
+  await page.getByTestId("full-size").selectOption("small");
+  await film.take(PAUSE);
+  // The OAK moves ahead and turns.
+  await page.getByTestId("view").focus();
+  for (let i = 0; i < 10; i++) {
+    await page.keyboard.press("ArrowUp");
+    await page.keyboard.press("Alt+ArrowLeft");
+    await film.take();
+  }
+  for (let i = 0; i < 10; i++) {
+    await page.keyboard.press("ArrowDown");
+    await page.keyboard.press("Alt+ArrowRight");
+    await film.take();
+  }
+  // A calibration error grows: everything is measured too far or too near.
+  const bias = page.locator('[data-parameter="bias"] input[type="text"]');
+  await bias.scrollIntoViewIfNeeded();
+  for (let i = 1; i <= 8; i++) {
+    await bias.fill(String(i / 10));
+    // Without its tooltip.
+    await page.evaluate(() => document.activeElement.blur());
+    await film.take();
+  }
+  await film.take(PAUSE);
+  await bias.fill("0");
+  // Why pixels have no value.
+  await page.getByTestId("show-reason").click();
+  await rest(page);
+  const panel = await page.locator('[data-testid$="-sensor"] canvas').boundingBox();
+  for (let i = 0; i <= 6; i++) {
+    await page.mouse.move(panel.x + panel.width * (0.75 - 0.42 * (i / 6)), panel.y + panel.height * (0.4 + 0.26 * (i / 6)));
+    await page.waitForTimeout(300);
+    await film.take();
+  }
+  await film.take(PAUSE);
+  // What is measured of a surface.
+  await page.getByTestId("tab-place").click();
+  await page.getByTestId("target").selectOption(PAINTED);
+  await page.locator('[data-testid="coverage"] table').waitFor();
+  await film.take(PAUSE);
+  await page.getByTestId("view").focus();
+  for (let i = 0; i < 8; i++) {
+    await page.keyboard.press("PageUp");
+    await page.keyboard.press("PageUp");
+    await page.keyboard.press("Alt+ArrowDown");
+    await film.take(2 * STEP);
+  }
+  await film.take(PAUSE);
+  return film;
+}
