@@ -23,6 +23,8 @@ pub struct Wanted {
     pub view: bool,
     /// Why pixels have no value.
     pub reasons: bool,
+    /// The confidence; requires a colour image.
+    pub confidence: bool,
 }
 
 /// The outputs of the sensor; all images have the shot's size.
@@ -41,6 +43,8 @@ pub struct Output {
     pub view: Option<Image<[u8; 4]>>,
     /// Why pixels have no value.
     pub reasons: Option<ReasonCodes>,
+    /// The confidence of the sample in each pixel, 0 to 255; 0 without a sample.
+    pub confidence: Option<Image<u16>>,
 }
 
 impl Output {
@@ -74,6 +78,7 @@ pub(super) fn sense(sensor: &SingleView, shot: &Shot<'_>, random: &Stream, wante
         imager: image(wanted.imager && has_rgb, width, height, 0.0),
         view: image(has_view, width, height, [0; 4]),
         reasons: image(wanted.reasons, width, height, 0).map(ReasonCodes),
+        confidence: image(wanted.confidence && has_rgb, width, height, 0),
     };
     let plan = Plan::new(sensor.parameters(), sensor.assumptions(), width, height);
     if plan.width == 0 || plan.height == 0 {
@@ -118,6 +123,7 @@ pub(super) fn batch(
             imager: None,
             view: None,
             reasons: None,
+            confidence: None,
         };
         let random = Planes::new(random, &shot);
         tile::sense(&plan, &shot, &random, OutputMode::Color, &mut rows, scratch);
