@@ -1,6 +1,7 @@
 //! `oaktwin studio` without a browser: what it answers, whom it answers, and what survives bad input.
 
 mod client;
+mod models;
 
 use std::net::TcpStream;
 
