@@ -1,15 +1,19 @@
 """What `oaktwin generate` makes of the table-top recipe, made by a script with Open3D's ray casting and NumPy; and its fusion.
 
-    python bench_generate.py PROGRAM RECIPE FRAMES
+    python bench_generate.py PROGRAM RECIPE FRAMES [PYTHON]
 
 The program makes a data set in BOP's layout. The script then makes the same frames again from its poses: colour with one light, shadows and
 no antialiasing, exact depth, the same stereo noise without occlusion, masks, visible masks and their boxes, with all cores.
+
+With the interpreter of an environment with Blender and pyrender, these render colour and depth of the first frames from the same poses, without noise
+and masks (bench_generate_peers.py).
 
 Then 60 views of one arrangement are fused by Open3D's TSDF volume with voxels of 2 mm, from exact and from measured depth, and the vertices are
 compared with the models at their poses.
 """
 
 import json
+import resource
 import subprocess
 import sys
 import tempfile
@@ -163,13 +167,26 @@ def fusion(program: str, recipes: Path) -> None:
             )
 
 
+def renderers(root: Path, frames: int) -> list[tuple[str, dict]]:
+    """The answers of other renderers, one process each."""
+    script, answers = Path(__file__).with_name("bench_generate_peers.py"), []
+    for name in ("BLENDER_WORKBENCH", "BLENDER_EEVEE", "CYCLES", "pyrender-osmesa", "pyrender-egl"):
+        command = [sys.argv[4], script, name, root, str(frames)]
+        done = subprocess.run(command, capture_output=True, text=True)
+        lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
+        answers.append((name, json.loads(lines[-1]) if lines else {"skipped": f"exit code {done.returncode}"}))
+    return answers
+
+
 def main() -> None:
     program, recipe, frames = sys.argv[1], sys.argv[2], int(sys.argv[3])
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder)
         command = [program, "generate", recipe, "-o", root / "set", "--formats", "bop", "--frames", f"0..{frames}", "--json"]
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
         report = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
-        own = report["seconds"]
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        own, busy = report["seconds"], after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
         jobs = []
         for scene in sorted((root / "set/train").iterdir()):
             cameras, poses = (json.loads((scene / f"scene_{name}.json").read_text()) for name in ("camera", "gt"))
@@ -187,10 +204,21 @@ def main() -> None:
         with ThreadPoolExecutor(4) as pool:
             list(pool.map(make, jobs))
         other = time.perf_counter() - start
+        others = renderers(root / "set", min(frames, 8)) if len(sys.argv) > 4 else []
     print(f"table-top recipe, {size[0]}x{size[1]}, {frames} frames in BOP's layout")
     print(f"  oaktwin generate   {frames / own:6.2f} frames per second")
     print(f"  Open3D and NumPy   {frames / other:6.2f} frames per second")
     print(f"  ratio              {other / own:6.2f}")
+    for name, answer in others:
+        if "skipped" in answer:
+            print(f"  {name:<18} skipped: {answer['skipped']}")
+        else:
+            rate = answer["frames"] / answer["seconds"]
+            processor = answer["processor_seconds"] / answer["frames"] / (busy / frames)
+            print(
+                f"  {name:<18} {rate:6.2f} frames per second, colour and depth only; ratio {frames / own / rate:.2f}, of processor time "
+                f"{processor:.2f}"
+            )
     fusion(program, Path(recipe).resolve().parent)
 
 

@@ -13,12 +13,14 @@ from depth_eval import DepthEval
 
 # Not every environment has these packages; tests that need them do not depend on the version of OpenUSD.
 NEEDS = {
-    "test_bridge.py": ("cyclonedds",),
+    "test_blender.py": ("bpy",),
+    "test_bridge.py": ("cv2", "cyclonedds"),
     "test_calibration.py": ("cv2", "depthai", "yaml"),
     "test_camera_maths.py": ("cv2",),
     "test_dataset.py": ("cv2",),
     "test_filters.py": ("cv2", "depthai"),
     "test_generate.py": ("cv2", "evo", "pycocotools", "pycolmap", "trimesh", "webdataset"),
+    "test_imu.py": ("allantools", "rosbags", "scipy"),
     "test_importers.py": ("trimesh",),
     "test_population.py": ("depthai",),
     "test_rectify.py": ("cv2", "depthai"),

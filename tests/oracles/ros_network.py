@@ -12,7 +12,6 @@ from pathlib import Path
 
 # A domain that is hardly used otherwise.
 DOMAIN = 77
-PEER = Path(__file__).with_name("ros_peer.py")
 ENVIRONMENT = os.environ | {"ROS_DOMAIN_ID": str(DOMAIN), "ROS_LOCALHOST_ONLY": "1"}
 MODEL = "OAK-D-Pro-PoE"
 
@@ -65,13 +64,13 @@ class Bridge:
         return events[-1], [event for event in events if event["event"] == "finding"]
 
 
-def start_peer(start: list[str], *arguments: str) -> subprocess.Popen:
-    """Starts a publisher or a subscriber."""
-    command = [*start, sys.executable, PEER, *arguments]
+def start_peer(start: list[str], *arguments: str, script: str = "ros_peer.py") -> subprocess.Popen:
+    """Starts a publisher, a subscriber or another script."""
+    command = [*start, sys.executable, Path(__file__).with_name(script), *arguments]
     return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
 
 
-def result(peer: subprocess.Popen, seconds: float = 60) -> dict:
+def result(peer: subprocess.Popen, seconds: float = 90) -> dict:
     """What a peer prints at its end."""
     out, _ = peer.communicate(timeout=seconds)
     assert peer.returncode == 0

@@ -171,6 +171,12 @@ def publish(arguments: argparse.Namespace) -> dict:
     infos = peer.publisher(arguments.info, CameraInfo)
     width, height = map(int, arguments.size.split("x"))
     metres = np.tile(np.linspace(0.8, 4.0, width, dtype=np.float32), (height, 1))
+    # Texture on the left, a plain colour on the right.
+    rgb = np.full((height, width, 3), [200, 90, 30], np.uint8)
+    rgb[:, : width // 2] = np.random.default_rng(0).integers(0, 256, (height, width // 2, 3))
+    colors = peer.publisher(arguments.rgb, Image) if arguments.rgb else None
+    if arguments.color:
+        np.save(arguments.color, rgb)
     data = metres.tobytes() if arguments.encoding == "32FC1" else (metres * 1000).astype("<u2").tobytes()
     focal = 0.625 * width
     k = [focal, 0, (width - 1) / 2, 0, focal, (height - 1) / 2, 0, 0, 1]
@@ -183,10 +189,17 @@ def publish(arguments: argparse.Namespace) -> dict:
         time.sleep(max(0.0, start + number / arguments.rate - time.monotonic()))
         header = now()
         infos.write(CameraInfo(header, height, width, k=k))
+        if colors:
+            write(colors, raw_image(header, width, height, "rgb8", rgb.tobytes()))
         write(images, raw_image(header, width, height, arguments.encoding, data))
     # A dying writer takes its unsent data with it.
     time.sleep(0.5)
     return {"published": count, "late_s": time.monotonic() - start - 0.5 - (count - 1) / arguments.rate}
+
+
+def pixels_of(message: Image) -> np.ndarray:
+    kind = {"16UC1": "<u2", "32FC1": "<f4"}[message.encoding]
+    return np.frombuffer(bytes(message.data), kind).reshape(message.height, message.width)
 
 
 def subscribe(arguments: argparse.Namespace) -> dict:
@@ -195,14 +208,16 @@ def subscribe(arguments: argparse.Namespace) -> dict:
     reader = peer.subscription(arguments.topic, MESSAGES[arguments.message], depth=10)
     if arguments.never:
         time.sleep(3600)
-    latencies, last, end = [], None, time.monotonic() + arguments.wait
+    latencies, farthest, last, end = [], [], None, time.monotonic() + arguments.wait
     print("ready", file=sys.stderr, flush=True)
     while time.monotonic() < end:
         for data in take_raw(reader):
             latencies.append(time.time() - stamp_of(data))
+            if arguments.farthest:
+                farthest.append([stamp_of(data), int(pixels_of(Image.deserialize(data)).max())])
             last, end = data, time.monotonic() + arguments.silence
         time.sleep(0.0005)
-    result = {"received": len(latencies)}
+    result = {"received": len(latencies), "farthest": farthest}
     if latencies:
         median, p95 = np.percentile(latencies, [50, 95]) * 1e3
         result |= {"median_ms": median, "p95_ms": p95}
@@ -212,9 +227,7 @@ def subscribe(arguments: argparse.Namespace) -> dict:
         result["stamp"] = [message.header.stamp.sec, message.header.stamp.nanosec]
         result["frame_id"] = message.header.frame_id
         if arguments.message == "image":
-            kind = {"16UC1": "<u2", "32FC1": "<f4"}[message.encoding]
-            pixels = np.frombuffer(bytes(message.data), kind).reshape(message.height, message.width)
-            np.save(arguments.last, pixels)
+            np.save(arguments.last, pixels_of(message))
             result |= {"encoding": message.encoding, "step": message.step}
         elif arguments.message == "info":
             result |= {"k": list(message.k), "size": [message.width, message.height]}
@@ -233,12 +246,14 @@ def main() -> None:
     command.set_defaults(run=publish)
     command.add_argument("--topic", default="/camera/depth/image_raw")
     command.add_argument("--info", default="/camera/camera_info")
+    command.add_argument("--rgb", help="the topic of colour images")
     command.add_argument("--size", default="160x120")
     command.add_argument("--encoding", default="16UC1")
     command.add_argument("--seconds", type=float, default=3)
     command.add_argument("--rate", type=float, default=30)
     command.add_argument("--wait", type=float, default=1, help="seconds before the first image")
     command.add_argument("--depth", help="where the published depth is saved")
+    command.add_argument("--color", help="where the published colours are saved")
     command = commands.add_parser("subscribe")
     command.set_defaults(run=subscribe)
     command.add_argument("--topic", default="/oak/stereo/image_raw")
@@ -247,6 +262,7 @@ def main() -> None:
     command.add_argument("--silence", type=float, default=2, help="seconds without a message that end it")
     command.add_argument("--never", action="store_true", help="never read")
     command.add_argument("--last", help="where the last message is saved")
+    command.add_argument("--farthest", action="store_true", help="report the stamp and the largest value of each image")
     arguments = parser.parse_args()
     print(json.dumps(arguments.run(arguments)))
 

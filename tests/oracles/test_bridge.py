@@ -1,11 +1,13 @@
 """`oaktwin bridge` over the loopback interface, with Eclipse Cyclone DDS as the publisher and the subscribers."""
 
+import json
 import shutil
 import subprocess
 import time
 from collections.abc import Iterator
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
 
@@ -29,10 +31,14 @@ def run(network, program):
             processes.append(bridge.process)
             return bridge
 
-        def peer(self, *arguments: str) -> subprocess.Popen:
-            peer = start_peer(network, *arguments)
+        def peer(self, *arguments: str, script: str = "ros_peer.py") -> subprocess.Popen:
+            peer = start_peer(network, *arguments, script=script)
             processes.append(peer)
             return peer
+
+        def call(self, *calls: str) -> list[dict]:
+            """Calls services of the bridge, such as `get_parameters ["seed"]`."""
+            return result(self.peer("/oaktwin_bridge", *calls, script="ros_services.py"))
 
     yield Run()
     for process in processes:
@@ -40,13 +46,13 @@ def run(network, program):
         process.communicate()
 
 
-def sensed(program: Path, depth: Path, stamp: list[int], folder: Path) -> np.ndarray:
+def sensed(program: Path, depth: Path, stamp: list[int], folder: Path, *options: str) -> np.ndarray:
     """What `oaktwin sense` makes of a depth image whose frame is the stamp."""
     image = folder / f"depth_{stamp[0] * 10**9 + stamp[1]}.npy"
     shutil.copy(depth, image)
     focal = str(0.625 * np.load(depth).shape[1])
     subprocess.run(
-        [program, "sense", image, "--model", MODEL, "--input-kind", "z", "--fx", focal, "-o", folder],
+        [program, "sense", image, "--model", MODEL, "--input-kind", "z", "--fx", focal, "-o", folder, *options],
         check=True,
         capture_output=True,
     )
@@ -156,3 +162,86 @@ def test_parameters_change_while_the_bridge_runs(run, tmp_path):
     assert "did you mean 'preset'" in messages[-2] and "seed" in messages[-1], messages
     assert any(finding["code"] == "parameters" and finding["level"] == "note" for finding in findings)
     assert (np.load(last) > 0).any()
+
+
+def test_parameter_services(run):
+    """Listed, described, read and set over the network; what is refused changes nothing, what is set counts from the next frame."""
+    bridge = run.bridge()
+    images = run.peer("subscribe", "--farthest", "--silence", "4")
+    publisher = run.peer("publish", "--wait", "1", "--seconds", "25", "--rate", "20")
+    time.sleep(4)
+    listed = run.call("list_parameters")[0]["answer"]
+    names = sorted(listed["names"])
+    assert {"engine", "preset", "filters", "parameters", "seed", "device_seed", "extended_disparity"} <= set(names)
+    # Files of the machine are not for others on the network.
+    assert "params" not in names
+
+    wanted = ["engine", "seed", "device_seed", "extended_disparity", "filters", "nonsense"]
+    read, types, described = (call["answer"] for call in run.call(
+        f"get_parameters {json.dumps(wanted)}", f"get_parameter_types {json.dumps(wanted)}", f"describe_parameters {json.dumps(wanted[:5])}"
+    ))
+    assert read == ["", 0, -1, False, [], None], read
+    # String, integer, integer, Boolean, strings, and not set.
+    assert types == [4, 2, 2, 1, 9, 0]
+    assert [(one["name"], one["type"], one["read_only"]) for one in described] == [
+        (name, kind, False) for name, kind in zip(wanted, types) if kind
+    ]
+
+    far = {"filters": ["threshold:max=1000"]}
+    calls = run.call(
+        'set_parameters {"engine": "stereo-nose", "seed": 7}',
+        'set_parameters {"seed": "7", "presett": "robotics"}',
+        f'set_parameters_atomically {json.dumps(far | {"seed": -2})}',
+        'get_parameters ["engine", "seed", "filters"]',
+        f"set_parameters {json.dumps(far)}",
+        'get_parameters ["filters"]',
+    )
+    (wrong, right), (no_number, no_parameter), atomic, kept, (good,), new = (call["answer"] for call in calls)
+    assert not wrong["successful"] and "stereo-noise" in wrong["reason"], wrong
+    assert right["successful"]
+    assert not no_number["successful"] and "type" in no_number["reason"], no_number
+    assert not no_parameter["successful"] and no_parameter["reason"], no_parameter
+    assert not atomic["successful"] and "seed" in atomic["reason"], atomic
+    assert kept == ["", 7, []]
+    assert good["successful"] and new == [far["filters"]]
+
+    result(publisher)
+    farthest = result(images)["farthest"]
+    set_at = calls[4]
+    before = [value for stamp, value in farthest if stamp < set_at["called"] - 0.5]
+    after = [value for stamp, value in farthest if stamp > set_at["answered"]]
+    assert len(before) >= 3 and min(before) > 3000, before[-5:]
+    assert len(after) >= 3 and 0 < max(after) <= 1000, after[:5]
+    state, findings = bridge.stop()
+    assert state["rejected"] == 0
+    assert any(finding["code"] == "parameters" for finding in findings)
+
+
+def test_colours_reach_the_engine_and_the_cloud(run, program, tmp_path):
+    """Plain faces are dropped for lack of texture, as `sense` does, and points have the colours of their pixels."""
+    bridge = run.bridge("--rgb", "/camera/color/image_raw", "--points")
+    depth, color, last, last_points = (tmp_path / name for name in ("exact.npy", "color.npy", "last.npy", "points.npy"))
+    images = run.peer("subscribe", "--last", str(last))
+    clouds = run.peer("subscribe", "--topic", "/oak/points", "--message", "points", "--last", str(last_points))
+    publisher = run.peer(
+        "publish", "--rgb", "/camera/color/image_raw", "--wait", "2", "--depth", str(depth), "--color", str(color)
+    )
+    published = result(publisher)["published"]
+    image, cloud = result(images), result(clouds)
+    state, findings = bridge.stop()
+    assert state["rejected"] == 0 and state["published"] >= published * 0.9, (state, findings)
+
+    colors = np.load(color)
+    cv2.imwrite(str(tmp_path / "color.png"), colors[..., ::-1])
+    expected = sensed(program, depth, image["stamp"], tmp_path, "--rgb", str(tmp_path / "color.png"))
+    measured = np.load(last)
+    assert np.array_equal(measured, np.round(expected * np.float32(1000)).astype(np.uint16))
+    textured, plain = measured[:, 20:70] > 0, measured[:, 100:] > 0
+    assert textured.mean() > 0.9 and plain.mean() == 0
+
+    assert cloud["fields"] == ["x", "y", "z", "rgb"] and cloud["point_step"] == 16
+    points = np.load(last_points)
+    packed = np.ascontiguousarray(points[..., 3]).view(np.uint8).reshape(*points.shape[:2], 4)
+    seen = points[..., 2] > 0
+    assert seen.sum() > 3000
+    assert np.array_equal(packed[seen][:, 2::-1], colors[seen])

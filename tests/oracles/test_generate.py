@@ -43,7 +43,8 @@ min_objects = 3
 extended_disparity = true
 [output]
 shard_frames = 3
-annotators = ['rgb', 'distance_to_image_plane', 'depth_sensor_distance', 'depth_sensor_reason', 'camera_params']
+annotators = ['rgb', 'distance_to_image_plane', 'depth_sensor_distance', 'depth_sensor_reason', 'depth_sensor_confidence',
+    'camera_params']
 """
 
 
@@ -393,19 +394,43 @@ def test_webdataset(root: Path) -> None:
         assert sample["camera_params.json"]["renderProductResolution"] == [320, 200]
 
 
+def beside_depth(root: Path, folder: str) -> dict[str, list[str]]:
+    """The images of this folder in every format with depth, in the order of the frames."""
+    return {
+        "bop": [f"train/{number // 2:06}/{folder}/{number:06}.png" for number in range(4)],
+        "tum": [str(path.relative_to(root / "tum")) for path in sorted((root / "tum").glob(f"*/{folder}/*.png"))],
+        "nerfstudio": [f"{number // 2:06}/{folder}/{number:06}.png" for number in range(4)],
+        "kitti": [f"training/{folder}/{number:06}_10.png" for number in range(4)],
+        "middlebury": [f"{number:06}/{folder}.png" for number in range(4)],
+        "sceneflow": [f"FlyingThings3D/{folder}/TRAIN/A/{number // 2:04}/left/{number:04}.png" for number in range(4)],
+    }
+
+
+def test_confidence(root: Path) -> None:
+    """In every format with depth: the texture of the matching window, computed here, which the threshold of 55 is compared with."""
+    expected = []
+    for number in range(4):
+        r, g, b = np.moveaxis(image(root / f"basic/rgb_{number:04}.png")[..., :3].astype(int), -1, 0)
+        luma = (77 * r + 150 * g + 29 * b) >> 8
+        differences = np.abs(np.diff(luma, axis=1))
+        field = np.pad(np.hstack([differences, differences[:, -1:]]), ((1, 0), (1, 0)), mode="edge")
+        # 7 px of 1280 are 2 of 320: the pixel, and those on its left and above.
+        sums = sum(field[y : y + 200, x : x + 320] for y in (0, 1) for x in (0, 1))
+        expected.append(np.minimum(sums * 128 // 4, 255))
+        found = image(root / f"basic/depth_sensor_confidence_{number:04}.png")
+        assert found.dtype == np.uint16 and np.array_equal(found, expected[-1])
+        assert 0.02 < (found < 55).mean() < 0.98
+    for name, files in beside_depth(root, "depth_confidence").items():
+        assert len(files) == 4
+        for file, levels in zip(files, expected):
+            assert np.array_equal(image(root / name / file), levels), name
+
+
 def test_reasons_for_missing_depth(root: Path) -> None:
     """In every format with depth: 0 where there is depth, else a code of the legend."""
     expected = [image(root / f"basic/depth_sensor_reason_{number:04}.png") for number in range(4)]
     measured = [np.load(root / f"basic/depth_sensor_distance_{number:04}.npy") for number in range(4)]
-    paths = {
-        "bop": [f"train/{number // 2:06}/depth_reason/{number:06}.png" for number in range(4)],
-        "tum": [str(path.relative_to(root / "tum")) for path in sorted((root / "tum").glob("*/depth_reason/*.png"))],
-        "nerfstudio": [f"{number // 2:06}/depth_reason/{number:06}.png" for number in range(4)],
-        "kitti": [f"training/depth_reason/{number:06}_10.png" for number in range(4)],
-        "middlebury": [f"{number:06}/depth_reason.png" for number in range(4)],
-        "sceneflow": [f"FlyingThings3D/depth_reason/TRAIN/A/{number // 2:04}/left/{number:04}.png" for number in range(4)],
-    }
-    for name, files in paths.items():
+    for name, files in beside_depth(root, "depth_reason").items():
         legend = {int(code) for code in json.loads((root / name / "depth_reasons.json").read_text())}
         assert len(files) == 4
         for file, codes, depth in zip(files, expected, measured):

@@ -22,12 +22,12 @@ pub(crate) struct Environment {
     pub(crate) name: &'static str,
     /// The first and the last Python version for which all its packages have wheels, if there is a known last one.
     versions: (Version, Option<Version>),
-    /// The tests that run in it.
-    pub(crate) tests: &'static str,
+    /// The files or folders of the tests that run in it.
+    pub(crate) tests: &'static [&'static str],
 }
 
 /// The tests that compare with other libraries.
-const ORACLES: &str = "tests/oracles";
+const ORACLES: &[&str] = &["tests/oracles"];
 
 /// The newest OpenUSD and the other oracles.
 pub(crate) const CURRENT: Environment = Environment {
@@ -42,12 +42,12 @@ pub(crate) const ENVIRONMENTS: [Environment; 4] = [
     Environment {
         name: "datasets",
         versions: ((3, 11), None),
-        tests: "tests/oracles/test_generate.py",
+        tests: &["tests/oracles/test_generate.py", "tests/oracles/test_imu.py"],
     },
     Environment {
         name: "robot",
         versions: ((3, 11), Some((3, 13))),
-        tests: "tests/oracles/test_robot.py",
+        tests: &["tests/oracles/test_robot.py"],
     },
     Environment {
         name: "usd-24.5",
@@ -60,35 +60,42 @@ pub(crate) const ENVIRONMENTS: [Environment; 4] = [
 pub(crate) const PACKAGE: Environment = Environment {
     name: "python",
     versions: ((3, 11), None),
-    tests: "crates/python/tests",
+    tests: &["crates/python/tests"],
 };
 
 /// [`PACKAGE`] with the large peers, which it replaces.
 pub(crate) const PEERS: Environment = Environment {
     name: "peers",
     versions: ((3, 11), None),
-    tests: "crates/python/tests",
+    tests: &["crates/python/tests"],
 };
 
 /// `PyTorch`, which takes several gigabytes, for the tests with tensors.
 pub(crate) const TORCH: Environment = Environment {
     name: "torch",
     versions: ((3, 11), None),
-    tests: "crates/python/tests/test_torch.py",
+    tests: &["crates/python/tests/test_torch.py"],
 };
 
 /// The oldest versions of the package's own dependencies and nothing else, not even pytest.
 pub(crate) const BARE: Environment = Environment {
     name: "bare",
     versions: ((3, 10), Some((3, 11))),
-    tests: "crates/python/tests/bare.py",
+    tests: &["crates/python/tests/bare.py"],
+};
+
+/// Blender, which takes a gigabyte.
+pub(crate) const BLENDER: Environment = Environment {
+    name: "blender",
+    versions: ((3, 11), Some((3, 11))),
+    tests: &["tests/oracles/test_blender.py"],
 };
 
 /// Open3D and the other peers of the renderer, created only on request because they are large.
 pub(crate) const RENDER: Environment = Environment {
     name: "render",
     versions: ((3, 11), None),
-    tests: "tests/oracles/test_render.py",
+    tests: &["tests/oracles/test_render.py"],
 };
 
 impl Interpreter {
@@ -121,7 +128,7 @@ impl Interpreter {
 impl Environment {
     /// Whether the Python package is installed in it.
     pub(crate) fn has_package(&self) -> bool {
-        self.tests.starts_with("crates/python/")
+        self.tests.iter().all(|tests| tests.starts_with("crates/python/"))
     }
 
     /// Returns the first suitable interpreter, or the reason why there is none.

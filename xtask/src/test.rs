@@ -6,7 +6,9 @@ use std::thread;
 
 use crate::counts::{self, Counts};
 use crate::docs;
-use crate::python::{self, BARE, ENVIRONMENTS, Environment, Interpreter, PACKAGE, PEERS, RENDER, TORCH};
+use crate::python::{
+    self, BARE, BLENDER, ENVIRONMENTS, Environment, Interpreter, PACKAGE, PEERS, RENDER, TORCH,
+};
 use crate::report::Report;
 use crate::{web, workspace};
 
@@ -139,7 +141,7 @@ fn wanted(args: &Args) -> Vec<&'static Environment> {
     wanted.push(if args.all || args.peers { &PEERS } else { &PACKAGE });
     wanted.push(&BARE);
     if args.all {
-        wanted.extend([&TORCH, &RENDER]);
+        wanted.extend([&TORCH, &RENDER, &BLENDER]);
     }
     wanted
 }
@@ -202,7 +204,7 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
         if environment.name == BARE.name {
             let mut script = interpreter(&python);
             // Isolated: neither this checkout's packages nor the user's.
-            script.arg("-I").arg(environment.tests);
+            script.arg("-I").args(environment.tests);
             report.command(&name, &mut script, counts::of_pytest);
         } else {
             let mut tests = pytest(&python, environment.tests, programs, args);
@@ -286,7 +288,7 @@ fn interpreter(python: &Path) -> Command {
     command
 }
 
-fn pytest(python: &Path, tests: &str, programs: &Programs, args: &Args) -> Command {
+fn pytest(python: &Path, tests: &[&str], programs: &Programs, args: &Args) -> Command {
     let mut command = interpreter(python);
     command.args([
         "-m",
@@ -296,8 +298,8 @@ fn pytest(python: &Path, tests: &str, programs: &Programs, args: &Args) -> Comma
         "--color=no",
         "-p",
         "no:cacheprovider",
-        tests,
     ]);
+    command.args(tests);
     // Copies of the documentation's inputs would fill gigabytes.
     command.args(["-o", "tmp_path_retention_policy=failed"]);
     if args.all {

@@ -83,9 +83,11 @@ pub fn run(
             .map_err(|error| BridgeError::Node(error.to_string()))?;
         let (mut looked, mut reported) = (started, started);
         while !is_over() && !receiver.is_finished() {
+            let arrived = mailbox.take(TICK);
+            // What was set while a frame was awaited counts for it.
             reporter.findings(lines.try_iter().filter_map(|line| set(&node, &line)));
             bridge.set(&wanted, &mut reporter);
-            if let Some(arrived) = mailbox.take(TICK) {
+            if let Some(arrived) = arrived {
                 bridge.frame(arrived, &mut reporter);
             }
             let now = Instant::now();

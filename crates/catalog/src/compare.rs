@@ -174,8 +174,8 @@ fn accuracy(devices: &[&Device]) -> Table {
 
 fn band_cell(band: &AccuracyBand) -> String {
     let figure = band
-        .error_percent
-        .map_or_else(not_available, |percent| format!("< {percent}%"));
+        .limit("%")
+        .map_or_else(not_available, |limit| format!("< {limit}"));
     with_remark(figure, band.condition.as_deref())
 }
 
@@ -249,11 +249,8 @@ fn close_range(device: &Device) -> String {
         return headline.comparison.clone();
     }
     let band = device.accuracy.first().and_then(|table| table.bands.first());
-    band.map_or_else(not_available, |band| match band.error_percent {
-        Some(percent) => with_remark(
-            format!("< {percent}% at {}m", band.to_m),
-            band.condition.as_deref(),
-        ),
+    band.map_or_else(not_available, |band| match band.limit("%") {
+        Some(limit) => with_remark(format!("< {limit} at {}m", band.to_m), band.condition.as_deref()),
         None => not_available(),
     })
 }

@@ -333,9 +333,25 @@ pub struct AccuracyBand {
     /// The maximum depth error in percent of the distance; absent if it is not available.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub error_percent: Option<f64>,
+    /// The part of the maximum depth error that is the same at every distance, in mm; it adds to `error_percent`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub error_mm: Option<f64>,
     /// A condition (`indoors`), or the reason for the absence of a figure (`8 m max`).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub condition: Option<String>,
+}
+
+impl AccuracyBand {
+    /// Returns the maximum error as text, `2%` or `11 mm + 0.1%`, with this unit for percent; `None` if it is not available.
+    #[must_use]
+    pub fn limit(&self, percent: &str) -> Option<String> {
+        let parts = [
+            self.error_mm.map(|error| format!("{error} mm")),
+            self.error_percent.map(|error| format!("{error}{percent}")),
+        ];
+        let parts: Vec<String> = parts.into_iter().flatten().collect();
+        (!parts.is_empty()).then(|| parts.join(" + "))
+    }
 }
 
 /// The depth accuracy of a device in one line.

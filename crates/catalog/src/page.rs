@@ -70,7 +70,7 @@ fn row(device: &Device) -> String {
         .filter(published)
         .flat_map(|table| &table.bands);
     let end = ends
-        .filter(|band| band.error_percent.is_some())
+        .filter(|band| band.limit("%").is_some())
         .map(|band| band.to_m)
         .reduce(f64::max);
     let body = &device.body;

@@ -37,6 +37,7 @@ const METADATA: &str = "metadata.txt";
 /// | `depth_sensor_output_visualization_0000.png` | RGBA |
 /// | `depth_sensor_reason_0000.png` | 8-bit grey: codes |
 /// | `depth_sensor_reason_legend_0000.json` | the name and the meaning of each code |
+/// | `depth_sensor_confidence_0000.png` | 16-bit grey |
 /// | `depth_sensor_point_cloud_0000.ply` | an extra: the measured points, with their colours if those are rendered |
 #[derive(Clone, Debug, Default)]
 pub struct BasicWriter {
@@ -179,6 +180,7 @@ mod tests {
                 codes: Image::new(2, 1, vec![2, 0]).unwrap(),
                 legend: [(2, label("too_near"))].into(),
             }),
+            depth_sensor_confidence: Some(Image::new(2, 1, vec![0, 300]).unwrap()),
         }
     }
 
@@ -233,6 +235,7 @@ mod tests {
                 "depth_sensor_output_visualization_0012.png",
                 "depth_sensor_reason_0012.png",
                 "depth_sensor_reason_legend_0012.json",
+                "depth_sensor_confidence_0012.png",
             ]
         );
         assert_eq!(paths(Options::default(), None, Frame::default()), [""; 0]);
@@ -320,6 +323,8 @@ mod tests {
         );
         let codes = png::decode::<u8>(&bytes("depth_sensor_reason_0000.png")).unwrap();
         assert_eq!(codes.pixels(), [2, 0]);
+        let confidence = png::decode::<u16>(&bytes("depth_sensor_confidence_0000.png")).unwrap();
+        assert_eq!(confidence.pixels(), [0, 300]);
         let semantic = png::decode::<[u8; 4]>(&bytes("semantic_segmentation_0000.png")).unwrap();
         assert_eq!(semantic.pixels(), [[255, 25, 25, 255], [0; 4]]);
         for (name, shape) in [

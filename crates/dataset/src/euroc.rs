@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use oaktwin_camera::RigidTransform;
+
 use crate::ImuSample;
 
 /// The first line, with its end.
@@ -22,6 +24,56 @@ impl fmt::Display for Line<'_> {
         }
         f.write_str("\n")
     }
+}
+
+/// An inertial sensor.
+#[derive(Clone, Copy, Debug)]
+pub struct ImuDescription<'a> {
+    /// The name of the part.
+    pub part: &'a str,
+    /// The pose in the body's frame, metres.
+    pub body_from_imu: &'a RigidTransform,
+    /// The samples per second.
+    pub rate_hz: f64,
+    /// The density of the white noise and of the random walk, in rad/s.
+    pub gyroscope: [f64; 2],
+    /// The same of the accelerometer, in m/s².
+    pub accelerometer: [f64; 2],
+}
+
+/// Returns the `sensor.yaml` of an inertial sensor. A density that no source states is 0.
+#[must_use]
+pub fn imu_description(sensor: &ImuDescription<'_>) -> String {
+    let [[gyroscope, gyroscope_walk], [accelerometer, accelerometer_walk]] =
+        [sensor.gyroscope, sensor.accelerometer];
+    format!(
+        "sensor_type: imu\ncomment: {}\n{}rate_hz: {:.6}\ngyroscope_noise_density: {gyroscope:e}\n\
+         gyroscope_random_walk: {gyroscope_walk:e}\naccelerometer_noise_density: {accelerometer:e}\n\
+         accelerometer_random_walk: {accelerometer_walk:e}\n",
+        sensor.part,
+        pose(sensor.body_from_imu),
+        sensor.rate_hz,
+    )
+}
+
+/// The pose `T_BS` of a sensor in the body's frame.
+pub(crate) fn pose(body_from_sensor: &RigidTransform) -> String {
+    let rows = [0, 1, 2].map(|row| {
+        let rotation = body_from_sensor.rotation.row(row);
+        [
+            rotation.x,
+            rotation.y,
+            rotation.z,
+            body_from_sensor.translation[row],
+        ]
+    });
+    let [x, y, z] = rows.map(line);
+    let last = line([0.0, 0.0, 0.0, 1.0]);
+    format!("T_BS:\n  cols: 4\n  rows: 4\n  data: [{x},\n         {y},\n         {z},\n         {last}]\n")
+}
+
+fn line(row: [f64; 4]) -> String {
+    row.map(|value| format!("{value:.12}")).join(", ")
 }
 
 #[cfg(test)]

@@ -146,6 +146,7 @@ impl<'a> Files<'a> {
                 }
                 AnnotationRef::PixelColors(colors) => self.push_vectors(name, colors),
                 AnnotationRef::Scalar(image) => self.push_image(name, name, image),
+                AnnotationRef::Levels(image) => self.push(name, name, "png", move || Ok(png::encode(image)?)),
                 AnnotationRef::Reasons(Reasons { codes, legend }) => {
                     self.push(name, name, "png", move || Ok(png::encode(codes)?));
                     self.push(name, &format!("{name}_legend"), "json", move || {

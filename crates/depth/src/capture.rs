@@ -20,8 +20,10 @@ pub struct Capture {
 /// An output besides the distance.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Layer {
-    /// One byte per pixel, such as confidence.
+    /// One byte per pixel, such as a matcher's confidence.
     Bytes(Image<u8>),
+    /// One whole number per pixel, such as an engine's confidence.
+    Levels(Image<u16>),
     /// One number per pixel, such as luminance.
     Floats(Image<f32>),
     /// sRGB with alpha.
@@ -69,6 +71,7 @@ impl Capture {
         for (_, layer) in &mut self.extras {
             *layer = match std::mem::replace(layer, Layer::Bytes(Image::filled(0, 0, 0))) {
                 Layer::Bytes(image) => Layer::Bytes(filters.companion(image)),
+                Layer::Levels(image) => Layer::Levels(filters.companion(image)),
                 Layer::Floats(image) => Layer::Floats(filters.companion(image)),
                 Layer::Colors(image) => Layer::Colors(filters.companion(image)),
                 // Disparity is filtered itself, and filters are among the reasons.
@@ -117,6 +120,7 @@ macro_rules! layers {
 
 layers! {
     Bytes(Image<u8>);
+    Levels(Image<u16>);
     Floats(Image<f32>);
     Colors(Image<[u8; 4]>);
     Points(Image<[f32; 4]>);

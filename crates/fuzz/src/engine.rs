@@ -144,6 +144,7 @@ fn bits(capture: &Capture) -> Vec<u32> {
     for (_, layer) in &capture.extras {
         match layer {
             Layer::Bytes(image) => bits.extend(image.pixels().iter().map(|&byte| u32::from(byte))),
+            Layer::Levels(image) => bits.extend(image.pixels().iter().map(|&level| u32::from(level))),
             Layer::Floats(image) => bits.extend(image.pixels().iter().map(|value| value.to_bits())),
             Layer::Colors(image) => {
                 bits.extend(image.pixels().iter().map(|&color| u32::from_le_bytes(color)));

@@ -9,6 +9,7 @@ mod engine;
 mod filter;
 mod import;
 mod json;
+mod message;
 mod random;
 mod recipe;
 mod renderer;
@@ -175,6 +176,13 @@ pub const TARGETS: &[Target] = &[
         max_len: 4096,
         check: recipe::check,
         seeds: recipe::seeds,
+    },
+    Target {
+        name: "messages",
+        about: "reads images and camera info of ROS 2 and measures them; messages round-trip, sizes fit",
+        max_len: 4096,
+        check: message::check,
+        seeds: message::seeds,
     },
 ];
 

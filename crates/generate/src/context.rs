@@ -14,6 +14,7 @@ use oaktwin_population::Population;
 use crate::GenerateError;
 use crate::arrange::Placed;
 use crate::described::Models;
+use crate::inertial::Inertial;
 use crate::random::Random;
 use crate::recipe::{Appearance, ObjectRule, PopulationKind, RecipeFile};
 use crate::unit::Units;
@@ -31,6 +32,8 @@ pub(crate) struct Context {
     pub(crate) look_textures: Vec<Vec<PathBuf>>,
     pub(crate) sky_images: Vec<PathBuf>,
     pub(crate) trajectory: Vec<TimedPose>,
+    /// The inertial sensors, if the recipe asks for their samples.
+    pub(crate) inertial: Option<Inertial>,
     pub(crate) annotators: Vec<Annotator>,
     pub(crate) formats: Vec<&'static FormatKind>,
     /// What at least one of the formats requires.
@@ -81,7 +84,9 @@ impl Context {
         if bases.is_empty() {
             bases.extend(Base::floor());
         }
-        Ok(Self {
+        let inertial = Inertial::open(recipe, catalog);
+        let inertial = inertial.map_err(|wrong| unfit(&file, wrong.place, wrong.problem, wrong.remedy))?;
+        let mut context = Self {
             random: Random::new(recipe.seed),
             bases,
             object_files,
@@ -89,6 +94,7 @@ impl Context {
             look_textures,
             sky_images,
             trajectory,
+            inertial,
             annotators,
             needs: Needs {
                 objects: formats.iter().any(|format| format.needs.objects),
@@ -99,7 +105,10 @@ impl Context {
             models: Models::default(),
             findings,
             file,
-        })
+        };
+        let findings = context.check_inertial()?;
+        context.findings.extend(findings);
+        Ok(context)
     }
 
     /// Returns the units of a model of the recipe.

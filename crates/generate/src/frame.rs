@@ -334,12 +334,13 @@ fn engine_of(
     Some(chosen.unwrap_or_else(|| default_engine(kind)))
 }
 
+/// The time of a frame of an arrangement, nanoseconds.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     clippy::cast_precision_loss,
     reason = "nanoseconds of a data set"
 )]
-fn time_ns(index: u64, interval_s: f64) -> u64 {
+pub(crate) fn time_ns(index: u64, interval_s: f64) -> u64 {
     (index as f64 * interval_s * 1e9).round() as u64
 }

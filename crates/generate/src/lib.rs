@@ -29,6 +29,7 @@ mod context;
 mod described;
 mod error;
 mod frame;
+mod inertial;
 mod random;
 pub mod recipe;
 mod run;

@@ -61,6 +61,7 @@ kinds! {
     "An sRGB colour for each of [`PixelPoints`](Self::PixelPoints)." PixelColors(Image<[u8; 4]>) 4;
     "A scalar image." Scalar(Image<f32>) 4;
     "Codes with a legend." Reasons(Reasons) 1;
+    "Whole numbers of 16 bits." Levels(Image<u16>) 2;
 }
 
 /// Declares the annotators in the order of their output: documentation, variant, name, source, and the kind and type of the
@@ -135,6 +136,15 @@ macro_rules! annotators {
                 all.into_iter().flatten()
             }
 
+            /// Replaces the annotations that another frame contains, and keeps the rest.
+            pub fn update(&mut self, other: Self) {
+                $(
+                    if other.$name.is_some() {
+                        self.$name = other.$name;
+                    }
+                )+
+            }
+
             /// Removes and returns an annotation, or returns `None` if the frame does not contain it.
             pub fn take(&mut self, annotator: Annotator) -> Option<Annotation> {
                 match annotator {
@@ -179,6 +189,8 @@ annotators! {
     DepthSensorOutputVisualization depth_sensor_output_visualization DepthSensor Color(Image<[u8; 4]>);
     "Why a pixel of the sensor has no value, as codes with a legend. Isaac Sim has no such output."
     DepthSensorReason depth_sensor_reason DepthSensor Reasons(Reasons);
+    "The engine's confidence in each pixel, higher is better. Isaac Sim has no such output."
+    DepthSensorConfidence depth_sensor_confidence DepthSensor Levels(Image<u16>);
     "The disparity of a stereo matcher."
     Disparity disparity StereoMatcher;
     "The confidence of a stereo matcher."

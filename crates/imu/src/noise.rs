@@ -26,6 +26,18 @@ impl ChannelNoise {
         step: 0.0,
     };
 
+    /// Returns the root mean square of the axes' densities of white noise.
+    #[must_use]
+    pub fn mean_density(&self) -> f64 {
+        root_mean_square(self.density)
+    }
+
+    /// Returns the root mean square of the axes' random walks.
+    #[must_use]
+    pub fn mean_random_walk(&self) -> f64 {
+        root_mean_square(self.random_walk)
+    }
+
     /// Returns the standard deviation of the white noise of a sample at a rate in Hz.
     #[must_use]
     pub fn sample_deviation(&self, rate_hz: f64) -> DVec3 {
@@ -101,6 +113,10 @@ impl Channel {
     pub const fn bias(&self) -> DVec3 {
         self.bias
     }
+}
+
+fn root_mean_square(axes: DVec3) -> f64 {
+    (axes.length_squared() / 3.0).sqrt()
 }
 
 #[cfg(test)]

@@ -37,6 +37,7 @@ fn errors(twin: &Twin, lens: LensChoice, name: &str) -> Vec<f64> {
     let cameras = PairCameras::new(twin, &options).unwrap();
     let of = PairOf::Twin {
         twin,
+        cameras: (Role::Left, Role::Right),
         lens,
         is_raw: true,
         rectify: None,

@@ -49,6 +49,7 @@ fn depth(pair: Pair) -> ZDepth {
     let twin = twin();
     let of = PairOf::Twin {
         twin: &twin,
+        cameras: (Role::Left, Role::Right),
         lens: LensChoice::default(),
         is_raw: false,
         rectify: None,

@@ -94,7 +94,7 @@ fn the_median_unit_is_as_accurate_as_published() {
         let mut largest = 0.0;
         for (i, &distance) in distances.iter().enumerate() {
             let error = median(devices.iter().map(|errors| errors[i]).collect());
-            let band = bands.at(distance)[0];
+            let band = &bands.at(distance)[0];
             assert!(
                 error < band.error_percent,
                 "{model} at {distance} m: {error} % exceeds {} %",

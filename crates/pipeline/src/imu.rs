@@ -198,6 +198,12 @@ impl ImuSimulation {
         self.rate_hz
     }
 
+    /// Returns the pose of the sensor in the body's frame, metres.
+    #[must_use]
+    pub const fn body_from_imu(&self) -> &RigidTransform {
+        &self.body_from_imu
+    }
+
     /// Returns the number of samples of the whole trajectory.
     #[must_use]
     pub const fn sample_count(&self) -> u64 {

@@ -45,6 +45,7 @@ impl<'py> Frames<'py> {
                     self.image(py, name, number, image.into_pixels(), &[])?;
                 }
                 Some(Annotation::Scalar(image)) => self.image(py, name, number, image.into_pixels(), &[])?,
+                Some(Annotation::Levels(image)) => self.image(py, name, number, image.into_pixels(), &[])?,
                 Some(Annotation::Color(image) | Annotation::PixelColors(image)) => {
                     self.image(py, name, number, flat(image), &[4])?;
                 }
@@ -152,6 +153,8 @@ impl<'py> Frames<'py> {
         use AnnotationKind as Kind;
         let name = annotator.name();
         match annotator.kind() {
+            Some(Kind::Levels) => self.image::<u16>(py, name, 0, Vec::new(), &[]),
+            Some(Kind::Reasons) => self.image::<u8>(py, name, 0, Vec::new(), &[]),
             Some(Kind::Color | Kind::PixelColors) => self.image::<u8>(py, name, 0, Vec::new(), &[4]),
             Some(Kind::Normals) => self.image::<f32>(py, name, 0, Vec::new(), &[3]),
             Some(Kind::PixelPoints) => self.image::<f32>(py, name, 0, Vec::new(), &[4]),

@@ -1,11 +1,10 @@
 //! Rendered stereo pairs as NumPy arrays.
 
 use oaktwin::camera::{ImageSize, StereoDrift};
-use oaktwin::catalog::Role;
 use oaktwin::depth::imager;
 use oaktwin::pair::{Pair, PairOptions};
 use oaktwin::render::check_size;
-use oaktwin::sensor::SensorOptions;
+use oaktwin::sensor::{SensorOptions, stereo_cameras};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -22,6 +21,8 @@ const BYTES_OF_PIXEL: u64 = 2 * (3 * 4 + 2 + 8 + 2) + 4;
 
 /// The options of `Scene.render_pair`.
 pub(crate) struct PairSettings<'a, 'py> {
+    /// The depth sensor whose pair is rendered; by default the device's first pair.
+    pub(crate) sensor: Option<&'a str>,
     pub(crate) size: Option<(u32, u32)>,
     pub(crate) projector: f64,
     pub(crate) ambient: f64,
@@ -42,7 +43,8 @@ impl PairSettings<'_, '_> {
             }
         }
         let size = self.size.map(|(width, height)| ImageSize::new(width, height));
-        let own = device.twin.camera(Role::Left).map(|left| left.intrinsics.size);
+        let cameras = stereo_cameras(&device.twin, self.sensor).map_err(error)?;
+        let own = device.twin.camera(cameras.0).map(|left| left.intrinsics.size);
         if let Some(size) = size.or(own) {
             check_memory(device, size)?;
         }
@@ -54,6 +56,7 @@ impl PairSettings<'_, '_> {
             ..SensorOptions::default()
         };
         let options = PairOptions {
+            cameras,
             imager: sensors,
             projector: self.projector,
             ambient: self.ambient,

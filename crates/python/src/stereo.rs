@@ -28,13 +28,15 @@ use crate::threads;
 use source::Source;
 
 #[doc = concat!(
-    "StereoMatcher(device=None, *, raw=None, rectify=None, fx=None, hfov_deg=None, baseline=None, platform=None, ",
+    "StereoMatcher(device=None, *, sensor=None, raw=None, rectify=None, fx=None, hfov_deg=None, baseline=None, platform=None, ",
     include_str!("generated/matcher_options.signature"),
     ")\n--\n"
 )]
 /// The stereo matcher of an OAK: a left and a right image in, depth out. Equivalent to `oaktwin stereo` for files.
 ///
 /// device: the device that took the images; or None for any rectified pair, with fx (or hfov_deg) and baseline.
+/// sensor: the depth sensor whose pair took the images, by prim, such as "Camera_pseudo_depth_50mm" of the OAK-D LR; by default
+///     the device's first pair.
 /// raw: whether the images are unrectified and have to be rectified first, as on the device; by default True for a
 ///     calibrated device and for a fisheye lens.
 /// rectify: the rectification method for raw images: "homography" (ignores lens distortion), "mesh" (a position every 16
@@ -168,13 +170,14 @@ impl StereoMatcher {
 #[pymethods]
 impl StereoMatcher {
     #[new]
-    #[pyo3(signature = (device = None, *, raw = None, rectify = None, fx = None, hfov_deg = None, baseline = None,
+    #[pyo3(signature = (device = None, *, sensor = None, raw = None, rectify = None, fx = None, hfov_deg = None, baseline = None,
         platform = None, **options))]
     #[pyo3(text_signature = None)]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn new(
         py: Python<'_>,
         device: Option<&Bound<'_, Device>>,
+        sensor: Option<&str>,
         raw: Option<bool>,
         rectify: Option<&str>,
         fx: Option<f64>,
@@ -194,10 +197,14 @@ impl StereoMatcher {
                     remedy,
                 ));
             }
-            Some(device) => Source::device(device, raw, rectify)?,
-            None if raw == Some(true) || rectify.is_some() => {
+            Some(device) => Source::device(device, sensor, raw, rectify)?,
+            None if raw == Some(true) || rectify.is_some() || sensor.is_some() => {
                 let is = "require a device";
-                return Err(wrong("raw, rectify", is, "pass a device, or rectified images"));
+                return Err(wrong(
+                    "sensor, raw, rectify",
+                    is,
+                    "pass a device, or rectified images",
+                ));
             }
             None => Source::rectified(fx, hfov_deg, baseline)?,
         };
@@ -217,9 +224,12 @@ impl StereoMatcher {
         let device = match &self.source {
             Source::Device {
                 device,
+                sensor,
                 is_raw,
                 rectify,
+                ..
             } => {
+                options.set_item("sensor", sensor)?;
                 options.set_item("raw", is_raw)?;
                 options.set_item("rectify", rectify.map(Method::name))?;
                 Some(device)

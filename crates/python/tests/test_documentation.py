@@ -29,6 +29,7 @@ NOT_RUN = {
 REPORTS_FINDINGS = {"accuracy", "check", "fit", "stereo"}
 # Pages whose snippets are excerpts of an example's program, which has a test of its own: only their syntax is checked.
 EXCERPTS = {
+    "docs/python/imu.md",
     "docs/python/record_wall.md",
     "docs/python/isaac_lab_batch.md",
     "docs/python/isaac_sim.md",

@@ -80,11 +80,13 @@ def test_a_wall_is_where_the_camera_sees_it(model, engine, settings):
     assert distance.shape == (camera.height, camera.width)
     check_plane(move(images_from_output, unprojected(distance, camera)))
     sensor.reset()
-    names = ["depth_sensor_distance", POSITION, COLOR]
+    names = ["depth_sensor_distance", POSITION, COLOR, "depth_sensor_confidence"]
     names += ["depth_sensor_imager", "depth_sensor_output_visualization"] if engine == "single-view" else []
     made = sensor.annotate(wall(images), rgb, annotators=names)
     assert {array.shape[:2] for array in made.values()} == {distance.shape}
     assert np.array_equal(made["depth_sensor_distance"], distance)
+    confidence = made["depth_sensor_confidence"]
+    assert confidence.dtype == np.uint16 and (confidence[distance > 0] > 0).mean() > 0.5
     is_valid = made[POSITION][..., 3] > 0
     assert np.array_equal(is_valid, distance > 0)
     points = move(FLIP, made[POSITION][is_valid][:, :3])

@@ -151,6 +151,26 @@ def test_a_nominal_pair_is_rectified(wall):
     assert np.allclose(camera.body_from_camera, device.cameras["left"].body_from_camera)
 
 
+@pytest.mark.parametrize("sensor, baseline", [(None, 0.15), ("Camera_pseudo_depth_100mm", 0.1), ("Camera_pseudo_depth_50mm", 0.05)])
+def test_pairs_of_a_device_with_three(wall, sensor, baseline):
+    device = oaktwin.Device("OAK-D LR")
+    taken = wall.render_pair(device, AHEAD, sensor=sensor, size=(640, 400), imager={"noise": False})
+    matcher = oaktwin.StereoMatcher(device, sensor=sensor)
+    assert matcher.baseline == pytest.approx(baseline)
+    seen = matcher(taken["left"], taken["right"])
+    assert np.allclose(matcher.camera.body_from_camera, device.depth_camera(sensor).body_from_camera)
+    truth = wall.render(matcher.camera, AHEAD @ matcher.camera.body_from_camera)["distance_to_image_plane"]
+    assert np.array_equal(truth, taken["z"])
+    assert same(pickle.loads(pickle.dumps(matcher))(taken["left"], taken["right"]), seen)
+
+
+def test_pairs_that_a_device_lacks(wall):
+    with pytest.raises(oaktwin.Error, match="has no depth sensor 'Camera_pseudo_depth_60mm'; did you mean"):
+        oaktwin.StereoMatcher(oaktwin.Device("OAK-D LR"), sensor="Camera_pseudo_depth_60mm")
+    with pytest.raises(oaktwin.Error, match="is no stereo pair; choose Camera_pseudo_depth_stereo"):
+        wall.render_pair(oaktwin.Device("OAK-D ToF"), AHEAD, sensor="tof")
+
+
 def test_options_of_rendered_pairs(wall):
     device = oaktwin.Device(PRO)
     take = lambda **options: wall.render_pair(device, AHEAD, size=(320, 200), **options)
@@ -261,8 +281,8 @@ def test_small_images(matcher):
         ({"hfov_deg": 180, "baseline": 0.1}, "hfov"),
         ({"fx": 300, "baseline": 0}, "baseline"),
         ({"fx": 300, "baseline": float("inf")}, "baseline"),
-        ({"fx": 300, "baseline": 0.1, "raw": True}, "raw, rectify: require a device"),
-        ({"fx": 300, "baseline": 0.1, "rectify": "full"}, "raw, rectify: require a device"),
+        ({"fx": 300, "baseline": 0.1, "raw": True}, "sensor, raw, rectify: require a device"),
+        ({"fx": 300, "baseline": 0.1, "rectify": "full"}, "sensor, raw, rectify: require a device"),
         ({"fx": 300, "baseline": 0.1, "platform": "rvc5"}, "platform: invalid value 'rvc5'; did you mean 'rvc"),
         ({"fx": 300, "baseline": 0.1, "preset": "robotic"}, "robotic"),
         ({"fx": 300, "baseline": 0.1, "filters": ["medium"]}, "median"),

@@ -243,6 +243,7 @@ impl DepthSensor {
 pub(crate) fn bands(published: Option<&Bands>) -> Vec<Band> {
     let bands = published.iter().flat_map(|bands| &bands.bands);
     bands
+        .flat_map(oaktwin::accuracy::Band::steps)
         .map(|band| Band {
             from_m: band.from_m,
             to_m: band.to_m,

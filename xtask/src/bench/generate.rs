@@ -1,8 +1,8 @@
-//! Data sets: the table-top recipe, compared with a script that uses Open3D and NumPy.
+//! Data sets: the table-top recipe, compared with a script that uses Open3D and NumPy, and with the rendering of Blender and pyrender.
 
 use std::process::Command;
 
-use crate::python::PEERS;
+use crate::python::{BLENDER, PEERS};
 use crate::workspace::{self, check};
 
 #[derive(clap::Args)]
@@ -19,11 +19,15 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
     let root = workspace::root();
     let script = root.join("tests/oracles/bench_generate.py");
     let recipe = root.join("examples/recipes/table_top.toml");
-    check(
-        Command::new(&python)
-            .arg(script)
-            .arg(program)
-            .arg(recipe)
-            .arg(args.frames.to_string()),
-    )
+    let mut command = Command::new(&python);
+    command
+        .arg(script)
+        .arg(program)
+        .arg(recipe)
+        .arg(args.frames.to_string());
+    match BLENDER.ready() {
+        Ok(blender) => _ = command.arg(blender),
+        Err(error) => println!("Blender and pyrender are skipped: {error}"),
+    }
+    check(&mut command)
 }

@@ -1,6 +1,5 @@
 use std::fmt::Write as _;
 
-use oaktwin_camera::math::DVec3;
 use oaktwin_catalog::InertialPart;
 use oaktwin_diagnostic::{Finding, Level};
 
@@ -22,18 +21,25 @@ pub fn kalibr_imu(part: &InertialPart) -> Export {
         (
             "accelerometer_noise_density",
             "m/s^2/sqrt(Hz)",
-            accelerometer.density,
+            accelerometer.mean_density(),
         ),
         (
             "accelerometer_random_walk",
             "m/s^3/sqrt(Hz)",
-            accelerometer.random_walk,
+            accelerometer.mean_random_walk(),
         ),
-        ("gyroscope_noise_density", "rad/s/sqrt(Hz)", gyroscope.density),
-        ("gyroscope_random_walk", "rad/s^2/sqrt(Hz)", gyroscope.random_walk),
+        (
+            "gyroscope_noise_density",
+            "rad/s/sqrt(Hz)",
+            gyroscope.mean_density(),
+        ),
+        (
+            "gyroscope_random_walk",
+            "rad/s^2/sqrt(Hz)",
+            gyroscope.mean_random_walk(),
+        ),
     ];
-    for (key, unit, axes) in numbers {
-        let value = root_mean_square(axes);
+    for (key, unit, value) in numbers {
         if value > 0.0 {
             // Writing to a string cannot fail.
             _ = writeln!(text, "{key}: {value:.4e}  # {unit}");
@@ -55,10 +61,6 @@ pub fn kalibr_imu(part: &InertialPart) -> Export {
     _ = write!(text, "rostopic: /imu/data_raw\nupdate_rate: {rate_hz:.1}  # Hz\n");
     export.files.push(("imu.yaml".to_owned(), text));
     export
-}
-
-fn root_mean_square(axes: DVec3) -> f64 {
-    (axes.length_squared() / 3.0).sqrt()
 }
 
 #[cfg(test)]

@@ -86,8 +86,8 @@ pub(super) fn accuracy(doc: &Document<'_>, at: &str, table: &Accuracy) -> Checke
             ));
         }
         nearest_from_m = band.from_m;
-        if let Some(percent) = band.error_percent {
-            positive(doc, &place, percent)?;
+        for error in [band.error_percent, band.error_mm].into_iter().flatten() {
+            positive(doc, &place, error)?;
         }
     }
     Ok(())

@@ -45,6 +45,15 @@ pub(crate) struct StereoArgs {
     #[command(flatten, next_help_heading = "Cameras")]
     pub(crate) unit: UnitArgs,
 
+    /// The depth sensor whose pair took the images, by prim; by default the model's first pair
+    #[arg(
+        long,
+        value_name = "PRIM",
+        conflicts_with_all = ["fx", "hfov"],
+        help_heading = "Cameras"
+    )]
+    pub(crate) sensor: Option<String>,
+
     /// The focal length of any rectified pair, px
     #[arg(
         long,

@@ -141,9 +141,9 @@ fn accuracy_text(out: &mut String, report: &DeviceReport) {
                     .condition
                     .as_ref()
                     .map_or_else(String::new, |c| format!(" ({c})"));
-                band.error_percent.map_or_else(
+                band.limit(" %").map_or_else(
                     || format!("{range} n/a{condition}"),
-                    |e| format!("{range} < {e} %{condition}"),
+                    |limit| format!("{range} < {limit}{condition}"),
                 )
             })
             .collect();

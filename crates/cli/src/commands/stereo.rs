@@ -5,6 +5,7 @@ use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::RectifyOptions;
 use oaktwin::diagnostic::{Finding, suggest};
 use oaktwin::sense::FieldOfView;
+use oaktwin::sensor::stereo_cameras;
 use oaktwin::stereo::{self, PairOf, StereoOptions, StereoOutput};
 use oaktwin::unit;
 
@@ -117,6 +118,7 @@ fn pair_of<'a>(args: &StereoArgs, twin: Option<&'a Twin>) -> Result<PairOf<'a>> 
     let is_raw = args.raw || args.rectify.is_some() || (by_default && !args.rectified);
     Ok(PairOf::Twin {
         twin,
+        cameras: stereo_cameras(twin, args.sensor.as_deref())?,
         lens: args.unit.lens,
         is_raw,
         rectify: args.rectify.map(|method| {

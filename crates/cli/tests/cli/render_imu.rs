@@ -152,6 +152,7 @@ fn invalid_requests_are_refused() {
     program.put("one.txt", "0 0 0 0 0 0 0 1\n");
     program.put("twice.txt", "0 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n");
     program.put("back.txt", "0 0 0 0 0 0 0 1\n-1 0 0 0 0 0 0 1\n");
+    program.put("zero.txt", "0 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 0\n");
     program.put("ages.txt", "0 0 0 0 0 0 0 1\n1700000000 0 0 0 0 0 0 1\n");
     program.put(
         "untimed.json",
@@ -164,6 +165,7 @@ fn invalid_requests_are_refused() {
         &["--trajectory", "one.txt", "--imu", "imu.csv"],
         &["--trajectory", "twice.txt", "--imu", "imu.csv"],
         &["--trajectory", "back.txt", "--imu", "imu.csv"],
+        &["--trajectory", "zero.txt", "--imu", "imu.csv"],
         &["--trajectory", "ages.txt", "--imu", "imu.csv"],
         &["--trajectory", "untimed.json", "--imu", "imu.csv"],
         &["--trajectory", "path.txt", "--imu", "imu.csv", "--imu-rate", "0"],

@@ -218,3 +218,58 @@ fn what_makes_no_sense_is_refused() {
     }
     insta::assert_snapshot!(all);
 }
+
+#[test]
+fn each_of_several_pairs_can_be_chosen() {
+    let program = program();
+    let model = ["--model", "oak-d-lr", "--engine", "stereo-matching", "--up", "z"];
+    for (sensor, baseline) in [
+        ("Camera_pseudo_depth", "150.0 mm"),
+        ("Camera_pseudo_depth_100mm", "100.0 mm"),
+        ("Camera_pseudo_depth_50mm", "50.0 mm"),
+    ] {
+        program.good(&[&OAK[..], &model, &["--camera", sensor, "-o", sensor, "--pair"]].concat());
+        let own = depth(&program, &format!("{sensor}/{SENSED}"));
+        assert!(right(&own) > 0.6, "{sensor}: {}", right(&own));
+        let pair = ["left", "right"].map(|side| format!("{sensor}/{side}_0000.png"));
+        let matched = format!("{sensor}_matched");
+        let arguments = [
+            "stereo", &pair[0], &pair[1], "--model", "oak-d-lr", "--sensor", sensor, "-o", &matched,
+        ];
+        let said = program.good(&arguments);
+        assert!(said.contains(&format!("baseline {baseline}")), "{said}");
+        let found = depth(&program, &format!("{matched}/depth_sensor_distance_0000.npy"));
+        assert_eq!(found, own, "{sensor}");
+    }
+    let all = program.refused(&[&OAK[..], &model, &["-o", "all"]].concat());
+    assert!(
+        all.contains("have different stereo pairs; choose one of them"),
+        "{all}"
+    );
+    let unknown = program.refused(&[
+        "stereo",
+        "a.png",
+        "b.png",
+        "--model",
+        "oak-d-lr",
+        "--sensor",
+        "Camera_pseudo_depth_60mm",
+    ]);
+    assert!(
+        unknown.contains("did you mean 'Camera_pseudo_depth_50mm'"),
+        "{unknown}"
+    );
+    let light = program.refused(&[
+        "stereo",
+        "a.png",
+        "b.png",
+        "--model",
+        "oak-d-tof",
+        "--sensor",
+        "tof",
+    ]);
+    assert!(
+        light.contains("is no stereo pair; choose Camera_pseudo_depth_stereo"),
+        "{light}"
+    );
+}

@@ -48,21 +48,24 @@ impl<'a> FrameFiles<'a> {
         self.add(path, move || Ok(png::encode(&fixed(metres, per_metre))?));
     }
 
-    /// Adds the depth of a frame in the folder `depth`, `depth_exact` if that is measured, and `depth_reason` if the reasons for missing
-    /// values are known.
+    /// Adds the depth of a frame in the folder `depth`, `depth_exact` if that is measured, and what is known about the measurement:
+    /// `depth_reason` and `depth_confidence`.
     pub(super) fn add_depths(&mut self, depths: &Depths<'a>, per_metre: f32, path: impl Fn(&str) -> PathBuf) {
         for (folder, depth) in [("depth", depths.main), ("depth_exact", depths.exact)] {
             if let Some(depth) = depth {
                 self.add_depth(path(folder), depth, per_metre);
             }
         }
-        self.add_reasons(depths, path("depth_reason"));
+        self.add_quality(depths, path);
     }
 
-    /// Adds the reasons for missing values, if they are known.
-    pub(super) fn add_reasons(&mut self, depths: &Depths<'a>, path: impl Into<PathBuf>) {
+    /// Adds the reasons for missing values and the confidence, if they are known.
+    pub(super) fn add_quality<P: Into<PathBuf>>(&mut self, depths: &Depths<'a>, path: impl Fn(&str) -> P) {
         if let Some(reasons) = depths.reasons {
-            self.add(path, || Ok(png::encode(&reasons.codes)?));
+            self.add(path("depth_reason"), || Ok(png::encode(&reasons.codes)?));
+        }
+        if let Some(confidence) = depths.confidence {
+            self.add(path("depth_confidence"), || Ok(png::encode(confidence)?));
         }
     }
 
@@ -178,6 +181,8 @@ pub(super) struct Depths<'a> {
     pub(super) exact: Option<&'a Image<f32>>,
     /// The reasons for missing values of measured depth.
     pub(super) reasons: Option<&'a Reasons>,
+    /// The confidence of measured depth.
+    pub(super) confidence: Option<&'a Image<u16>>,
     /// Whether there is measured depth, but of another camera.
     is_foreign: bool,
 }
@@ -197,12 +202,14 @@ impl<'a> Depths<'a> {
                 main: Some(measured),
                 exact,
                 reasons: shot.frame.depth_sensor_reason.as_ref(),
+                confidence: shot.frame.depth_sensor_confidence.as_ref(),
                 is_foreign: false,
             },
             None => Self {
                 main: exact,
                 exact: None,
                 reasons: None,
+                confidence: None,
                 is_foreign: measured.is_some(),
             },
         }

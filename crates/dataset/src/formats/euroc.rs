@@ -6,8 +6,8 @@ use oaktwin_diagnostic::Finding;
 use oaktwin_files::OutputFiles;
 use serde_json::{Value, json};
 
-use super::common::{Depths, FrameFiles, by_folder, center, matrix, number, pinhole, quaternion, rgb, text};
-use crate::{Format, Records, Shot, View, WriteError};
+use super::common::{Depths, FrameFiles, by_folder, center, number, pinhole, quaternion, rgb, text};
+use crate::{Format, Records, Shot, View, WriteError, euroc};
 
 const NAME: &str = "euroc";
 const PER_METRE: f32 = 1000.0;
@@ -62,13 +62,12 @@ impl Format for Euroc {
 /// The description of a camera, without its rate.
 fn sensor(view: &View, body_from_camera: &RigidTransform) -> String {
     let intrinsics = &view.camera.intrinsics;
-    let rows = matrix(body_from_camera).map(|row| row.map(|value| format!("{value:.12}")).join(", "));
     let [cx, cy] = center(intrinsics);
     format!(
-        "sensor_type: camera\nT_BS:\n  cols: 4\n  rows: 4\n  data: [{}]\nresolution: [{}, {}]\ncamera_model: pinhole\n\
+        "sensor_type: camera\n{}resolution: [{}, {}]\ncamera_model: pinhole\n\
          intrinsics: [{:.9}, {:.9}, {cx:.9}, {cy:.9}]\ndistortion_model: radial-tangential\n\
          distortion_coefficients: [0.0, 0.0, 0.0, 0.0]\n",
-        rows.join(",\n         "),
+        euroc::pose(body_from_camera),
         intrinsics.size.width,
         intrinsics.size.height,
         intrinsics.fx,

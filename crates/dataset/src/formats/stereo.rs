@@ -139,7 +139,7 @@ impl Format for SceneFlow {
     }
 }
 
-/// Writes the files of a frame, with the measured depth as PFM and the reasons for missing values if there are any, and returns the frame's record.
+/// Writes the files of a frame, with the measured depth as PFM and what is known about it, and returns the frame's record.
 fn write_with_depth<'a>(
     mut frame: FrameFiles<'a>,
     path: impl Fn(&str, &str) -> String,
@@ -150,7 +150,7 @@ fn write_with_depth<'a>(
     if let (Some(measured), Some(_)) = (depths.main, depths.exact) {
         frame.add(path("depth_sensor", "pfm"), move || Ok(pfm::encode(measured)));
     }
-    frame.add_reasons(&depths, path("depth_reason", "png"));
+    frame.add_quality(&depths, |kind| path(kind, "png"));
     frame.write(output)?;
     let mut record = json!({});
     depths.add_common(&mut record);

@@ -55,12 +55,15 @@ impl Engine for SingleView {
             Annotator::DepthSensorImager,
             Annotator::DepthSensorOutputVisualization,
             Annotator::DepthSensorReason,
+            Annotator::DepthSensorConfidence,
         ]
     }
 
     fn needs_rgb(&self, output: Annotator) -> bool {
         match output {
-            Annotator::DepthSensorImager | Annotator::DepthSensorPointCloudColor => true,
+            Annotator::DepthSensorImager
+            | Annotator::DepthSensorPointCloudColor
+            | Annotator::DepthSensorConfidence => true,
             Annotator::DepthSensorOutputVisualization => {
                 self.parameters().rgb_depth_output_mode == OutputMode::Color
             }
@@ -120,6 +123,7 @@ impl Engine for SingleView {
             imager: wants(Annotator::DepthSensorImager),
             view: wants(Annotator::DepthSensorOutputVisualization),
             reasons: wants(Annotator::DepthSensorReason),
+            confidence: wants(Annotator::DepthSensorConfidence),
         };
         let mut output = self.sense(shot, random, wanted);
         let reasons = output.reasons.as_mut();
@@ -130,6 +134,7 @@ impl Engine for SingleView {
         capture.add(Annotator::DepthSensorImager, output.imager);
         capture.add(Annotator::DepthSensorOutputVisualization, output.view);
         capture.add(Annotator::DepthSensorReason, output.reasons);
+        capture.add(Annotator::DepthSensorConfidence, output.confidence);
         Ok(capture)
     }
 

@@ -84,6 +84,7 @@ impl Engine for StereoMatching {
             Annotator::Disparity,
             Annotator::Confidence,
             Annotator::DepthSensorReason,
+            Annotator::DepthSensorConfidence,
         ]
     }
 
@@ -192,6 +193,9 @@ impl Engine for StereoMatching {
             shift_px: p.disparity_shift_px,
         });
         capture.add(Annotator::Disparity, disparity);
+        let levels =
+            wants(Annotator::DepthSensorConfidence).then(|| matched.confidence.map(|byte| u16::from(*byte)));
+        capture.add(Annotator::DepthSensorConfidence, levels);
         let confidence = wants(Annotator::Confidence).then_some(matched.confidence);
         capture.add(Annotator::Confidence, confidence);
         capture.add(Annotator::DepthSensorReason, reasons);

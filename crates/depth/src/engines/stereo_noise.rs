@@ -47,7 +47,14 @@ impl Engine for StereoNoise {
     }
 
     fn outputs(&self) -> &'static [Annotator] {
-        &[Annotator::DepthSensorReason]
+        &[Annotator::DepthSensorReason, Annotator::DepthSensorConfidence]
+    }
+
+    fn needs_rgb(&self, output: Annotator) -> bool {
+        matches!(
+            output,
+            Annotator::DepthSensorPointCloudColor | Annotator::DepthSensorConfidence
+        )
     }
 
     fn nearest_m(&self, _width_px: u32) -> f64 {
@@ -128,6 +135,9 @@ impl Engine for StereoNoise {
         let filtered = run_on_metres(filters, &depth, shot.rgb(), Filter::is_of_depth, reasons.as_mut());
         let mut capture = Capture::new(depth, filtered);
         capture.add(Annotator::DepthSensorReason, reasons);
+        if request.contains(&Annotator::DepthSensorConfidence) {
+            capture.add(Annotator::DepthSensorConfidence, self.confidence(shot));
+        }
         Ok(capture)
     }
 

@@ -48,7 +48,7 @@ impl Engine for TimeOfFlight {
     }
 
     fn outputs(&self) -> &'static [Annotator] {
-        &[Annotator::DepthSensorReason]
+        &[Annotator::DepthSensorReason, Annotator::DepthSensorConfidence]
     }
 
     fn nearest_m(&self, _width_px: u32) -> f64 {
@@ -80,13 +80,18 @@ impl Engine for TimeOfFlight {
         filters: &mut Chain,
     ) -> Result<Capture, ParameterError> {
         let shot = input.shot(&TIME_OF_FLIGHT)?;
-        let depth = self.sense(shot, random);
-        let mut reasons = request
-            .contains(&Annotator::DepthSensorReason)
-            .then(|| self.reasons(shot, random));
+        let wants = |annotator| request.contains(&annotator);
+        let (depth, confidence) = if wants(Annotator::DepthSensorConfidence) {
+            let (depth, confidence) = self.sense_with_confidence(shot, random);
+            (depth, Some(confidence))
+        } else {
+            (self.sense(shot, random), None)
+        };
+        let mut reasons = wants(Annotator::DepthSensorReason).then(|| self.reasons(shot, random));
         let filtered = run_on_metres(filters, &depth, shot.rgb(), |_| true, reasons.as_mut());
         let mut capture = Capture::new(depth, filtered);
         capture.add(Annotator::DepthSensorReason, reasons);
+        capture.add(Annotator::DepthSensorConfidence, confidence);
         Ok(capture)
     }
 

@@ -20,6 +20,18 @@ impl Default for DepthConfidence {
 }
 
 impl DepthConfidence {
+    /// Returns the confidence of a pixel, 65 535 at most; 0 where the amplitude or the depth is 0.
+    #[must_use]
+    pub fn of(amplitude: u16, depth_mm: u16) -> u16 {
+        if amplitude == 0 || depth_mm == 0 {
+            return 0;
+        }
+        let confidence = raw(f32::from(amplitude), f32::from(depth_mm)).min(f32::from(u16::MAX));
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it fits")]
+        let whole = saturating_trunc(confidence) as u16;
+        whole
+    }
+
     /// Drops the pixels of `depth` (millimetres) that are too dark, and returns the confidence image. Where images of different
     /// sizes do not overlap, nothing changes.
     #[must_use]
@@ -63,6 +75,11 @@ impl DepthConfidence {
 /// The confidence of a pixel without amplitude or depth.
 const WITHOUT: f32 = 6_553_500.0;
 
+#[inline(always)]
+fn raw(amplitude: f32, depth: f32) -> f32 {
+    100.0 * (amplitude / (depth / 2.0).sqrt())
+}
+
 struct Rows<'a> {
     threshold: f32,
     amplitude: &'a [u16],
@@ -79,7 +96,7 @@ impl Kernel for Rows<'_> {
         for ((depth, out), &amplitude) in pixels {
             let (a, d) = (f32::from(amplitude), f32::from(*depth));
             let nothing = (amplitude == 0) | (*depth == 0);
-            let confidence = 100.0 * (a / (d / 2.0).sqrt());
+            let confidence = raw(a, d);
             #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,

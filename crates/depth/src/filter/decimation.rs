@@ -103,15 +103,22 @@ impl Sample for f32 {
     }
 }
 
-impl Sample for u8 {
-    #[expect(clippy::cast_possible_truncation, reason = "a mean of bytes")]
-    fn mean(values: impl Iterator<Item = Self>) -> Self {
-        let (sum, count) = values.fold((0u32, 0u32), |(sum, count), value| {
-            (sum + u32::from(value), count + 1)
-        });
-        ((sum + count / 2) / count.max(1)) as Self
-    }
+/// Implements the mean of small whole numbers, halves up.
+macro_rules! whole {
+    ($($number:ty)+) => {$(
+        impl Sample for $number {
+            #[expect(clippy::cast_possible_truncation, reason = "a mean is no larger than its values")]
+            fn mean(values: impl Iterator<Item = Self>) -> Self {
+                let (sum, count) = values.fold((0u32, 0u32), |(sum, count), value| {
+                    (sum + u32::from(value), count + 1)
+                });
+                ((sum + count / 2) / count.max(1)) as Self
+            }
+        }
+    )+};
 }
+
+whole!(u8 u16);
 
 impl<T: Sample> Sample for [T; 4] {
     fn mean(values: impl Iterator<Item = Self>) -> Self {

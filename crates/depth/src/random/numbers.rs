@@ -16,13 +16,17 @@ impl Numbers {
         Self { plane, next: 0 }
     }
 
-    /// Returns a number in [0, 1).
-    pub fn uniform(&mut self) -> f64 {
+    /// Returns 64 random bits.
+    pub fn bits(&mut self) -> u64 {
         let [a, b, ..] = self.plane.words(self.next, 0);
         self.next += 1;
-        let bits = (u64::from(a) << 32 | u64::from(b)) >> 11;
+        u64::from(a) << 32 | u64::from(b)
+    }
+
+    /// Returns a number in [0, 1).
+    pub fn uniform(&mut self) -> f64 {
         #[expect(clippy::cast_precision_loss, reason = "53 bits")]
-        let bits = bits as f64;
+        let bits = (self.bits() >> 11) as f64;
         bits * (1.0 / (1u64 << 53) as f64)
     }
 

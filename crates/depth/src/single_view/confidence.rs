@@ -15,6 +15,13 @@ pub(super) fn luma([red, green, blue]: [f32; 3], rgb: &[[u8; 4]], out: &mut [f32
     }
 }
 
+/// Returns a confidence of 0 to 1 as a whole number of 0 to 255.
+pub(super) fn level(confidence: f32) -> u16 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
+    let level = saturating_trunc(255.0 * confidence + 0.5) as u16;
+    level
+}
+
 /// The luma in levels of 8 bits of three rows around the current one. Beyond the image, its border is repeated.
 #[derive(Debug, Default)]
 pub(super) struct Texture {

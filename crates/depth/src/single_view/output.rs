@@ -15,6 +15,8 @@ pub struct Wanted {
     pub view: bool,
     /// Why pixels have no value.
     pub reasons: bool,
+    /// The confidence; requires a colour image.
+    pub confidence: bool,
 }
 
 /// The outputs of the sensor; all images have the shot's size.
@@ -33,6 +35,8 @@ pub struct Output {
     pub view: Option<Image<[u8; 4]>>,
     /// Why pixels have no value.
     pub reasons: Option<ReasonCodes>,
+    /// The confidence of the sample in each pixel, 0 to 255; 0 without a sample.
+    pub confidence: Option<Image<u16>>,
 }
 
 impl Output {

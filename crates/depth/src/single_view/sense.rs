@@ -32,6 +32,7 @@ pub(super) fn sense(sensor: &SingleView, shot: &Shot<'_>, random: &Stream, wante
         imager: image(wanted.imager && has_rgb, width, height, 0.0),
         view: image(has_view, width, height, [0; 4]),
         reasons: image(wanted.reasons, width, height, 0).map(ReasonCodes),
+        confidence: image(wanted.confidence && has_rgb, width, height, 0),
     };
     let plan = Plan::new(sensor.parameters(), sensor.assumptions(), width, height);
     if plan.width == 0 || plan.height == 0 {
@@ -76,6 +77,7 @@ pub(super) fn batch(
             imager: None,
             view: None,
             reasons: None,
+            confidence: None,
         };
         let random = Planes::new(random, &shot);
         tile::sense(&plan, &shot, &random, OutputMode::Color, &mut rows, scratch);

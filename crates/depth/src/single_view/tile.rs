@@ -26,6 +26,7 @@ pub(super) struct Rows<'a> {
     pub(super) imager: Option<&'a mut [f32]>,
     pub(super) view: Option<&'a mut [[u8; 4]]>,
     pub(super) reasons: Option<&'a mut [u8]>,
+    pub(super) confidence: Option<&'a mut [u16]>,
 }
 
 impl<'a> Rows<'a> {
@@ -52,6 +53,10 @@ impl<'a> Rows<'a> {
             .reasons
             .as_mut()
             .map(|codes| codes.0.pixels_mut().chunks_mut(length));
+        let mut confidence = output
+            .confidence
+            .as_mut()
+            .map(|levels| levels.pixels_mut().chunks_mut(length));
         let parts = output.distance.0.pixels_mut().chunks_mut(length);
         parts
             .enumerate()
@@ -63,6 +68,7 @@ impl<'a> Rows<'a> {
                 imager: imager.as_mut().and_then(Iterator::next),
                 view: view.as_mut().and_then(Iterator::next),
                 reasons: reasons.as_mut().and_then(Iterator::next),
+                confidence: confidence.as_mut().and_then(Iterator::next),
             })
             .collect()
     }
@@ -109,7 +115,9 @@ pub(super) fn sense(
 ) {
     let mode = rows.view.is_some().then_some(mode);
     let sister_needs = rows.positions.is_some() || rows.colors.is_some();
-    let needs_sources = sister_needs || matches!(mode, Some(OutputMode::Confidence | OutputMode::Disparity));
+    let needs_sources = sister_needs
+        || rows.confidence.is_some()
+        || matches!(mode, Some(OutputMode::Confidence | OutputMode::Disparity));
     let mut ranks = std::mem::take(&mut scratch.ranks);
     let mut keys = std::mem::take(&mut scratch.keys);
     let padded = plan.width.next_multiple_of(LANES);
@@ -150,6 +158,7 @@ impl<'a, 'b, K: Key> Tile<'a, 'b, K> {
         landed: &'a mut [K],
     ) -> Self {
         let picture = shot.rgb().map(|rgb| rgb.pixels());
+        let shows_confidence = mode == Some(OutputMode::Confidence) || rows.confidence.is_some();
         Self {
             plan,
             shot,
@@ -160,7 +169,7 @@ impl<'a, 'b, K: Key> Tile<'a, 'b, K> {
             scratch,
             landed,
             picture,
-            textured: picture.filter(|_| plan.can_lack || mode == Some(OutputMode::Confidence)),
+            textured: picture.filter(|_| plan.can_lack || shows_confidence),
         }
     }
 }
@@ -277,6 +286,14 @@ impl<K: Key> Tile<'_, '_, K> {
                 &mut reasons[at.clone()],
             );
         }
+        if let Some(levels) = &mut self.rows.confidence {
+            for (x, (level, key)) in levels[at.clone()].iter_mut().zip(&*self.landed).enumerate() {
+                *level = match key.rank() {
+                    u32::NONE => 0,
+                    _ => confidence::level(confidence_of(plan, scratch, x, key.column() as usize)),
+                };
+            }
+        }
         self.visualize(depth, at);
     }
 
@@ -324,13 +341,9 @@ impl<K: Key> Tile<'_, '_, K> {
         if mode == OutputMode::Disparity {
             return view::disparity(plan, d);
         }
-        let at = match plan.confidence_at {
-            ConfidenceAt::Source => source,
-            ConfidenceAt::Target => x,
-        };
         // Without a colour image, confidence is 1.
         let confidence = if is_textured {
-            scratch.texture.confidence[at]
+            confidence_of(plan, scratch, x, source)
         } else {
             1.0
         };
@@ -353,6 +366,10 @@ impl<K: Key> Tile<'_, '_, K> {
                 distance[x] = distance[near];
                 if let Some(sources) = &mut sources {
                     sources[x] = sources[near];
+                }
+                if let Some(levels) = &mut self.rows.confidence {
+                    let levels = &mut levels[at.clone()];
+                    levels[x] = levels[near];
                 }
             }
             for x in outliers::columns(lone.measured) {
@@ -404,6 +421,15 @@ impl<K: Key> Tile<'_, '_, K> {
             }
         }
     }
+}
+
+/// Returns the confidence of the sample that moved from a column to column `x` of the row that was moved last.
+fn confidence_of(plan: &Plan, scratch: &Scratch, x: usize, source: usize) -> f32 {
+    let at = match plan.confidence_at {
+        ConfidenceAt::Source => source,
+        ConfidenceAt::Target => x,
+    };
+    scratch.texture.confidence[at]
 }
 
 /// Gathers the values of the samples that moved to each pixel, and the invalid value elsewhere.

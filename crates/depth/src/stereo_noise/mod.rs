@@ -44,6 +44,7 @@
 //! * In extended mode the device matches near objects in images of half the size; here they have the same resolution.
 
 mod batch;
+mod confidence;
 mod dilation;
 mod field;
 mod parameters;
@@ -113,6 +114,11 @@ impl StereoNoise {
     #[must_use]
     pub fn sense(&self, shot: &Shot<'_>, random: &Stream) -> ZDepth {
         ZDepth(self.image(shot, random, |fixed, _, out| self.table.look_up(fixed, out)))
+    }
+
+    /// Returns the confidence of each pixel, 0 to 255; `None` without a colour image.
+    pub(crate) fn confidence(&self, shot: &Shot<'_>) -> Option<Image<u16>> {
+        confidence::confidence(&self.parameters, shot)
     }
 
     /// Returns why pixels of [`StereoNoise::disparity`] have no value.

@@ -57,7 +57,7 @@ mod unwrap;
 
 pub use parameters::{DEVICE_BIAS_SIGMA_M, INDOOR_E, OUTDOOR_E, Parameters};
 
-use oaktwin_image::{Image, ZDepth};
+use oaktwin_image::{Image, ZDepth, millimetres};
 
 use self::light::Lamp;
 use self::receive::{Limits, Receiver};
@@ -142,6 +142,18 @@ impl TimeOfFlight {
         };
         Job::new(self, shot, random).output(&mut out);
         out
+    }
+
+    /// Measures a shot as [`TimeOfFlight::sense`] does, and returns the confidence of each pixel as [`DepthConfidence::of`]
+    /// does.
+    pub(crate) fn sense_with_confidence(&self, shot: &Shot<'_>, random: &Stream) -> (ZDepth, Image<u16>) {
+        let output = self.output(shot, random);
+        let mut confidence = output.amplitude;
+        let depths = millimetres::from_metres(&output.distance.0);
+        for (level, depth) in confidence.pixels_mut().iter_mut().zip(depths.pixels()) {
+            *level = DepthConfidence::of(*level, *depth);
+        }
+        (output.distance, confidence)
     }
 
     /// Returns why pixels of [`TimeOfFlight::sense`] have no value.

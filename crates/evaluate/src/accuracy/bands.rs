@@ -22,8 +22,11 @@ pub struct Band {
     pub from_m: f64,
     /// The end of the range, exclusive except for the last band.
     pub to_m: f64,
-    /// The upper limit of the error.
+    /// The upper limit of the error in percent of the distance.
     pub error_percent: f64,
+    /// What adds to it at every distance, mm.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub error_mm: f64,
     /// The condition, such as `indoors`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub condition: Option<String>,
@@ -55,11 +58,11 @@ impl Bands {
         self.bands.iter().map(|band| band.to_m).reduce(f64::max)
     }
 
-    /// Returns the bands at a distance, the strictest first.
+    /// Returns the bands at a distance, the strictest first, with their whole limit there in percent.
     #[must_use]
-    pub fn at(&self, distance_m: f64) -> Vec<&Band> {
+    pub fn at(&self, distance_m: f64) -> Vec<Band> {
         let end = self.end_m();
-        let mut found: Vec<&Band> = self
+        let mut found: Vec<Band> = self
             .bands
             .iter()
             .filter(|band| {
@@ -67,17 +70,62 @@ impl Bands {
                     distance_m < band.to_m || (distance_m <= band.to_m && end == Some(band.to_m));
                 distance_m >= band.from_m && is_before_end
             })
+            .map(|band| band.at(distance_m))
             .collect();
         found.sort_by(|a, b| a.error_percent.total_cmp(&b.error_percent));
         found
     }
 }
 
+/// The parts into which the range of a limit that is no constant percentage is split.
+const STEPS: u32 = 50;
+
+impl Band {
+    /// Returns the band with its whole limit at a distance in percent.
+    fn at(&self, distance_m: f64) -> Self {
+        // 1 mm is 0.1 % of 1 m.
+        let fixed = match self.error_mm > 0.0 {
+            true => 0.1 * self.error_mm / distance_m,
+            false => 0.0,
+        };
+        Self {
+            error_percent: self.error_percent + fixed,
+            error_mm: 0.0,
+            ..self.clone()
+        }
+    }
+
+    /// Returns the band as bands whose limits are percentages: itself, or narrow ones with the limits at their middles.
+    #[must_use]
+    pub fn steps(&self) -> Vec<Self> {
+        if is_zero(&self.error_mm) {
+            return vec![self.clone()];
+        }
+        let width = (self.to_m - self.from_m) / f64::from(STEPS);
+        let step = |number: u32| {
+            let from_m = self.from_m + width * f64::from(number);
+            Self {
+                from_m,
+                to_m: from_m + width,
+                ..self.at(from_m + 0.5 * width)
+            }
+        };
+        (0..STEPS).map(step).collect()
+    }
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde requires")]
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
+}
+
 fn band(band: &AccuracyBand) -> Option<Band> {
+    band.error_percent.or(band.error_mm)?;
     Some(Band {
         from_m: band.from_m,
         to_m: band.to_m,
-        error_percent: band.error_percent?,
+        error_percent: band.error_percent.unwrap_or(0.0),
+        error_mm: band.error_mm.unwrap_or(0.0),
         condition: band.condition.clone(),
     })
 }
@@ -119,6 +167,23 @@ mod tests {
         assert_eq!(percents(&tof, 5.0), [1.0, 2.0]);
         assert!(percents(&tof, 0.1).is_empty());
         assert_eq!(bands("oak-d-tof", DepthKind::Stereo), None);
+    }
+
+    #[test]
+    fn a_limit_can_have_a_part_that_does_not_grow() {
+        let kinect = bands("azure-kinect", DepthKind::Tof).unwrap();
+        let limit = |distance_m: f64| percents(&kinect, distance_m)[0];
+        // 11 mm + 0.1 % of the distance.
+        assert!((limit(1.0) - 1.2).abs() < 1e-12 && (limit(2.0) - 0.65).abs() < 1e-12);
+        assert!(percents(&kinect, 0.4).is_empty());
+        let steps = kinect.bands[0].steps();
+        assert_eq!((steps[0].from_m, steps.len()), (0.5, 50));
+        assert!((steps[49].to_m - 3.86).abs() < 1e-9);
+        for step in &steps {
+            assert!(limit(step.from_m) > step.error_percent && step.error_percent > limit(step.to_m - 1e-9));
+        }
+        let pro = bands("oak-d-pro-poe", DepthKind::Stereo).unwrap();
+        assert_eq!(pro.bands[0].steps(), [pro.bands[0].clone()]);
     }
 
     #[test]

@@ -7,7 +7,7 @@ use oaktwin_render::{Backend, Clip, Renderer, View};
 use oaktwin_camera::math::DAffine3;
 use oaktwin_camera::{Camera, Intrinsics, LensModel, PixelPoint, RigidTransform, Usd};
 use oaktwin_image::annotation::Annotator;
-use oaktwin_image::{Image, ZDepth, noise};
+use oaktwin_image::{Image, noise};
 use oaktwin_pipeline::render::AnnotateOptions;
 use oaktwin_scene::{
     Attribute, Instance, Light, LightKind, Material, MaterialSpan, Mesh, Scene, Texture, TextureSource,
@@ -34,12 +34,6 @@ const SIZES: u16 = 4;
 
 /// Grey levels between the darkest and the brightest square of one size, chosen so that little of their sum is clipped.
 const CONTRAST: f32 = 114.0;
-
-/// A rendered view of a board.
-pub(super) struct Sight {
-    pub(super) depth: ZDepth,
-    pub(super) rgb: Image<[u8; 4]>,
-}
 
 /// A board in front of a stereo pair.
 pub(super) struct Board {
@@ -68,20 +62,18 @@ impl Board {
     }
 }
 
-/// Renders a board of random grey squares, perpendicular to the optical axis at a distance, that extends beyond the image.
-pub(super) fn render(intrinsics: Intrinsics, distance_m: f64) -> Option<Sight> {
+/// Renders a board of random grey squares, perpendicular to the optical axis, that extends beyond the image. It looks the same at
+/// every distance.
+pub(super) fn picture(intrinsics: Intrinsics) -> Option<Image<[u8; 4]>> {
     let view = View {
         camera: Camera::new(intrinsics, LensModel::Pinhole),
         world_from_camera: RigidTransform::IDENTITY,
         clip: Clip::default(),
     };
-    let renderer = Renderer::new(scene(&intrinsics, distance_m, (GRAIN_PX, MARGIN_PX)));
-    let wanted = [Annotator::Rgb, Annotator::DistanceToImagePlane];
+    let renderer = Renderer::new(scene(&intrinsics, 1.0, (GRAIN_PX, MARGIN_PX)));
+    let wanted = [Annotator::Rgb];
     let (frame, _) = renderer.annotate(&view, &wanted, Backend::Auto, &AnnotateOptions::default());
-    Some(Sight {
-        depth: frame.distance_to_image_plane?,
-        rgb: frame.rgb?,
-    })
+    frame.rgb
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "a mesh is float32")]
@@ -166,33 +158,38 @@ fn pattern() -> Image<[u8; 4]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use oaktwin_camera::ImageSize;
+    use oaktwin_camera::{ImageSize, OpenCv};
 
     #[test]
-    fn board_is_flat_and_textured_and_fills_the_image() {
+    fn board_is_textured_and_fills_the_image() {
         let size = ImageSize::new(96, 64);
         let intrinsics = Intrinsics::new(size, 805.0, 805.0, PixelPoint::<Usd>::new(150.0, -40.0));
-        for distance in [0.2, 1.7, 12.0, 65.0] {
-            let sight = render(intrinsics, distance).unwrap();
-            let errors = sight
-                .depth
-                .0
-                .pixels()
-                .iter()
-                .map(|z| (f64::from(*z) / distance - 1.0).abs());
-            assert!(errors.fold(0.0, f64::max) < 1e-6);
-            let grey: Vec<f64> = sight
-                .rgb
-                .pixels()
-                .iter()
-                .map(|pixel| f64::from(pixel[1]))
-                .collect();
-            let mean = grey.iter().sum::<f64>() / grey.len() as f64;
-            let variance = grey.iter().map(|g| (g - mean).powi(2)).sum::<f64>() / grey.len() as f64;
-            assert!(
-                (80.0..180.0).contains(&mean) && variance.sqrt() > 35.0,
-                "{distance}: {mean} {variance}"
-            );
+        let picture = picture(intrinsics).unwrap();
+        assert!(picture.pixels().iter().all(|pixel| pixel[3] == 255));
+        let grey: Vec<f64> = picture.pixels().iter().map(|pixel| f64::from(pixel[1])).collect();
+        let mean = grey.iter().sum::<f64>() / grey.len() as f64;
+        let variance = grey.iter().map(|g| (g - mean).powi(2)).sum::<f64>() / grey.len() as f64;
+        assert!(
+            (80.0..180.0).contains(&mean) && variance.sqrt() > 35.0,
+            "{mean} {variance}"
+        );
+    }
+
+    #[test]
+    fn a_part_shows_what_the_whole_does() {
+        let axis = PixelPoint::<OpenCv>::new(100.3, 60.8);
+        let whole = Intrinsics::new(ImageSize::new(200, 120), 805.0, 803.0, axis);
+        let part = whole.cropped(PixelPoint::<OpenCv>::new(40.0, 30.0), ImageSize::new(90, 50));
+        let (whole, part) = (picture(whole).unwrap(), picture(part).unwrap());
+        let mut differences = 0;
+        for (y, row) in part.rows().enumerate() {
+            for (x, pixel) in row.iter().enumerate() {
+                let other = whole.get(x as u32 + 40, y as u32 + 30).unwrap();
+                let apart = pixel[1].abs_diff(other[1]);
+                assert!(apart <= 1, "{x} {y}: {pixel:?} {other:?}");
+                differences += u32::from(apart);
+            }
         }
+        assert!(differences < 45, "{differences}");
     }
 }

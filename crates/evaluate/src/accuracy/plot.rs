@@ -1,6 +1,6 @@
 //! The figure of error over distance.
 
-use super::{Bands, Comparison, Devices, Reading, Report, Row};
+use super::{Band, Bands, Comparison, Devices, Reading, Report, Row};
 use crate::figure::{Axis, Figure, Layer, Shape};
 use oaktwin_catalog::Source;
 
@@ -165,6 +165,7 @@ fn bands(published: Option<&Bands>, is_signed: bool) -> Vec<Layer> {
             .iter()
             .filter(|band| band.condition.as_deref() == condition);
         let steps = of
+            .flat_map(Band::steps)
             .map(|band| {
                 let low = if is_signed { -band.error_percent } else { 0.0 };
                 [band.from_m, band.to_m, low, band.error_percent]
@@ -192,7 +193,8 @@ fn vertical(
     spread: &[[f64; 3]],
 ) -> [f64; 2] {
     let bands = published.map(|bands| bands.bands.as_slice()).unwrap_or_default();
-    let widest = (bands.iter().filter(|band| band.from_m < far_m))
+    let widest = (bands.iter().flat_map(Band::steps))
+        .filter(|band| band.from_m < far_m)
         .map(|band| band.error_percent)
         .fold(0.0, f64::max);
     let values = lines.into_iter().flatten().map(|point| point[1]);

@@ -196,7 +196,7 @@ impl Row {
         let other: Vec<Measured> = units.iter().filter_map(|unit| unit.other).collect();
         let reading = Reading::new(&own, distance_m);
         let bands: Vec<Band> = published
-            .map(|published| published.at(distance_m).into_iter().cloned().collect())
+            .map(|published| published.at(distance_m))
             .unwrap_or_default();
         Self {
             distance_m,

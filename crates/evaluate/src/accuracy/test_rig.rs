@@ -1,7 +1,7 @@
 //! The test rig: a flat board at a distance, and cameras that face its centre.
 
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use oaktwin_camera::{ImageSize, Intrinsics, OpenCv, PixelPoint};
 use oaktwin_depth::DriftedPair;
@@ -14,7 +14,7 @@ use oaktwin_pipeline::sensor::{Engine, Input, ParameterError, Sensor, Shot};
 use rayon::prelude::*;
 
 use super::AccuracyError;
-use super::board::{self, Board, Sight};
+use super::board::{self, Board};
 use super::stereo_camera::StereoCamera;
 use crate::measure::{Optics, Quality, Region, Vendor, quality, vendor};
 
@@ -37,6 +37,8 @@ pub(super) struct TestRig {
     pub(super) random: Stream,
     /// The stereo cameras, for engines that match pairs.
     pub(super) stereo_camera: Option<StereoCamera>,
+    /// The picture of the board in the rows around the region, which is the same at every distance.
+    pub(super) picture: OnceLock<Option<Image<[u8; 4]>>>,
 }
 
 /// One unit of the camera.
@@ -183,6 +185,7 @@ impl TestRig {
         let engines = || self.units.iter().map(|unit| &unit.engine);
         let around = engines().map(|engine| engine.support_px()).max().unwrap_or(0);
         let around = around + if is_filtered { AROUND_FILTERS_PX } else { AROUND_PX };
+        let rows = grown(&self.region.rows, around, size.height);
         let reach = engines()
             .map(|engine| engine.reach_px(size.width, distance_m).abs())
             .fold(0.0, f64::max)
@@ -198,27 +201,41 @@ impl TestRig {
         } else {
             grown(&self.region.columns, sideways, size.width)
         };
-        let rows = grown(&self.region.rows, around, size.height);
-        let top_left = PixelPoint::<OpenCv>::new(f64::from(columns.start), f64::from(rows.start));
         let within = |range: &Range<u32>, start: u32| range.start - start..range.end - start;
         Part {
             region: Region {
                 columns: within(&self.region.columns, columns.start),
                 rows: within(&self.region.rows, rows.start),
             },
-            intrinsics: self.intrinsics.cropped(
-                top_left,
-                ImageSize::new(columns.end - columns.start, rows.end - rows.start),
-            ),
+            intrinsics: cropped(&self.intrinsics, &columns, &rows),
+            columns,
+            rows,
         }
     }
+
+    /// Returns the picture of the board in a part of the image.
+    fn picture(&self, part: &Part) -> Option<Image<[u8; 4]>> {
+        let whole = 0..self.intrinsics.size.width;
+        let render = || board::picture(cropped(&self.intrinsics, &whole, &part.rows));
+        let picture = self.picture.get_or_init(render).as_ref()?;
+        let columns = part.columns.start as usize..part.columns.end as usize;
+        let rows = picture.rows().filter_map(|row| row.get(columns.clone()));
+        let size = part.intrinsics.size;
+        Image::new(size.width, size.height, rows.flatten().copied().collect())
+    }
+}
+
+fn cropped(intrinsics: &Intrinsics, columns: &Range<u32>, rows: &Range<u32>) -> Intrinsics {
+    let top_left = PixelPoint::<OpenCv>::new(f64::from(columns.start), f64::from(rows.start));
+    let size = ImageSize::new(columns.end - columns.start, rows.end - rows.start);
+    intrinsics.cropped(top_left, size)
 }
 
 /// The scene in front of the cameras.
 struct Scenery<'a> {
     distance_m: f64,
-    /// Rendered depth and colour, for engines that require depth.
-    sight: Option<Sight>,
+    /// The depth and the picture of the board, for engines that require depth.
+    sight: Option<(Image<f32>, Image<[u8; 4]>)>,
     /// The board, the cameras, and the light on the left one, for engines that require pairs.
     pair: Option<(Board, &'a StereoCamera, Image<f32>)>,
 }
@@ -230,9 +247,12 @@ impl<'a> Scenery<'a> {
             let left = stereo_camera.left(&board, part.intrinsics);
             (board, stereo_camera, left)
         });
+        let size = part.intrinsics.size;
+        #[expect(clippy::cast_possible_truncation, reason = "depth is float32")]
+        let depth = || Image::filled(size.width, size.height, distance_m as f32);
         let sight = match pair {
             Some(_) => None,
-            None => board::render(part.intrinsics, distance_m),
+            None => rig.picture(part).map(|picture| (depth(), picture)),
         };
         Self {
             distance_m,
@@ -260,11 +280,11 @@ impl<'a> Scenery<'a> {
             });
             return captures.collect();
         }
-        let Some(sight) = &self.sight else {
+        let Some((depth, picture)) = &self.sight else {
             return Ok(Vec::new());
         };
-        let shot = Shot::new((&sight.depth.0).into());
-        let mut shot = shot.with_rgb((&sight.rgb).into()).unwrap_or(shot);
+        let shot = Shot::new(depth.into());
+        let mut shot = shot.with_rgb(picture.into()).unwrap_or(shot);
         let captures = (0..count).map(|frame| {
             (shot.frame, shot.item) = (frame.into(), item);
             Ok(sensor.capture(shot, &[])?.distance)
@@ -289,6 +309,9 @@ fn grown(range: &Range<u32>, by: u32, end: u32) -> Range<u32> {
 /// A part of the depth image.
 struct Part {
     intrinsics: Intrinsics,
+    /// The columns and rows of the whole image.
+    columns: Range<u32>,
+    rows: Range<u32>,
     /// The measured region of the part.
     region: Region,
 }

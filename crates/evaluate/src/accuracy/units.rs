@@ -1,6 +1,6 @@
 //! The units of a twin's depth sensor that are measured.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::stereo_camera::StereoCamera;
 use super::test_rig::{TestRig, Unit};
@@ -180,6 +180,7 @@ fn rig(
     Ok(TestRig {
         intrinsics,
         stereo_camera: camera,
+        picture: OnceLock::new(),
         units,
         first,
         random: Stream::new(options.engine.seed, &depth.spec.prim),

@@ -44,12 +44,7 @@ impl Arrangement {
     pub(crate) fn draw(context: &Context, number: u64) -> Result<Self, GenerateError> {
         let recipe = &context.file.recipe;
         let random = context.random;
-        let bases: Vec<usize> = (0..context.bases.len()).collect();
-        let base = random
-            .numbers("scene", number)
-            .pick(&bases)
-            .copied()
-            .unwrap_or_default();
+        let base = context.base_of(number);
         let model = random
             .numbers("camera.model", number)
             .pick(&recipe.camera.model.0)
@@ -77,6 +72,15 @@ impl Arrangement {
                 .projector
                 .draw(&mut random.numbers("light.projector", number)),
         })
+    }
+}
+
+impl Context {
+    /// Returns the index of the base scene of an arrangement.
+    pub(crate) fn base_of(&self, number: u64) -> usize {
+        let bases: Vec<usize> = (0..self.bases.len()).collect();
+        let mut numbers = self.random.numbers("scene", number);
+        numbers.pick(&bases).copied().unwrap_or_default()
     }
 }
 

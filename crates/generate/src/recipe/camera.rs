@@ -2,7 +2,7 @@ use oaktwin_camera::ImageSize;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Quantity, Texts};
+use super::{ImuRule, Quantity, Texts};
 
 /// The camera and its place: on a sphere, in a box or along a trajectory. By default it is on a sphere around the objects.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
@@ -25,6 +25,9 @@ pub struct CameraRule {
     /// pose; after the last pose the trajectory begins again.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub trajectory: Option<String>,
+    /// The inertial sensor, for the format `euroc` with a trajectory. Its time is that of the frames: `output.interval_s` between poses.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub imu: Option<ImuRule>,
     /// The target of the camera: `objects`, `scene`, the path of a prim or a point [x, y, z]. `objects` is one of the objects, and
     /// the centre of the base scene if there are none.
     pub look_at: Target,
@@ -51,6 +54,7 @@ impl Default for CameraRule {
             sphere: None,
             inside: None,
             trajectory: None,
+            imu: None,
             look_at: Target::default(),
             look_jitter_m: 0.05,
             roll_deg: Quantity::Normal {

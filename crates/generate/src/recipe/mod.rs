@@ -1,6 +1,7 @@
 //! Recipes: what a data set contains, as TOML.
 
 mod camera;
+mod imu;
 mod light;
 mod objects;
 mod output;
@@ -17,6 +18,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 pub use camera::{BoxPlacement, CameraRule, SpherePlacement, Target};
+pub use imu::ImuRule;
 pub use light::{Lamps, LightRule, Sky, Sun};
 pub use objects::{Appearance, LookRule, ObjectRule, Pose, Region};
 pub use output::{OutputRule, ParameterValue, SensorRule};

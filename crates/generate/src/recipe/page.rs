@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::schema;
 
 /// The tables of a recipe: how they are written, and the definition in the schema.
-const TABLES: [(&str, &str); 18] = [
+const TABLES: [(&str, &str); 19] = [
     ("", ""),
     ("scene_options", "SceneRule"),
     ("[objects]", "ObjectRule"),
@@ -20,6 +20,7 @@ const TABLES: [(&str, &str); 18] = [
     ("camera", "CameraRule"),
     ("camera.sphere", "SpherePlacement"),
     ("camera.box", "BoxPlacement"),
+    ("camera.imu", "ImuRule"),
     ("unit", "UnitRule"),
     ("unit.drift", "DriftRule"),
     ("sensor", "SensorRule"),

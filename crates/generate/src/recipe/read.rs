@@ -248,6 +248,13 @@ fn check_camera(camera: &CameraRule) -> Result<(), Wrong> {
         let remedy = format!("remove it or {first}");
         return Err(wrong(second, "is a second place of the camera", remedy));
     }
+    if camera.imu.is_some() && camera.trajectory.is_none() {
+        let remedy = "add camera.trajectory, or remove it";
+        return Err(wrong("camera.imu", "requires poses that are a motion", remedy));
+    }
+    if let Some(rate_hz) = camera.imu.as_ref().and_then(|imu| imu.rate_hz) {
+        within("camera.imu.rate_hz", &rate_hz.into(), 1e-3, 1e5)?;
+    }
     if let Some(sphere) = &camera.sphere {
         within("camera.sphere.distance_m", &sphere.distance_m, 1e-3, 1e6)?;
         within("camera.sphere.elevation_deg", &sphere.elevation_deg, -89.9, 89.9)?;
@@ -324,6 +331,7 @@ mod tests {
                 "second place of the camera",
             ),
             ("[camera.box]\nmin=[0,0,2]\nmax=[1,1,1]", "min is larger"),
+            ("[camera.imu]", "r.toml:1: imu: requires poses that are a motion"),
             ("seed = nan", "not a finite number"),
             (
                 "[sensor.parameters]\njitter = [1]",

@@ -40,6 +40,8 @@ pub(super) fn finish(
         findings.extend(format.finish(&mut records, &mut output)?);
         shared.extend(store.describe(output.files())?);
         packed.append(&mut output.take_packed());
+        let samples = context.write_inertial(store, &frames, folder, context.formats[index].name)?;
+        shared.extend(store.describe(samples.files())?);
     }
     write_manifest(
         context,

@@ -21,6 +21,7 @@ use crate::frame::FrameMaker;
 use crate::recipe::RecipeFile;
 
 pub use generation::Generation;
+pub(crate) use store::Store;
 
 /// Options of the generation of a data set.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

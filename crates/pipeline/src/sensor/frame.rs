@@ -51,6 +51,7 @@ pub(crate) fn frame(
     let depth_sensor_reason = capture
         .take::<ReasonCodes>(Annotator::DepthSensorReason)
         .map(Into::into);
+    let depth_sensor_confidence = capture.take(Annotator::DepthSensorConfidence);
     let points = wants(POSITION)
         .then(|| moved_points.unwrap_or_else(|| points(&sensor.output_camera(camera), &capture.distance.0)));
     let colors = match sensor.engine().outputs().contains(&COLOR) {
@@ -69,6 +70,7 @@ pub(crate) fn frame(
         depth_sensor_imager,
         depth_sensor_output_visualization,
         depth_sensor_reason,
+        depth_sensor_confidence,
         depth_sensor_distance: wants(Annotator::DepthSensorDistance).then_some(capture.distance),
         ..Frame::default()
     }

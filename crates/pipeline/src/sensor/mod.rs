@@ -21,7 +21,7 @@ pub use oaktwin_depth::{
     Sensor, Setup, Shot, Technology, single_view,
 };
 
-pub use choose::depth_sensor;
+pub use choose::{depth_sensor, stereo_cameras};
 pub(crate) use frame::{capture, frame, sensor_view};
 pub(crate) use matching::needs_a_pair;
 pub use matching::stereo_matching;

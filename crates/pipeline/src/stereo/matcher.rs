@@ -12,7 +12,7 @@ use crate::sensor::{
     stereo_matching as sensor,
 };
 use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform, StereoGeometry};
-use oaktwin_catalog::Twin;
+use oaktwin_catalog::{Role, Twin};
 use oaktwin_depth::imager::Recorded;
 use oaktwin_depth::preset::Platform;
 use oaktwin_depth::rectify::{Method, RectifyOptions, StereoRectify};
@@ -28,6 +28,8 @@ pub enum PairOf<'a> {
     Twin {
         /// The device.
         twin: &'a Twin,
+        /// The left and the right camera.
+        cameras: (Role, Role),
         /// The lens of the wide models' nominal cameras.
         lens: LensChoice,
         /// Whether the images are raw, not rectified.
@@ -80,12 +82,14 @@ impl Matcher {
         let (rectify, intrinsics, body_from_camera, stereo, platform, place) = match *of {
             PairOf::Twin {
                 twin,
+                cameras,
                 lens,
                 is_raw,
                 rectify,
                 platform: chosen,
             } => {
                 let pair = PairOptions {
+                    cameras,
                     rectify,
                     lens,
                     size: Some(size),

@@ -159,6 +159,7 @@ class Scene:
         device: Device,
         world_from_body: npt.ArrayLike,
         *,
+        sensor: str | None = None,
         size: Sequence[int] | None = None,
         projector: float = 0.0,
         ambient: float = 1.0,
@@ -172,6 +173,8 @@ class Scene:
 
         device: the device with the stereo pair.
         world_from_body: the pose of its body, (4, 4), metres; x forward, y left, z up. See `look_at` with frame="body".
+        sensor: the depth sensor with the pair, by prim, such as "Camera_pseudo_depth_50mm" of the OAK-D LR; by default the
+            device's first pair.
         size: (width, height) of the images in px, resized by DepthAI's rule; by default the cameras' own.
         projector: the intensity of a Pro's infrared dot projector, from 0 (default, off) to 1.
         ambient: the scale of the scene's lights; 0 is darkness.

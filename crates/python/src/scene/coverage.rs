@@ -62,6 +62,7 @@ pub(crate) fn coverage<'py>(
     let mut rigs = Vec::new();
     for device in &devices {
         let pair = PairSettings {
+            sensor: None,
             size: size.map(|Size(width, height)| (width, height)),
             projector,
             ambient,

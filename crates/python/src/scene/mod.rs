@@ -293,6 +293,8 @@ impl Scene {
     ///
     /// device: the device with the stereo pair.
     /// world_from_body: the pose of its body, (4, 4), metres; x forward, y left, z up. See `look_at` with frame="body".
+    /// sensor: the depth sensor with the pair, by prim, such as "Camera_pseudo_depth_50mm" of the OAK-D LR; by default the
+    ///     device's first pair.
     /// size: (width, height) of the images in px, resized by DepthAI's rule; by default the cameras' own.
     /// projector: the intensity of a Pro's infrared dot projector, from 0 (default, off) to 1.
     /// ambient: the scale of the scene's lights; 0 is darkness.
@@ -310,7 +312,7 @@ impl Scene {
     ///
     /// Issues an oaktwin.FindingWarning for missing or unsupported contents. Raises oaktwin.Error for a device without a stereo
     /// pair or without the requested projector, an invalid pose, values out of range, and images that do not fit in memory.
-    #[pyo3(signature = (device, world_from_body, *, size = None, projector = 0.0, ambient = 1.0, imager = None, seed = None,
+    #[pyo3(signature = (device, world_from_body, *, sensor = None, size = None, projector = 0.0, ambient = 1.0, imager = None, seed = None,
         device_seed = None, drift = None, frame = None))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn render_pair<'py>(
@@ -318,6 +320,7 @@ impl Scene {
         py: Python<'py>,
         device: &Device,
         world_from_body: &Bound<'py, PyAny>,
+        sensor: Option<&str>,
         size: Option<Size>,
         projector: f64,
         ambient: f64,
@@ -328,6 +331,7 @@ impl Scene {
         frame: Option<FrameNumber>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let settings = PairSettings {
+            sensor,
             size: size.map(|Size(width, height)| (width, height)),
             projector,
             ambient,

@@ -24,6 +24,7 @@ pub(super) fn sensor_array(py: Python<'_>, annotation: Annotation) -> PyResult<O
     match annotation {
         Annotation::ZDepth(image) => array(py, image.0).map(Some),
         Annotation::Scalar(image) => array(py, image).map(Some),
+        Annotation::Levels(image) => array(py, image).map(Some),
         Annotation::Reasons(reasons) => array(py, reasons.codes).map(Some),
         Annotation::PixelPoints(image) => vectors(py, image).map(Some),
         Annotation::Color(image) | Annotation::PixelColors(image) => vectors(py, image).map(Some),

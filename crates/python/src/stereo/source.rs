@@ -5,7 +5,7 @@ use oaktwin::catalog::{Origin, Role};
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::{Method, RectifyOptions};
 use oaktwin::sense::FieldOfView;
-use oaktwin::sensor::SensorOptions;
+use oaktwin::sensor::{SensorOptions, stereo_cameras};
 use oaktwin::stereo::{Matcher, PairOf, StereoError, check_calibration};
 use oaktwin::usd::asset::LensChoice;
 use pyo3::prelude::*;
@@ -24,6 +24,9 @@ const FIRST_SIZE: ImageSize = ImageSize {
 pub(super) enum Source {
     Device {
         device: Py<Device>,
+        /// The name of the depth sensor, if one was chosen, and the left and the right camera of its pair.
+        sensor: Option<String>,
+        cameras: (Role, Role),
         is_raw: bool,
         rectify: Option<Method>,
     },
@@ -36,6 +39,7 @@ pub(super) enum Source {
 impl Source {
     pub(super) fn device(
         device: &Bound<'_, Device>,
+        sensor: Option<&str>,
         raw: Option<bool>,
         rectify: Option<&str>,
     ) -> PyResult<Self> {
@@ -51,6 +55,8 @@ impl Source {
         }
         Ok(Self::Device {
             device: device.clone().unbind(),
+            sensor: sensor.map(str::to_owned),
+            cameras: stereo_cameras(&own.twin, sensor).map_err(error)?,
             is_raw: raw.unwrap_or(raw_by_default || rectify.is_some()),
             rectify,
         })
@@ -85,8 +91,8 @@ impl Source {
     /// The image size of the matcher before the first pair.
     pub(super) fn first_size(&self) -> ImageSize {
         match self {
-            Self::Device { device, .. } => {
-                let left = device.get().twin.camera(Role::Left);
+            Self::Device { device, cameras, .. } => {
+                let left = device.get().twin.camera(cameras.0);
                 left.map_or(FIRST_SIZE, |left| left.intrinsics.size)
             }
             Self::Rectified { .. } => FIRST_SIZE,
@@ -102,13 +108,16 @@ impl Source {
         let pair_of = match self {
             Self::Device {
                 device,
+                cameras,
                 is_raw,
                 rectify,
+                ..
             } => {
                 let device = device.get();
                 let own = chosen.or_else(|| device.twin.platform());
                 PairOf::Twin {
                     twin: &device.twin,
+                    cameras: *cameras,
                     lens: device.lens,
                     is_raw: *is_raw,
                     rectify: rectify.map(|method| RectifyOptions {

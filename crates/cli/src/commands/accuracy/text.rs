@@ -323,7 +323,10 @@ fn band(row: &Row) -> String {
     if row.bands.is_empty() {
         return "-".to_owned();
     }
-    let one = |band: &Band| format!("<{}", band.error_percent);
+    let one = |band: &Band| {
+        let text = format!("{:.2}", band.error_percent);
+        format!("<{}", text.trim_end_matches('0').trim_end_matches('.'))
+    };
     row.bands.iter().map(one).collect::<Vec<_>>().join(" ")
 }
 

@@ -2,6 +2,7 @@
 
 mod client;
 mod exports;
+mod models;
 mod surface;
 
 use std::net::TcpStream;

@@ -6,6 +6,7 @@ const ALL: Wanted = Wanted {
     imager: true,
     view: true,
     reasons: true,
+    confidence: true,
 };
 
 struct Inputs {

@@ -31,6 +31,16 @@ fn test_rig(model: &str, engine: &'static EngineKind, parameters: &[(&str, &str)
         }],
         random: Stream::new(0, ""),
         stereo_camera: None,
+        picture: OnceLock::new(),
+    }
+}
+
+fn whole(rig: &TestRig) -> Part {
+    Part {
+        intrinsics: rig.intrinsics,
+        columns: 0..rig.intrinsics.size.width,
+        rows: 0..rig.intrinsics.size.height,
+        region: rig.region.clone(),
     }
 }
 
@@ -48,11 +58,9 @@ fn a_crop_measures_the_same_as_the_whole_image() {
         for distance in [0.8, 1.31, 3.3] {
             let part = rig.part(distance);
             assert!(part.intrinsics.size.width < rig.intrinsics.size.width / 2);
-            let whole = Part {
-                intrinsics: rig.intrinsics,
-                region: rig.region.clone(),
-            };
-            let [part, whole] = [part, whole].map(|part| {
+            let [part, whole] = [part, whole(&rig)].map(|part| {
+                // Each with a picture of its own.
+                let rig = test_rig(model, engine, &[quiet]);
                 let scenery = Scenery::new(&rig, &part, distance);
                 let unit = &rig.units[0];
                 let engines = [Some(unit.engine.clone()), other_reading(&unit.engine).unwrap()];
@@ -100,11 +108,7 @@ fn matching_a_crop_nearly_equals_matching_the_whole_image() {
         let distance = rig.disparity_times_depth() / disparity;
         let part = rig.part(distance);
         assert!(part.intrinsics.size.height < rig.intrinsics.size.height / 2);
-        let whole = Part {
-            intrinsics: rig.intrinsics,
-            region: rig.region.clone(),
-        };
-        let [part, whole] = [part, whole].map(|part| {
+        let [part, whole] = [part, whole(&rig)].map(|part| {
             let scenery = Scenery::new(&rig, &part, distance);
             let unit = &rig.units[0];
             let measured = rig.measure_unit(&unit.engine, unit, 0, &scenery, &part, effort);

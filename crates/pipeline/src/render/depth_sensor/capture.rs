@@ -69,13 +69,7 @@ pub fn sense_frame(
         let captured = sensor::capture(sensor, camera, input, requested);
         let rgb = frame.rgb.as_ref().map(ImageView::from);
         if let Ok(capture) = captured {
-            let seen = sensor::frame(sensor, camera, capture, rgb, requested);
-            frame.depth_sensor_distance = seen.depth_sensor_distance;
-            frame.depth_sensor_point_cloud_position = seen.depth_sensor_point_cloud_position;
-            frame.depth_sensor_point_cloud_color = seen.depth_sensor_point_cloud_color;
-            frame.depth_sensor_imager = seen.depth_sensor_imager;
-            frame.depth_sensor_output_visualization = seen.depth_sensor_output_visualization;
-            frame.depth_sensor_reason = seen.depth_sensor_reason;
+            frame.update(sensor::frame(sensor, camera, capture, rgb, requested));
         }
     }
     let is_missing = |annotator: &Annotator| {

@@ -67,6 +67,7 @@ impl Request {
             imager: self.out.imager.is_some(),
             view: self.out.view.is_some(),
             reasons: false,
+            confidence: false,
         };
         let output = sensor.sense(&shot, &Stream::new(self.seed, &self.camera), wanted);
         files::write(&self.out.distance, &output.distance.0)?;

@@ -1,0 +1,62 @@
+//! Frames of every model of the catalog.
+
+use serde_json::{Value, json};
+
+use super::super::render::program;
+use super::client::{frame, request, send, state, text};
+use super::server;
+
+#[test]
+fn every_model_has_frames_with_each_of_its_sensors_and_engines() {
+    let program = program();
+    let server = server(&program);
+    let catalog = server.get("/api/catalog");
+    let mut page = server.page();
+    let (mut id, mut without_depth) = (0, Vec::new());
+    for model in catalog["models"].as_array().unwrap() {
+        let name = model["name"].as_str().unwrap();
+        let sensors = model["depthSensors"].as_array().unwrap();
+        if sensors.is_empty() {
+            without_depth.push(name);
+        }
+        for sensor in sensors {
+            for engine in sensor["engines"].as_array().unwrap() {
+                id += 1;
+                let mut wanted = state();
+                (wanted["model"], wanted["parameters"]) = (model["name"].clone(), json!({}));
+                (wanted["sensor"], wanted["engine"]) = (sensor["id"].clone(), engine.clone());
+                let mut request = request(id, &wanted);
+                request["size"] = json!([64, 40]);
+                send(&mut page, &request);
+                let frame = frame(&mut page);
+                let place = format!("{name}, {}, {engine}", sensor["id"]);
+                assert_eq!(frame.header["id"], json!(id), "{place}");
+                // 16 bits for each pixel.
+                assert_eq!(frame.image("depth").unwrap().len(), 2 * 64 * 40, "{place}");
+                let seen = frame.image("depth").unwrap();
+                assert!(seen.iter().any(|byte| *byte != 0), "{place}");
+                assert_eq!(frame.image("reason").unwrap().len(), 64 * 40, "{place}");
+                let reasons: u64 = frame.header["statistics"]["reasons"]
+                    .as_array()
+                    .unwrap()
+                    .iter()
+                    .map(|count| count.as_u64().unwrap())
+                    .sum();
+                assert_eq!(reasons, 64 * 40, "{place}");
+            }
+        }
+    }
+    assert!(id > 50, "{id}");
+    assert_eq!(without_depth, ["OAK4-S", "OAK-1"]);
+    for name in without_depth {
+        let mut wanted = state();
+        wanted["model"] = json!(name);
+        send(&mut page, &request(1000, &wanted));
+        let answer: Value = text(&mut page);
+        assert_eq!(
+            (&answer["type"], &answer["field"]),
+            (&json!("error"), &json!("sensor")),
+            "{answer}"
+        );
+    }
+}

@@ -1,0 +1,52 @@
+//! The confidence of each pixel as an image.
+
+use oaktwin_image::Image;
+use oaktwin_simd::Level;
+use rayon::prelude::*;
+
+use super::scale::Scale;
+use super::sense::BAND;
+use super::texture::{GAIN, Texture};
+use super::{Parameters, Shot};
+
+/// The memory of one thread.
+#[derive(Default)]
+struct Scratch {
+    texture: Texture,
+    sums: Vec<u32>,
+}
+
+/// Returns the confidence that [`Parameters::confidence_threshold`] is compared with, 0 to 255, also of pixels that are lost for
+/// another reason; `None` without a colour image.
+pub(super) fn confidence(parameters: &Parameters, shot: &Shot<'_>) -> Option<Image<u16>> {
+    let picture = shot.rgb()?;
+    let mut levels = Image::filled(picture.width(), picture.height(), 0);
+    let side = Scale::new(parameters, picture.width()).window;
+    let width = (picture.width() as usize).max(1);
+    let level = Level::detect();
+    levels
+        .pixels_mut()
+        .par_chunks_mut(BAND * width)
+        .enumerate()
+        .for_each_init(Scratch::default, |s, (index, band)| {
+            let first = index * BAND;
+            s.texture.reset(width, side);
+            s.sums.resize(width, 0);
+            for row in first..first + side - 1 {
+                s.texture.slide(level, &picture, row, side, &mut []);
+            }
+            for (y, out) in (first..).zip(band.chunks_exact_mut(width)) {
+                s.texture.slide(level, &picture, y + side - 1, side, &mut s.sums);
+                for (out, sum) in out.iter_mut().zip(&s.sums) {
+                    *out = mean(*sum, side);
+                }
+            }
+        });
+    Some(levels)
+}
+
+/// The confidence of a window with this sum, rounded down.
+fn mean(sum: u32, side: usize) -> u16 {
+    let mean = u64::from(sum) * u64::from(GAIN) / (side * side) as u64;
+    u16::try_from(mean.min(255)).unwrap_or(255)
+}
