@@ -1,9 +1,8 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use oaktwin_catalog::Catalog;
-use oaktwin_dataset::{FormatKind, Model, Needs};
+use oaktwin_dataset::{FormatKind, Needs};
 use oaktwin_diagnostic::{Finding, Message};
 use oaktwin_image::annotation::Annotator;
 use oaktwin_pipeline::render::annotator;
@@ -12,12 +11,11 @@ use oaktwin_pipeline::unit;
 use oaktwin_population::Population;
 
 use crate::GenerateError;
-use crate::arrange::Placed;
-use crate::described::Models;
 use crate::inertial::Inertial;
+use crate::models::Models;
 use crate::random::Random;
 use crate::recipe::{Appearance, ObjectRule, PopulationKind, RecipeFile};
-use crate::unit::Units;
+use crate::units::Units;
 use crate::world::{Base, ObjectFiles, files_of, is_image};
 
 /// The data that all frames of a recipe share.
@@ -40,7 +38,7 @@ pub(crate) struct Context {
     pub(crate) needs: Needs,
     /// The units of each model.
     units: BTreeMap<String, Units>,
-    models: Models,
+    pub(crate) models: Models,
     /// Findings about the recipe and its files.
     pub(crate) findings: Vec<Finding>,
 }
@@ -114,12 +112,6 @@ impl Context {
     /// Returns the units of a model of the recipe.
     pub(crate) fn units(&self, model: &str) -> &Units {
         &self.units[model]
-    }
-
-    /// Returns the model of a placed object.
-    pub(crate) fn model(&self, object: &Placed) -> Arc<Model> {
-        self.models
-            .get(object, &self.object_files.entries[object.entry].name)
     }
 
     /// Creates an error about a value of the recipe.

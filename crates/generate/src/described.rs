@@ -1,7 +1,6 @@
 //! Objects as formats describe them: their models, and their pixels.
 
 use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, PoisonError};
 
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Camera, ImageSize, Intrinsics, OpenCv, PixelPoint};
@@ -52,7 +51,9 @@ pub(crate) fn objects(
                         height,
                     ],
                 },
-                model: context.model(object),
+                model: (context.models).get((object.entry, object.scale.to_bits()), || {
+                    model_of(object, &context.object_files.entries[object.entry].name)
+                }),
                 path: object.path.clone(),
                 world_from_model: object.world_from_object,
                 silhouette: Mask::from_places(&inside),
@@ -139,19 +140,5 @@ fn model_of(object: &Placed, name: &str) -> Model {
         label: object.label.clone(),
         positions,
         triangles,
-    }
-}
-
-/// The models of a data set's objects, created on first use.
-#[derive(Debug, Default)]
-pub(crate) struct Models {
-    known: Mutex<BTreeMap<(usize, u64), Arc<Model>>>,
-}
-
-impl Models {
-    pub(crate) fn get(&self, object: &Placed, name: &str) -> Arc<Model> {
-        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        let model = known.entry((object.entry, object.scale.to_bits()));
-        model.or_insert_with(|| Arc::new(model_of(object, name))).clone()
     }
 }

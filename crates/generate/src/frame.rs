@@ -131,7 +131,7 @@ impl<'a> FrameMaker<'a> {
             let (mut shot, more) = render_shot(stage.renderer(), &rig.cameras, index, number, &options);
             rig.findings.extend(more);
             shot.sequence = arrangement.number;
-            shot.time_ns = time_ns(frame % recipe.frames_per_scene, recipe.output.interval_s);
+            shot.time_ns = recipe.output.time_ns(frame % recipe.frames_per_scene);
             if context.needs.objects {
                 let camera = &rig.cameras[index];
                 let view = camera.view(&camera.world_from_mount);
@@ -163,7 +163,7 @@ impl<'a> FrameMaker<'a> {
                 stage.show(self.context, &arrangement);
                 let unit = &arrangement.unit;
                 Shown {
-                    twin: self.context.units(&unit.model).twin(unit),
+                    twin: self.context.units(&unit.model).twin(unit.number),
                     arrangement,
                     stage,
                 }
@@ -332,15 +332,4 @@ fn engine_of(
     let sensor = twin.depth_sensors.iter().find(|sensor| sensor.spec.prim == *prim);
     let kind = sensor.map_or(DepthKind::Stereo, |sensor| sensor.spec.kind);
     Some(chosen.unwrap_or_else(|| default_engine(kind)))
-}
-
-/// The time of a frame of an arrangement, nanoseconds.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    clippy::cast_precision_loss,
-    reason = "nanoseconds of a data set"
-)]
-pub(crate) fn time_ns(index: u64, interval_s: f64) -> u64 {
-    (index as f64 * interval_s * 1e9).round() as u64
 }

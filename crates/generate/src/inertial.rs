@@ -1,35 +1,19 @@
-//! The samples of the inertial sensor along the trajectory of each arrangement.
+//! The inertial sensors of a recipe.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::collections::BTreeMap;
 
 use oaktwin_catalog::{Catalog, InertialPart};
-use oaktwin_dataset::{WriteError, euroc};
-use oaktwin_diagnostic::Finding;
-use oaktwin_files::OutputFiles;
-use oaktwin_pipeline::imu::{ImuOptions, ImuSimulation, inertial_part, motion};
-use oaktwin_pipeline::render::trajectory::TimedPose;
+use oaktwin_diagnostic::Message;
+use oaktwin_pipeline::imu::inertial_part;
 
-use crate::GenerateError;
-use crate::context::Context;
-use crate::frame::time_ns;
 use crate::recipe::{ImuRule, Recipe};
-use crate::run::Store;
-use crate::unit::DrawnUnit;
-
-/// The format that has samples.
-const FORMAT: &str = "euroc";
-
-/// Samples that are formatted at a time.
-const BATCH: usize = 4096;
 
 /// The inertial sensors of a recipe.
 #[derive(Debug)]
 pub(crate) struct Inertial {
-    rule: ImuRule,
+    pub(crate) rule: ImuRule,
     /// The part of each model.
-    parts: BTreeMap<String, InertialPart>,
+    pub(crate) parts: BTreeMap<String, InertialPart>,
 }
 
 impl Inertial {
@@ -58,130 +42,6 @@ impl Inertial {
 /// What does not fit in a recipe.
 pub(crate) struct Unfit {
     pub(crate) place: &'static str,
-    pub(crate) problem: oaktwin_diagnostic::Message,
-    pub(crate) remedy: oaktwin_diagnostic::Message,
-}
-
-impl Context {
-    /// Checks that the recipe has a motion, and a place for the samples of every model.
-    ///
-    /// # Errors
-    /// Returns an error if it has not.
-    pub(crate) fn check_inertial(&self) -> Result<Vec<Finding>, GenerateError> {
-        let Some(inertial) = &self.inertial else {
-            return Ok(Vec::new());
-        };
-        let recipe = &self.file.recipe;
-        if !self.formats.iter().any(|format| format.name == FORMAT) {
-            let remedy = "add it to output.formats, or remove camera.imu";
-            return Err(self.unfit("camera.imu", "only the format euroc has samples", remedy));
-        }
-        let (poses, frames) = (self.trajectory.len() as u64, recipe.frames_per_scene);
-        if frames < 2 || frames > poses {
-            return Err(self.unfit(
-                "camera.imu",
-                format!("frames_per_scene is {frames}, and the trajectory has {poses} poses"),
-                "give 2 or more frames to an arrangement, but not more than there are poses",
-            ));
-        }
-        let mut findings = Vec::new();
-        for model in inertial.parts.keys() {
-            let unit = DrawnUnit::draw(self, model, 0);
-            for finding in self.samples(inertial, 0, &unit)?.1 {
-                if !findings.contains(&finding) {
-                    findings.push(finding);
-                }
-            }
-        }
-        Ok(findings)
-    }
-
-    /// Returns the samples of an arrangement, whose poses begin at 0.
-    fn samples(
-        &self,
-        inertial: &Inertial,
-        number: u64,
-        unit: &DrawnUnit,
-    ) -> Result<(ImuSimulation, Vec<Finding>), GenerateError> {
-        let recipe = &self.file.recipe;
-        let timed = (0..recipe.frames_per_scene).zip(&self.trajectory);
-        #[expect(clippy::cast_precision_loss, reason = "times of files, nanoseconds")]
-        let timed: Vec<TimedPose> = timed
-            .map(|(index, pose)| TimedPose {
-                time_s: Some(time_ns(index, recipe.output.interval_s) as f64 * 1e-9),
-                ..*pose
-            })
-            .collect();
-        let motion = motion(&timed)
-            .map_err(|error| self.unfit("camera.trajectory", error.to_string(), "correct the trajectory"))?;
-        let twin = self.units(&unit.model).twin(unit);
-        let options = ImuOptions {
-            rate_hz: inertial.rule.rate_hz,
-            seed: self.random.numbers("camera.imu", number).bits(),
-        };
-        let up = self.bases[self.base_of(number)].scene.up;
-        let made = ImuSimulation::new(&twin, &inertial.parts[&unit.model], motion, up, options);
-        made.map_err(|error| self.unfit("camera.imu", error.message, error.remedy))
-    }
-
-    /// Writes the samples of each arrangement that has frames, for each of the formats in these folders that has a place for them.
-    ///
-    /// # Errors
-    /// Returns an error if a record cannot be read, or a file cannot be written.
-    pub(crate) fn write_inertial(
-        &self,
-        store: &Store,
-        frames: &BTreeSet<u64>,
-        folder: &Path,
-        format: &str,
-    ) -> Result<OutputFiles, GenerateError> {
-        let mut output = OutputFiles::in_folder(folder)?;
-        let Some(inertial) = self.inertial.as_ref().filter(|_| format == FORMAT) else {
-            return Ok(output);
-        };
-        let mut last = None;
-        for frame in frames {
-            let number = self.file.recipe.scene_of(*frame);
-            if last.replace(number) == Some(number) {
-                continue;
-            }
-            let unit = store.frame(*frame)?.unit;
-            let (samples, _) = self.samples(inertial, number, &unit)?;
-            let place = PathBuf::from(format!("{number:06}/mav0/imu0"));
-            let part = &inertial.parts[&unit.model];
-            output.write(&place.join("sensor.yaml"), description(part, &samples).as_bytes())?;
-            write_samples(samples, &place.join("data.csv"), &mut output)?;
-        }
-        Ok(output)
-    }
-}
-
-/// The description of an inertial sensor in EuRoC's terms.
-fn description(part: &InertialPart, samples: &ImuSimulation) -> String {
-    let noise = |noise: Option<oaktwin_imu::ChannelNoise>| {
-        noise.map_or([0.0; 2], |noise| [noise.mean_density(), noise.mean_random_walk()])
-    };
-    let [gyroscope, accelerometer] = [part.gyroscope_noise(), part.accelerometer_noise()].map(noise);
-    euroc::imu_description(&euroc::ImuDescription {
-        part: &part.id,
-        body_from_imu: samples.body_from_imu(),
-        rate_hz: samples.rate_hz(),
-        gyroscope,
-        accelerometer,
-    })
-}
-
-fn write_samples(samples: ImuSimulation, path: &Path, output: &mut OutputFiles) -> Result<(), WriteError> {
-    let mut file = output.create(path)?;
-    let mut text = euroc::HEADER.to_owned();
-    for (index, sample) in samples.enumerate() {
-        // Writing to a string cannot fail.
-        _ = write!(text, "{}", euroc::Line(&sample));
-        if index % BATCH == BATCH - 1 {
-            file.append(text.as_bytes())?;
-            text.clear();
-        }
-    }
-    file.append(text.as_bytes())?;
-    Ok(output.finish(file)?)
+    pub(crate) problem: Message,
+    pub(crate) remedy: Message,
 }

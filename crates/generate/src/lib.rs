@@ -30,10 +30,13 @@ mod described;
 mod error;
 mod frame;
 mod inertial;
+mod models;
 mod random;
 pub mod recipe;
 mod run;
+mod samples;
 mod unit;
+mod units;
 mod view;
 mod world;
 

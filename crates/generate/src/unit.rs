@@ -5,27 +5,17 @@ use std::collections::btree_map::Entry;
 use std::path::Path;
 
 use oaktwin_camera::StereoDrift;
-use oaktwin_catalog::Twin;
 use oaktwin_dataset::WriteError;
 use oaktwin_files::OutputFiles;
 use oaktwin_parameter::Table;
-use oaktwin_population::Population;
 use serde::{Deserialize, Serialize};
 
 use crate::context::Context;
 use crate::recipe::DriftRule;
+use crate::units::Units;
 
 /// The folder of calibrations in a data set.
 const FOLDER: &str = "units";
-
-/// The units of a model.
-#[derive(Debug)]
-pub(crate) enum Units {
-    /// Always the nominal unit, or that of the recipe's calibration.
-    One(Box<Twin>),
-    /// Units that are drawn.
-    Population(Box<Population>),
-}
 
 /// A unit as drawn for an arrangement.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
@@ -33,20 +23,10 @@ pub(crate) struct DrawnUnit {
     pub(crate) model: String,
     /// The number in the population; `None` for a nominal or calibrated unit.
     #[serde(skip_serializing_if = "Option::is_none")]
-    number: Option<u64>,
+    pub(crate) number: Option<u64>,
     /// The change of its stereo pair since its calibration.
     #[serde(with = "text", skip_serializing_if = "StereoDrift::is_none", default)]
     pub(crate) drift: StereoDrift,
-}
-
-impl Units {
-    /// Returns the twin with the calibrated values of a unit.
-    pub(crate) fn twin(&self, unit: &DrawnUnit) -> Twin {
-        match self {
-            Self::One(twin) => (**twin).clone(),
-            Self::Population(population) => population.unit(unit.number.unwrap_or_default()).twin,
-        }
-    }
 }
 
 impl DrawnUnit {

@@ -6,7 +6,7 @@ use axum::http::header::{self, HeaderName};
 use axum::response::{IntoResponse, Response};
 use serde::Serialize;
 
-use crate::export::File;
+use crate::file::File;
 use crate::protocol::Failure;
 
 /// Answers with JSON.

@@ -1,12 +1,12 @@
 //! What can be taken away: assets, images, numbers, and the commands that reproduce them.
 
 use oaktwin::depth::parameters::choose;
-use oaktwin::diagnostic::Finding;
 use oaktwin::image::{Image, millimetres, npy, png};
 use oaktwin::robot::{self, Attachment};
 use oaktwin::usd::asset::{AssetOptions, Format, asset};
 use oaktwin::usd::usdz;
 
+use crate::file::File;
 use crate::frame::statistics;
 use crate::image::{Data, pixels};
 use crate::protocol::{Export, ExportRequest, Failure, FrameRequest, ImageName};
@@ -16,29 +16,6 @@ use crate::studio::Studio;
 
 /// The whole image.
 const ALL: [f64; 4] = [0.0, 0.0, 1.0, 1.0];
-
-/// A file to be saved.
-#[derive(Debug, Default)]
-pub(crate) struct File {
-    pub(crate) name: String,
-    pub(crate) bytes: Vec<u8>,
-    /// What the format cannot represent.
-    pub(crate) findings: Vec<Finding>,
-}
-
-impl File {
-    fn new(name: impl Into<String>, bytes: Vec<u8>) -> Self {
-        Self {
-            name: name.into(),
-            bytes,
-            findings: Vec::new(),
-        }
-    }
-
-    fn text(name: &str, text: String) -> Self {
-        Self::new(name, text.into_bytes())
-    }
-}
 
 /// Makes the file of a request.
 pub(crate) fn export(studio: &Studio, request: &ExportRequest) -> Result<File, Failure> {

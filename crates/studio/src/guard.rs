@@ -5,7 +5,6 @@
 //! matches it. Beyond the local machine, a token is required too.
 
 use std::net::SocketAddr;
-use std::sync::Arc;
 
 use axum::extract::{Request, State};
 use axum::http::StatusCode;
@@ -15,7 +14,6 @@ use axum::response::{IntoResponse, Response};
 
 use crate::answer::failure;
 use crate::protocol::Failure;
-use crate::studio::Studio;
 
 const COOKIE: &str = "oaktwin-studio";
 const POLICY: &str = "default-src 'self'; img-src 'self' blob: data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
@@ -96,14 +94,14 @@ fn single<'a>(headers: &'a HeaderMap, name: &HeaderName) -> Result<Option<&'a st
 }
 
 /// Answers a request if it may be, and adds the headers of all answers.
-pub(crate) async fn guard(State(studio): State<Arc<Studio>>, request: Request, next: Next) -> Response {
+pub(crate) async fn guard(State(guard): State<Guard>, request: Request, next: Next) -> Response {
     let query = request.uri().query();
-    let mut response = match studio.guard.check(request.headers(), query) {
+    let mut response = match guard.check(request.headers(), query) {
         Err(what) => {
             let error = format!("{what} is not answered; open the link that oaktwin studio prints");
             failure(StatusCode::FORBIDDEN, Failure::from(error))
         }
-        Ok(()) => match (&studio.guard.token, in_query(query)) {
+        Ok(()) => match (&guard.token, in_query(query)) {
             // The token moves from the address, which people copy, into a cookie.
             (Some(token), Some(_)) => remembered(token),
             _ => next.run(request).await,

@@ -6,10 +6,12 @@
 
 mod accuracy;
 mod answer;
+mod blocking;
 mod calibration;
 mod catalog;
 mod coverage;
 mod export;
+mod file;
 mod frame;
 mod guard;
 mod image;
@@ -17,6 +19,7 @@ mod live;
 mod mesh;
 mod oak;
 mod page;
+mod pose;
 mod probe;
 mod protocol;
 mod reasons;
@@ -126,7 +129,7 @@ pub fn serve(
         );
         let scene = scene.map_err(|failure| StudioError::Scene(failure.error))?;
         let scene = match first.world_from_body {
-            Some(world_from_body) => scene.shown_from(oak::pose_of(&world_from_body)),
+            Some(world_from_body) => scene.shown_from(pose::pose_of(&world_from_body)),
             None => scene,
         };
         let guard = Guard::new(address, token);

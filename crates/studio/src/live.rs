@@ -10,10 +10,10 @@ use axum::extract::ws::{Message, WebSocket};
 use serde::Serialize;
 use tokio::task::JoinHandle;
 
+use crate::blocking::blocking;
 use crate::frame;
 use crate::probe;
 use crate::protocol::{ClientMessage, Failure, FrameRequest, ProbeRequest, Rejection};
-use crate::server::blocking;
 use crate::station::Station;
 use crate::studio::Studio;
 

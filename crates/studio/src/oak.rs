@@ -1,6 +1,6 @@
 //! From the state of an OAK on the page to the types of the library.
 
-use oaktwin::camera::{ImageSize, RigidTransform};
+use oaktwin::camera::ImageSize;
 use oaktwin::catalog::{Device, LensChoice, Twin};
 use oaktwin::depth::parameters::choose;
 use oaktwin::diagnostic::Finding;
@@ -10,7 +10,7 @@ use oaktwin::render::{
 };
 use oaktwin::sensor::{EngineInput, EngineKind, Sensor, SensorOptions};
 
-use crate::protocol::{Failure, OakState, Pose};
+use crate::protocol::{Failure, OakState};
 use crate::studio::Studio;
 use crate::unit::Drawn;
 
@@ -23,28 +23,6 @@ pub(crate) struct Oak {
     /// The stereo pair, if the device has one.
     pub(crate) pair: Option<PairCameras>,
     pub(crate) findings: Vec<Finding>,
-}
-
-/// Returns the pose of a transform.
-pub(crate) fn pose_of(world_from_body: &RigidTransform) -> Pose {
-    Pose {
-        position: world_from_body.translation.to_array(),
-        quaternion: world_from_body.quaternion().to_array(),
-    }
-}
-
-impl Pose {
-    /// Returns the transform from the body to the world.
-    pub(crate) fn transform(&self) -> Result<RigidTransform, Failure> {
-        render::pose(self.numbers()).map_err(|error| Failure::of("pose", &error))
-    }
-
-    /// Returns the numbers of `--pose`.
-    pub(crate) fn numbers(&self) -> [f64; 7] {
-        let [x, y, z] = self.position;
-        let [qx, qy, qz, qw] = self.quaternion;
-        [x, y, z, qx, qy, qz, qw]
-    }
 }
 
 impl OakState {
@@ -197,25 +175,5 @@ impl Oak {
             pair,
             findings,
         })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use oaktwin::camera::math::{DMat3, DVec3};
-
-    #[test]
-    fn poses_round_trip() {
-        let turned = DMat3::from_rotation_z(0.7) * DMat3::from_rotation_y(-0.2);
-        let transform = RigidTransform::new(turned, DVec3::new(1.0, -2.0, 3.0));
-        let again = pose_of(&transform).transform().unwrap();
-        assert!(
-            (again.rotation - transform.rotation)
-                .to_cols_array()
-                .iter()
-                .all(|x| x.abs() < 1e-12)
-        );
-        assert_eq!(again.translation, transform.translation);
     }
 }

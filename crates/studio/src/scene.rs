@@ -10,7 +10,7 @@ use oaktwin::render::{OpenOptions, Renderer, SceneFile, look_at, overview};
 use oaktwin::scene::{Bounds, Scene, Up};
 
 use crate::mesh;
-use crate::oak::pose_of;
+use crate::pose::pose_of;
 use crate::protocol::{Failure, Pose, SceneInfo, SceneObject};
 
 /// The number of dropped scenes that are kept, beside that of the command line.

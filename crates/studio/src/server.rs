@@ -9,12 +9,12 @@ use axum::http::{HeaderMap, StatusCode, header};
 use axum::middleware::from_fn_with_state;
 use axum::response::Response;
 use axum::routing::{get, post};
-use oaktwin::diagnostic::with_style;
 use oaktwin::render::OpenOptions;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use crate::answer::{binary, failure, file, json, json_or_failure};
+use crate::blocking::blocking;
 use crate::catalog::CatalogInfo;
 use crate::coverage::{CoverageRequest, SurfaceRequest};
 use crate::protocol::{ExportRequest, Failure, OakState};
@@ -55,7 +55,7 @@ pub(crate) fn router(studio: &Arc<Studio>) -> Router {
                 Failure::from("there is no such page; open /".to_owned()),
             )
         })
-        .layer(from_fn_with_state(Arc::clone(studio), guard::guard))
+        .layer(from_fn_with_state(studio.guard.clone(), guard::guard))
         .with_state(Arc::clone(studio))
 }
 
@@ -225,14 +225,4 @@ async fn request<T: DeserializeOwned>(body: Body) -> Result<T, Failure> {
     let bytes = bytes.map_err(|error| Failure::from(format!("the request cannot be read: {error}")))?;
     serde_json::from_slice(&bytes)
         .map_err(|error| Failure::from(format!("invalid request: {error}; load the page again")))
-}
-
-/// Runs a computation without blocking other requests. Options in its messages are spelled as on the command line.
-pub(crate) async fn blocking<T: Send + 'static>(
-    compute: impl FnOnce() -> Result<T, Failure> + Send + 'static,
-) -> Result<T, Failure> {
-    let task = tokio::task::spawn_blocking(|| with_style(|option| format!("--{}", option.name()), compute));
-    let failed = "the computation failed; please report this";
-    task.await
-        .unwrap_or_else(|_| Err(Failure::from(failed.to_owned())))
 }

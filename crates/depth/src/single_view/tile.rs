@@ -263,7 +263,17 @@ impl<K: Key> Tile<'_, '_, K> {
                 out.copy_from_slice(&last[..columns]);
             }
         }
-        let Some(place) = place else { return };
+        if let Some(place) = place {
+            self.record(y, place);
+        }
+    }
+
+    /// Fills the outputs besides the distance for the row that was moved last.
+    #[inline(always)]
+    fn record(&mut self, y: usize, place: usize) {
+        let (plan, scratch) = (self.plan, &mut *self.scratch);
+        let width = plan.width;
+        let depth = &self.shot.depth().pixels()[y * width..][..width];
         let at = place * width..(place + 1) * width;
         if self.needs_sources {
             for (source, key) in scratch.sources[at.clone()].iter_mut().zip(&*self.landed) {

@@ -54,6 +54,19 @@ pub struct OutputRule {
     pub shard_frames: NonZeroU64,
 }
 
+impl OutputRule {
+    /// Returns the time of a frame of an arrangement, nanoseconds.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        clippy::cast_precision_loss,
+        reason = "nanoseconds of a data set"
+    )]
+    pub(crate) fn time_ns(&self, index: u64) -> u64 {
+        (index as f64 * self.interval_s * 1e9).round() as u64
+    }
+}
+
 impl Default for OutputRule {
     fn default() -> Self {
         Self {

@@ -6,9 +6,8 @@ use oaktwin_dataset::WriteError;
 use oaktwin_files::{AtomicFile, FileError, OutputFiles, PackedFiles};
 use serde_json::json;
 
-use super::generation::Placed;
 use super::store::{FileRecord, FrameRecord, Store, pretty};
-use super::{Generated, add_new};
+use super::{Generated, PlacedFormat, add_new};
 use crate::GenerateError;
 use crate::context::Context;
 use crate::unit;
@@ -17,7 +16,7 @@ use crate::unit;
 pub(super) fn finish(
     context: &Context,
     store: &Store,
-    formats: &[Placed],
+    formats: &[PlacedFormat],
     generated: &mut Generated,
 ) -> Result<(), GenerateError> {
     let frames = store.frames()?;

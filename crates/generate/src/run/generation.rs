@@ -1,14 +1,14 @@
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
-use oaktwin_dataset::{Format, Options as FormatOptions};
+use oaktwin_dataset::Options as FormatOptions;
 use oaktwin_files::FileError;
 use oaktwin_pipeline::progress::Watch;
 
 use super::store::Store;
 use super::workers::Job;
-use super::{GenerateOptions, Generated, finish};
+use super::{GenerateOptions, Generated, PlacedFormat, finish};
 use crate::GenerateError;
 use crate::context::Context;
 
@@ -20,15 +20,12 @@ const MAX_BATCH: u64 = 16;
 pub struct Generation {
     context: Arc<Context>,
     store: Store,
-    formats: Vec<Placed>,
+    formats: Vec<PlacedFormat>,
     batches: Vec<Range<u64>>,
     total: u64,
     only_frames: bool,
     generated: Generated,
 }
-
-/// A format with its folder in the data set.
-pub(super) type Placed = (Box<dyn Format>, PathBuf);
 
 impl Generation {
     pub(super) fn start(
@@ -131,7 +128,7 @@ impl Generation {
     }
 }
 
-fn formats(context: &Context, root: &Path) -> Vec<Placed> {
+fn formats(context: &Context, root: &Path) -> Vec<PlacedFormat> {
     let alone = context.formats.len() == 1;
     let options = FormatOptions {
         seed: context.file.recipe.seed,

@@ -7,10 +7,11 @@ mod store;
 mod workers;
 
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use oaktwin_catalog::Catalog;
+use oaktwin_dataset::Format;
 use oaktwin_diagnostic::Finding;
 use oaktwin_pipeline::progress::Watch;
 use serde_json::Value;
@@ -22,6 +23,9 @@ use crate::recipe::RecipeFile;
 
 pub use generation::Generation;
 pub(crate) use store::Store;
+
+/// A format with its folder in the data set.
+type PlacedFormat = (Box<dyn Format>, PathBuf);
 
 /// Options of the generation of a data set.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -10,9 +10,8 @@ use oaktwin_files::OutputFiles;
 use oaktwin_memory as memory;
 use oaktwin_pipeline::progress::{Progress, Watch};
 
-use super::generation::Placed;
 use super::store::{FrameRecord, Store};
-use super::{Generated, add_new};
+use super::{Generated, PlacedFormat, add_new};
 use crate::GenerateError;
 use crate::context::Context;
 use crate::frame::FrameMaker;
@@ -21,7 +20,7 @@ use crate::frame::FrameMaker;
 pub(super) struct Job<'a> {
     context: &'a Context,
     store: &'a Store,
-    formats: &'a [Placed],
+    formats: &'a [PlacedFormat],
     batches: &'a [Range<u64>],
     next: AtomicUsize,
     done: AtomicU64,
@@ -36,7 +35,7 @@ impl<'a> Job<'a> {
     pub(super) fn new(
         context: &'a Context,
         store: &'a Store,
-        formats: &'a [Placed],
+        formats: &'a [PlacedFormat],
         batches: &'a [Range<u64>],
         total: u64,
         watch: &'a Watch<'a>,

@@ -1,0 +1,21 @@
+use oaktwin_catalog::Twin;
+use oaktwin_population::Population;
+
+/// The units of a model.
+#[derive(Debug)]
+pub(crate) enum Units {
+    /// Always the nominal unit, or that of the recipe's calibration.
+    One(Box<Twin>),
+    /// Units that are drawn.
+    Population(Box<Population>),
+}
+
+impl Units {
+    /// Returns the twin with the calibrated values of the unit of this number.
+    pub(crate) fn twin(&self, number: Option<u64>) -> Twin {
+        match self {
+            Self::One(twin) => (**twin).clone(),
+            Self::Population(population) => population.unit(number.unwrap_or_default()).twin,
+        }
+    }
+}

@@ -1,0 +1,13 @@
+use oaktwin::diagnostic::with_style;
+
+use crate::protocol::Failure;
+
+/// Runs a computation without blocking other requests. Options in its messages are spelled as on the command line.
+pub(crate) async fn blocking<T: Send + 'static>(
+    compute: impl FnOnce() -> Result<T, Failure> + Send + 'static,
+) -> Result<T, Failure> {
+    let task = tokio::task::spawn_blocking(|| with_style(|option| format!("--{}", option.name()), compute));
+    let failed = "the computation failed; please report this";
+    task.await
+        .unwrap_or_else(|_| Err(Failure::from(failed.to_owned())))
+}
