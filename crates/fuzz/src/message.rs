@@ -67,9 +67,9 @@ fn image(message: &Image) {
                 let is_same = match encoding {
                     Encoding::Metres if *before > 0.0 => before.to_bits() == after.to_bits(),
                     Encoding::Metres => after.is_nan(),
-                    Encoding::Millimetres if *after > 0.0 => (before - after).abs() <= 0.000_501,
+                    Encoding::Millimetres if *after > 0.0 => (before - after).abs() <= 0.000_51,
                     // Nothing, less than half a millimetre, or beyond the range.
-                    Encoding::Millimetres => !(0.000_501..65.535).contains(before),
+                    Encoding::Millimetres => !(0.000_51..65.535).contains(before),
                 };
                 assert!(is_same, "{before} m became {after} m in {}", encoding.name());
             }
@@ -211,7 +211,7 @@ pub(crate) fn seeds() -> Vec<Vec<u8>> {
         encoding: encoding.to_owned(),
         is_bigendian: 0,
         step,
-        data: (0..2 * step).map(|byte| (byte * 37 % 251) as u8).collect(),
+        data: (0..2 * step).map(|byte| (byte * 37).to_le_bytes()[0]).collect(),
     };
     let info = CameraInfo {
         header: header.clone(),

@@ -182,9 +182,9 @@ mod tests {
         let part = whole.cropped(PixelPoint::<OpenCv>::new(40.0, 30.0), ImageSize::new(90, 50));
         let (whole, part) = (picture(whole).unwrap(), picture(part).unwrap());
         let mut differences = 0;
-        for (y, row) in part.rows().enumerate() {
-            for (x, pixel) in row.iter().enumerate() {
-                let other = whole.get(x as u32 + 40, y as u32 + 30).unwrap();
+        for (y, row) in (30u32..).zip(part.rows()) {
+            for (x, pixel) in (40u32..).zip(row) {
+                let other = whole.get(x, y).unwrap();
                 let apart = pixel[1].abs_diff(other[1]);
                 assert!(apart <= 1, "{x} {y}: {pixel:?} {other:?}");
                 differences += u32::from(apart);

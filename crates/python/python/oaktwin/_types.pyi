@@ -26,6 +26,7 @@ _Annotator = Literal[
     "depth_sensor_imager",
     "depth_sensor_output_visualization",
     "depth_sensor_reason",
+    "depth_sensor_confidence",
 ]
 _Backend = Literal["auto", "raster", "ray"]
 _Engine = Literal["stereo-noise", "stereo-matching", "time-of-flight", "single-view"]
