@@ -57,6 +57,7 @@ mod outliers;
 mod output;
 mod plan;
 mod reasons;
+mod rows;
 mod sense;
 mod tile;
 mod view;

@@ -11,7 +11,7 @@ use super::client::{Server, frame, request, send, state};
 use super::server;
 
 /// Asks for a file of a state.
-fn export(server: &Server, state: &Value, what: &str, more: Value) -> Vec<u8> {
+fn export(server: &Server, state: &Value, what: &str, more: &Value) -> Vec<u8> {
     let mut request = json!({"what": what, "scene": "first", "state": state, "size": [320, 200]});
     let more = more.as_object().cloned().unwrap_or_default();
     request.as_object_mut().unwrap().extend(more);
@@ -26,9 +26,9 @@ fn check_command(program: &Program, server: &Server, state: &Value) -> String {
         server,
         state,
         "image",
-        json!({"format": "npy", "image": "sensor"}),
+        &json!({"format": "npy", "image": "sensor"}),
     );
-    let command = String::from_utf8(export(server, state, "command", json!({}))).unwrap();
+    let command = String::from_utf8(export(server, state, "command", &json!({}))).unwrap();
     for line in command.lines() {
         let words = line.strip_prefix("oaktwin ").unwrap().split(' ');
         program.good(&words.collect::<Vec<_>>());
@@ -54,7 +54,7 @@ fn exports_reproduce_the_page() {
         state["parameters"][name] = json!(value);
         check_command(&program, &server, &state);
 
-        let toml = export(&server, &state, "parameters", json!({}));
+        let toml = export(&server, &state, "parameters", &json!({}));
         program.put("own.toml", toml);
         program.good(&[
             "render",
@@ -73,9 +73,9 @@ fn exports_reproduce_the_page() {
             "--params",
             "own.toml",
         ]);
-        let asset = export(&server, &state, "asset", json!({"format": "usda"}));
+        let asset = export(&server, &state, "asset", &json!({"format": "usda"}));
         assert!(asset.starts_with(b"#usda 1.0"));
-        let numbers = export(&server, &state, "statistics", json!({"format": "json"}));
+        let numbers = export(&server, &state, "statistics", &json!({"format": "json"}));
         let numbers: Value = serde_json::from_slice(&numbers).unwrap();
         assert!(numbers["fillRate"].as_f64().unwrap() > 0.0);
     }
@@ -112,7 +112,7 @@ fn exports_reproduce_a_unit_of_the_population_that_has_drifted() {
         );
         let is_drifted = drift != json!({});
         assert_eq!(command.contains("--drift "), is_drifted, "{command}");
-        let python = String::from_utf8(export(&server, &state, "python", json!({}))).unwrap();
+        let python = String::from_utf8(export(&server, &state, "python", &json!({}))).unwrap();
         assert_eq!(
             python.contains("device.population(1, seed="),
             !population.is_null(),
