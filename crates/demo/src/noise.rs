@@ -9,14 +9,12 @@ pub(super) fn smooth(x: f32, y: f32, period: [i32; 2], kind: u32) -> f32 {
     let (tx, ty) = (ease(x - left), ease(y - top));
     #[expect(clippy::cast_possible_truncation, reason = "a texture's lattice is small")]
     let (left, top) = (left as i32, top as i32);
-    // Divisions take most of the time of painting.
-    let [(left, right), (top, bottom)] = [(left, period[0]), (top, period[1])].map(|(place, count)| {
-        let place = place.rem_euclid(count);
-        (place, if place + 1 == count { 0 } else { place + 1 })
-    });
-    let at = |i: i32, j: i32| white(i, j, kind);
-    let upper = at(left, top) + (at(right, top) - at(left, top)) * tx;
-    let lower = at(left, bottom) + (at(right, bottom) - at(left, bottom)) * tx;
+    let at = |i: i32, j: i32| {
+        let [columns, rows] = period;
+        white((left + i).rem_euclid(columns), (top + j).rem_euclid(rows), kind)
+    };
+    let upper = at(0, 0) + (at(1, 0) - at(0, 0)) * tx;
+    let lower = at(0, 1) + (at(1, 1) - at(0, 1)) * tx;
     upper + (lower - upper) * ty
 }
 

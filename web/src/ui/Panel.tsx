@@ -81,10 +81,10 @@ function aspectOf(frame: Shown): number {
 }
 
 /** The number that says most about an image. */
-function fact(kind: PanelKind, { header: { statistics, milliseconds } }: Shown): string {
+function fact(kind: PanelKind, { header: { statistics } }: Shown): string {
   if (kind === "sensor" || kind === "reason") return `${share(statistics.fillRate)} filled`;
   if (kind === "error") return `median ${signedMillimetres(statistics.medianErrorM)}`;
-  return kind === "color" ? `${milliseconds.toFixed(0)} ms` : "";
+  return "";
 }
 
 function Picture({ oak, kind, frame, width, height, scales }: {
