@@ -13,6 +13,7 @@ mod ray;
 mod rays;
 mod renderer;
 mod shade;
+mod spare;
 mod view;
 mod visibility;
 

@@ -41,6 +41,9 @@ impl Renderer {
             seen: &seen,
         };
         let (parts, findings) = self.shader().luminance(input, Some(&corners), beam);
+        let spare = self.spare_visibility(view, backend);
+        spare.keep(None, seen.hits);
+        spare.keep(Some(corners.seen.z), corners.seen.hits);
         let found = Luminance {
             scene: parts.scene,
             beam: parts.beam,

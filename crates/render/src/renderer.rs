@@ -8,6 +8,7 @@ use crate::annotate::Semantics;
 use crate::raster::Rasterizer;
 use crate::ray::RayCaster;
 use crate::shade::{Shader, ShaderAssets};
+use crate::visibility::SpareVisibility;
 use crate::{Backend, Hit, Ray, View, Visibility};
 
 /// A scene that can be rendered any number of times, from any number of threads.
@@ -132,6 +133,14 @@ impl Renderer {
         mesh.map_or_else(Vec::new, |mesh| {
             self.shader_assets().flat_colors(&self.scene, mesh)
         })
+    }
+
+    /// Returns the memory that [`visibility`](Self::visibility) uses.
+    pub(crate) fn spare_visibility(&self, view: &View, backend: Backend) -> &SpareVisibility {
+        match backend.for_view(view) {
+            Backend::Ray => &self.ray_caster().spare,
+            Backend::Auto | Backend::Raster => &self.rasterizer().spare,
+        }
     }
 
     pub(crate) fn rasterizer(&self) -> &Rasterizer {

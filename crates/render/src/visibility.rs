@@ -1,5 +1,7 @@
 use oaktwin_image::{Image, ZDepth};
 
+use crate::spare::Spare;
+
 /// The visible surface of each pixel of a view.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Visibility {
@@ -7,6 +9,23 @@ pub struct Visibility {
     pub z: ZDepth,
     /// The visible triangles.
     pub hits: Image<Hit>,
+}
+
+/// The memory of visibilities that were dropped.
+#[derive(Debug, Default)]
+pub(crate) struct SpareVisibility {
+    pub(crate) z: Spare<f32>,
+    pub(crate) hits: Spare<Hit>,
+}
+
+impl SpareVisibility {
+    /// Keeps the memory of a visibility, whose depth may be in use elsewhere.
+    pub(crate) fn keep(&self, z: Option<ZDepth>, hits: Image<Hit>) {
+        self.hits.keep(hits);
+        if let Some(ZDepth(z)) = z {
+            self.z.keep(z);
+        }
+    }
 }
 
 /// A triangle of an instance, or a miss. Hits are ordered as in the scene; a miss comes last.

@@ -75,8 +75,13 @@ impl Renderer {
         }
         let seen = self.visibility(view, backend);
         let findings = self.annotate_seen(view, &seen, &wants, backend, *options, &mut frame);
+        let spare = self.spare_visibility(view, backend);
+        let Visibility { z, hits } = seen;
         if wants(Annotator::DistanceToImagePlane) {
-            frame.distance_to_image_plane = Some(seen.z);
+            spare.keep(None, hits);
+            frame.distance_to_image_plane = Some(z);
+        } else {
+            spare.keep(Some(z), hits);
         }
         (frame, findings)
     }
@@ -131,6 +136,9 @@ impl Renderer {
             let (rgb, missing) = self.shader().shade(input, corners.as_ref());
             frame.rgb = Some(rgb);
             findings = missing;
+            if let Some(Visibility { z, hits }) = corners.map(|corners| corners.seen) {
+                self.spare_visibility(view, backend).keep(Some(z), hits);
+            }
         }
         if wants(Annotator::DistanceToCamera) {
             frame.distance_to_camera = Some(range::from_visibility(scene, view, rays, seen));

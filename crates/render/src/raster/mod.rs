@@ -33,6 +33,7 @@ use self::job::Job;
 use self::small::Scratch;
 use self::tile::Tile;
 use self::visible::Visible;
+use crate::visibility::SpareVisibility;
 use crate::{Hit, View, Visibility};
 
 /// The clusters of a scene.
@@ -41,6 +42,7 @@ pub(crate) struct Rasterizer {
     meshes: Vec<ClusteredMesh>,
     groups: Vec<Group>,
     level: Level,
+    pub(crate) spare: SpareVisibility,
 }
 
 /// Clusters of an instance that are culled together first.
@@ -65,6 +67,7 @@ impl Rasterizer {
             meshes: Vec::new(),
             groups: Vec::new(),
             level,
+            spare: SpareVisibility::default(),
         };
         made.add_meshes(scene);
         made.place(scene);
@@ -111,11 +114,13 @@ impl Rasterizer {
     fn render<const IDS: bool>(&self, scene: &Scene, view: &View) -> (ZDepth, Image<Hit>) {
         let frame = Frame::new(scene, view);
         let (width, height) = (frame.width, frame.height);
-        let mut z = Image::filled(width, height, 0.0f32);
-        let mut hits = if IDS {
-            Image::filled(width, height, Hit::MISS)
+        let (mut z, mut hits) = if IDS {
+            (
+                self.spare.z.image(width, height, 0.0),
+                self.spare.hits.image(width, height, Hit::MISS),
+            )
         } else {
-            Image::filled(0, 0, Hit::MISS)
+            (Image::filled(width, height, 0.0), Image::filled(0, 0, Hit::MISS))
         };
         let visible = self.visible(&frame);
         let (first, entries) = bin(&frame, &visible);

@@ -25,6 +25,7 @@ use self::single::{Cast, Until};
 pub(crate) use self::stack::Stack;
 use self::tile::RayTables;
 pub(crate) use self::vector::Vector;
+use crate::visibility::SpareVisibility;
 use crate::{Hit, View, Visibility};
 
 /// A segment of a ray in the world.
@@ -47,6 +48,7 @@ pub(crate) struct RayCaster {
     instances: Instances,
     level: Level,
     tables: RayTables,
+    pub(crate) spare: SpareVisibility,
 }
 
 /// A scene with its hierarchies.
@@ -94,6 +96,7 @@ impl RayCaster {
             instances,
             level: Level::detect(),
             tables: RayTables::default(),
+            spare: SpareVisibility::default(),
         }
     }
 
@@ -117,14 +120,18 @@ impl RayCaster {
     }
 
     pub(crate) fn depth(&self, scene: &Scene, view: &View) -> ZDepth {
-        self.render(scene, view, None)
+        let size = view.camera.intrinsics.size;
+        let mut z = Image::filled(size.width, size.height, f32::INFINITY);
+        self.render(scene, view, &mut z, None);
+        ZDepth(z)
     }
 
     pub(crate) fn visibility(&self, scene: &Scene, view: &View) -> Visibility {
         let size = view.camera.intrinsics.size;
-        let mut hits = Image::filled(size.width, size.height, Hit::MISS);
-        let z = self.render(scene, view, Some(&mut hits));
-        Visibility { z, hits }
+        let mut z = self.spare.z.image(size.width, size.height, f32::INFINITY);
+        let mut hits = self.spare.hits.image(size.width, size.height, Hit::MISS);
+        self.render(scene, view, &mut z, Some(&mut hits));
+        Visibility { z: ZDepth(z), hits }
     }
 
     /// Returns the nearest triangle on the ray, both ends included, and its distance in lengths of `direction`; of equally near

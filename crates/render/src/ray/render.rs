@@ -1,7 +1,7 @@
 //! Rendering of a view, tile by tile.
 
 use oaktwin_camera::math::DVec3;
-use oaktwin_image::{Image, ZDepth};
+use oaktwin_image::Image;
 use oaktwin_scene::Scene;
 use oaktwin_simd::run_lanes_at;
 use rayon::prelude::*;
@@ -19,9 +19,15 @@ struct Band<'a> {
 }
 
 impl RayCaster {
-    pub(super) fn render(&self, scene: &Scene, view: &View, hits: Option<&mut Image<Hit>>) -> ZDepth {
+    /// Renders into images of misses.
+    pub(super) fn render(
+        &self,
+        scene: &Scene,
+        view: &View,
+        z: &mut Image<f32>,
+        hits: Option<&mut Image<Hit>>,
+    ) {
         let size = view.camera.intrinsics.size;
-        let mut z = Image::filled(size.width, size.height, f32::INFINITY);
         let length = (size.width as usize * SIDE as usize).max(1);
         let rays = self.tables.get(&view.camera, view.clips_along_axis());
         let frame = FrameOfView {
@@ -53,7 +59,6 @@ impl RayCaster {
                 frame.render_band(Band { row, z, hits: None }, workspace);
             }),
         }
-        ZDepth(z)
     }
 
     fn origin(&self, view: &View) -> Origin {

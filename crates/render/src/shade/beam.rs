@@ -109,8 +109,8 @@ impl ShadingContext<'_> {
                         continue;
                     }
                     let paint = self.paint(*hit);
-                    let finish = paint.finish(surface.mesh, hit.triangle, &spot(surface, next), self.level);
-                    let albedo = luminance(finish.color) * (1.0 - finish.metallic);
+                    let color = paint.color(surface.mesh, hit.triangle, &spot(surface, next), self.level);
+                    let albedo = luminance(color) * (1.0 - paint.metallic());
                     *pixel = mean(&lit.footprint, beam.pattern) * lit.strength * albedo;
                 }
             },

@@ -6,8 +6,7 @@ use oaktwin_image::Image;
 use rayon::prelude::*;
 
 use super::ShadingContext;
-use super::film::Film;
-use super::tone::Encoder;
+use super::targets::Target;
 use crate::rays::Rays;
 use crate::{Hit, View, Visibility};
 
@@ -39,15 +38,11 @@ pub(crate) fn corners_of(view: &View) -> View {
     corners
 }
 
-/// Finds the pixels at outlines, row by row.
-pub(super) fn outlines_of(film: Film, seen: &Visibility, colors: &Image<[f32; 3]>) -> Vec<Vec<u32>> {
-    let developing = Developing {
-        film,
-        encoder: Encoder::new(),
-    };
-    (0..colors.height())
+/// Finds the pixels at outlines, row by row, from the surfaces and sRGB with coverage.
+pub(super) fn outlines_of(seen: &Visibility, rgb: &Image<[u8; 4]>) -> Vec<Vec<u32>> {
+    (0..rgb.height())
         .into_par_iter()
-        .map(|y| outlines(developing, seen, colors, y))
+        .map(|y| outlines(seen, rgb, y))
         .collect()
 }
 
@@ -115,11 +110,15 @@ fn corner_rows(
                         *color = adjacent;
                     } else {
                         let z = corners.seen.z.0.get(*x, y).copied().unwrap_or(f32::INFINITY);
-                        own.push((index, [*x, y], hit, z));
+                        own.push(Target {
+                            tag: index,
+                            place: [*x, y],
+                            hit,
+                            z,
+                        });
                     }
                 }
-                own.sort_unstable_by_key(|(index, _, hit, _)| (hit.instance, *index));
-                context.colors(own.into_iter(), workspace, |index, color| {
+                context.colors(&mut own, workspace, |index, color| {
                     if let Some((_, corner)) = row.get_mut(index) {
                         *corner = color;
                     }
@@ -144,28 +143,21 @@ fn adjacent_color(seen: &Visibility, colors: &Image<[f32; 3]>, hit: Hit, [x, y]:
         .and_then(|[x, y]| colors.get(x, y).copied().map(Vec3::from))
 }
 
-/// The conversion of film to sRGB.
-#[derive(Clone, Copy)]
-struct Developing {
-    film: Film,
-    encoder: Encoder,
-}
-
 /// A row of colours and visible surfaces.
 #[derive(Clone, Copy)]
 struct Row<'a> {
-    colors: &'a [[f32; 3]],
+    rgb: &'a [[u8; 4]],
     hits: &'a [Hit],
     depths: &'a [f32],
 }
 
 impl<'a> Row<'a> {
-    fn new(seen: &'a Visibility, colors: &'a Image<[f32; 3]>, y: u32) -> Option<Self> {
-        let width = colors.width() as usize;
+    fn new(seen: &'a Visibility, rgb: &'a Image<[u8; 4]>, y: u32) -> Option<Self> {
+        let width = rgb.width() as usize;
         let first = y as usize * width;
         let range = first..first + width;
         Some(Self {
-            colors: colors.pixels().get(range.clone())?,
+            rgb: rgb.pixels().get(range.clone())?,
             hits: seen.hits.pixels().get(range.clone())?,
             depths: seen.z.0.pixels().get(range)?,
         })
@@ -179,14 +171,6 @@ impl<'a> Row<'a> {
             z,
         })
     }
-
-    /// Returns sRGB with coverage.
-    fn tone(&self, x: usize, developing: Developing) -> Option<[u8; 4]> {
-        let color = Vec3::from(*self.colors.get(x)?);
-        let [r, g, b] = developing.film.srgb(color, developing.encoder);
-        let coverage = if self.hits.get(x)?.is_miss() { 0 } else { 255 };
-        Some([r, g, b, coverage])
-    }
 }
 
 #[derive(Clone, Copy)]
@@ -196,13 +180,13 @@ struct Pixel {
 }
 
 /// Finds the pixels of a row at outlines and creases with enough contrast.
-fn outlines(developing: Developing, seen: &Visibility, colors: &Image<[f32; 3]>, y: u32) -> Vec<u32> {
-    let Some(row) = Row::new(seen, colors, y) else {
+fn outlines(seen: &Visibility, rgb: &Image<[u8; 4]>, y: u32) -> Vec<u32> {
+    let Some(row) = Row::new(seen, rgb, y) else {
         return Vec::new();
     };
-    let above = y.checked_sub(1).and_then(|y| Row::new(seen, colors, y));
-    let below = y.checked_add(1).and_then(|y| Row::new(seen, colors, y));
-    (0..colors.width())
+    let above = y.checked_sub(1).and_then(|y| Row::new(seen, rgb, y));
+    let below = y.checked_add(1).and_then(|y| Row::new(seen, rgb, y));
+    (0..rgb.width())
         .filter(|x| {
             let x = *x as usize;
             let Some(pixel) = row.pixel(x) else {
@@ -210,10 +194,8 @@ fn outlines(developing: Developing, seen: &Visibility, colors: &Image<[f32; 3]>,
             };
             // Colours are compared last because there are few edges.
             let differs = |row: Option<Row<'_>>, other: usize, mine: Row<'_>| {
-                let other = row.and_then(|row| row.tone(other, developing));
-                mine.tone(x, developing)
-                    .zip(other)
-                    .is_some_and(|(a, b)| contrast(a, b) >= MIN_CONTRAST)
+                let other = row.and_then(|row| row.rgb.get(other));
+                (mine.rgb.get(x).zip(other)).is_some_and(|(a, b)| contrast(*a, *b) >= MIN_CONTRAST)
             };
             let (left, right) = (x.wrapping_sub(1), x + 1);
             (pixel.is_edge_between(row.pixel(left), row.pixel(right))

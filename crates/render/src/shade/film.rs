@@ -46,10 +46,9 @@ fn toned(radiance: Vec3) -> Vec3 {
     Vec3::new(tone(radiance.x), tone(radiance.y), tone(radiance.z))
 }
 
-/// Returns sRGB with coverage: 255, or 0 for a miss.
-pub(super) fn developed(film: Film, colors: &Image<[f32; 3]>, seen: &Visibility) -> Image<[u8; 4]> {
+/// Writes sRGB with coverage: 255, or 0 for a miss.
+pub(super) fn develop(film: Film, colors: &Image<[f32; 3]>, seen: &Visibility, rgb: &mut Image<[u8; 4]>) {
     let encoder = Encoder::new();
-    let mut rgb = Image::filled(colors.width(), colors.height(), [0; 4]);
     rgb.pixels_mut()
         .par_iter_mut()
         .with_min_len(4096)
@@ -59,5 +58,4 @@ pub(super) fn developed(film: Film, colors: &Image<[f32; 3]>, seen: &Visibility)
             let [r, g, b] = film.srgb(Vec3::from(*color), encoder);
             *pixel = [r, g, b, if hit.is_miss() { 0 } else { 255 }];
         });
-    rgb
 }

@@ -43,8 +43,8 @@ impl Footprints {
 pub(super) struct Filter<'a> {
     /// The image and its reductions.
     pub(super) levels: &'a [Image<[u8; 4]>],
-    /// The linear values of bytes.
-    pub(super) linear: &'static [f32; 256],
+    /// Whether the bytes are sRGB rather than data.
+    pub(super) is_srgb: bool,
     pub(super) wraps: Wraps,
     pub(super) footprints: &'a Footprints,
     pub(super) used: u32,
@@ -189,7 +189,7 @@ impl Filter<'_> {
         let (right, lower) = (x - L::from_i32(left), y - L::from_i32(top));
         let (left, top) = (left.to_array(), top.to_array());
         // All pixels are requested before the first is needed.
-        let mut texels = [[[0u8; 4]; 8]; 4];
+        let mut texels = [[0u32; 8]; 4];
         for lane in 0..8 {
             if (used >> lane) & 1 == 0 {
                 continue;
@@ -202,24 +202,40 @@ impl Filter<'_> {
                 square(image, corner)
             };
             for (texels, texel) in texels.iter_mut().zip(square) {
-                texels[lane] = texel;
+                texels[lane] = u32::from_le_bytes(texel);
             }
         }
+        let [a, b, c, d] = &texels;
+        let texels = [
+            L::I32::load_unsigned(a),
+            L::I32::load_unsigned(b),
+            L::I32::load_unsigned(c),
+            L::I32::load_unsigned(d),
+        ];
         let mut color = [L::splat(0.0); 3];
-        for (channel, color) in color.iter_mut().enumerate() {
-            let mut corners = [[0.0; 8]; 4];
-            for (corner, texels) in corners.iter_mut().zip(&texels) {
-                for (value, texel) in corner.iter_mut().zip(texels) {
-                    *value = self.linear[usize::from(texel[channel])];
-                }
-            }
-            let [a, b, c, d] = &corners;
-            let (a, b, c, d) = (L::load(a), L::load(b), L::load(c), L::load(d));
+        for (color, bits) in color.iter_mut().zip([0, 8, 16]) {
+            let [a, b, c, d]: [L; 4] = [
+                self.linear(texels[0], bits),
+                self.linear(texels[1], bits),
+                self.linear(texels[2], bits),
+                self.linear(texels[3], bits),
+            ];
             let upper = a + (b - a) * right;
             let lowest = c + (d - c) * right;
             *color = upper + (lowest - upper) * lower;
         }
         color
+    }
+
+    /// Returns the linear values, 0 to 1, of the bytes at a bit of eight pixels.
+    #[inline(always)]
+    fn linear<L: Lanes>(&self, texels: L::I32, bits: u32) -> L {
+        let byte = L::from_i32(texels.shift_right(bits) & L::I32::splat(255));
+        if self.is_srgb {
+            linear_from_srgb_byte(byte)
+        } else {
+            byte * L::splat(1.0 / 255.0)
+        }
     }
 
     /// Returns places in pixels of their levels, from the centre of the upper left pixel, and the lanes whose four pixels are
@@ -241,6 +257,27 @@ impl Filter<'_> {
         let is_inside = zero.le(x) & x.lt(width - one) & zero.le(y) & y.lt(height - one);
         (x, y, is_inside.signs())
     }
+}
+
+/// The coefficients of the transfer function of sRGB for bytes above 10, fitted to its 245 values.
+const SRGB: [f32; 5] = [
+    0.001_063_643_5,
+    0.028_079_675 / 255.0,
+    0.561_962_7 / (255.0 * 255.0),
+    0.523_846_15 / (255.0 * 255.0 * 255.0),
+    -0.115_389_99 / (255.0 * 255.0 * 255.0 * 255.0),
+];
+
+/// Returns the linear values, 0 to 1, of sRGB bytes: within a sixteenth of the difference to the next byte, without a table.
+#[inline(always)]
+fn linear_from_srgb_byte<L: Lanes>(byte: L) -> L {
+    let [a, b, c, d, e] = SRGB;
+    let curve = L::splat(e) * byte + L::splat(d);
+    let curve = curve * byte + L::splat(c);
+    let curve = curve * byte + L::splat(b);
+    let curve = curve * byte + L::splat(a);
+    let line = byte * L::splat(1.0 / (12.92 * 255.0));
+    L::select(byte.le(L::splat(10.0)), line, curve)
 }
 
 /// Returns the four pixels from a corner on, which are inside the image.

@@ -1,5 +1,8 @@
 use glam::Vec3;
 use oaktwin_camera::math::DVec3;
+use oaktwin_simd::Lanes;
+
+use crate::ray::Vector;
 
 /// A light other than a dome.
 #[derive(Clone, Debug)]
@@ -183,24 +186,46 @@ pub(super) enum Emitter {
     },
 }
 
+/// What the light of lamps falls on: eight points.
+pub(super) trait Receiver<L: Lanes> {
+    /// Receives light from the unit vector `towards`, with an irradiance of `share` times `radiance` on a surface that faces it,
+    /// from a lamp of angular radius `width` (its tangent).
+    fn receive(&mut self, towards: Vector<L>, share: L, radiance: Vec3, width: L);
+}
+
 impl Emitter {
-    /// Calls `with` for each sample of the lamp: the unit vector to it and the irradiance of a surface that faces it.
-    #[inline]
-    pub(super) fn each(&self, point: Vec3, mut with: impl FnMut(Vec3, Vec3)) {
+    /// Sends the light of each sample of the lamp to points.
+    #[inline(always)]
+    pub(super) fn shine<L: Lanes>(&self, point: Vector<L>, on: &mut impl Receiver<L>) {
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let min_length = L::splat(f32::MIN_POSITIVE);
         match self {
             Self::Distant {
-                towards, irradiance, ..
-            } => with(*towards, *irradiance),
+                towards,
+                spread,
+                irradiance,
+            } => on.receive(
+                Vector::splat(towards.to_array()),
+                one,
+                *irradiance,
+                L::splat(*spread),
+            ),
             Self::Sphere {
                 centre,
                 radius,
                 radiance,
             } => {
-                let way = *centre - point;
-                let (d2, r2) = (way.length_squared(), radius * radius);
-                let share = std::f32::consts::PI * r2 / d2.max(r2).max(f32::MIN_POSITIVE);
-                let distance = d2.sqrt().max(f32::MIN_POSITIVE);
-                with(way / distance, *radiance * share);
+                let way = Vector::splat(centre.to_array()) - point;
+                let r2 = radius * radius;
+                let d2 = way.dot(way);
+                let share = L::splat(std::f32::consts::PI * r2) / d2.max(L::splat(r2)).max(min_length);
+                let distance = d2.sqrt().max(min_length);
+                on.receive(
+                    way * (one / distance),
+                    share,
+                    *radiance,
+                    L::splat(*radius) / distance.max(L::splat(*radius)),
+                );
             }
             Self::Area {
                 points,
@@ -209,13 +234,16 @@ impl Emitter {
                 radiance,
             } => {
                 let quarter = area / 4.0;
+                let back = Vector::splat((-*normal).to_array());
                 for place in points {
-                    let way = *place - point;
-                    let d2 = way.length_squared().max(f32::MIN_POSITIVE);
-                    let towards = way / d2.sqrt();
-                    let cosine = (-towards.dot(*normal)).max(0.0);
-                    let share = quarter * cosine / d2.max(quarter / std::f32::consts::PI);
-                    with(towards, *radiance * share);
+                    let way = Vector::splat(place.to_array()) - point;
+                    let d2 = way.dot(way).max(min_length);
+                    let towards = way * (one / d2.sqrt());
+                    let cosine = towards.dot(back).max(zero);
+                    let nearest = L::splat(quarter / std::f32::consts::PI);
+                    let share = L::splat(quarter) * cosine / d2.max(nearest);
+                    let width = (L::splat(quarter) / d2).sqrt().min(one);
+                    on.receive(towards, share, *radiance, width);
                 }
             }
         }

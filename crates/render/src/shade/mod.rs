@@ -18,7 +18,9 @@ mod pattern;
 mod pyramid;
 mod reflect;
 mod rig;
+mod strength;
 mod surfaces;
+mod targets;
 #[cfg(test)]
 mod tests;
 mod textures;
@@ -36,22 +38,25 @@ use oaktwin_simd::{Level, run_lanes_at};
 use rayon::prelude::*;
 
 pub use self::beam::{Beam, BeamPattern};
-use self::coarse::Coarse;
+use self::coarse::{Coarse, SpareCoarse};
 pub(crate) use self::edges::{Corners, corners_of};
 use self::film::Film;
 use self::lamp::Emitter;
 use self::occlusion::Occlusion;
 use self::occlusion::Place;
-use self::paint::{Finish, Paint, finishes, paints};
+use self::paint::{Paint, finishes, paints};
 use self::pattern::Pattern;
-use self::reflect::{Facet, Facets, Radiance};
+use self::reflect::Radiance;
 use self::rig::{LightRig, WHITE, luminance};
-use self::surfaces::{Found, Packet, lane_of};
+use self::strength::Strengths;
+use self::surfaces::{Packet, lane_of};
+use self::targets::{Target, each_target};
 use self::textures::Textures;
-use self::tiles::{TILE, in_tiles};
+use self::tiles::TILE;
 use self::tone::Encoder;
 use crate::ray::{RayCaster, Stack};
 use crate::rays::Rays;
+use crate::spare::Spare;
 use crate::{Hit, View, Visibility};
 
 /// The data that shading needs of a scene beside its triangles.
@@ -66,6 +71,15 @@ pub(crate) struct Shader {
 pub(crate) struct ShaderAssets {
     textures: Arc<Textures>,
     pattern: Arc<Pattern>,
+    spare: Arc<SpareImages>,
+}
+
+/// The memory of earlier images.
+#[derive(Debug, Default)]
+struct SpareImages {
+    colors: Spare<[f32; 3]>,
+    bytes: Spare<[u8; 4]>,
+    coarse: SpareCoarse,
 }
 
 impl ShaderAssets {
@@ -73,6 +87,7 @@ impl ShaderAssets {
         Self {
             textures: Arc::new(Textures::new(scene)),
             pattern: Arc::new(Pattern::new()),
+            spare: Arc::default(),
         }
     }
 
@@ -115,6 +130,7 @@ struct ShadingContext<'a> {
     occlusion: Occlusion<'a>,
     coarse: Coarse,
     film: Film,
+    spare: &'a SpareImages,
 }
 
 /// The input of shading: a scene, its ray caster, a view and the visible surfaces.
@@ -150,9 +166,11 @@ impl Shader {
     ) -> (Image<[u8; 4]>, Vec<Finding>) {
         self.with_context(input, Film::Tones, |context| {
             let colors = context.centres(input.rays, input.seen);
-            let mut rgb = film::developed(context.film, &colors, input.seen);
+            let (width, height) = (colors.width(), colors.height());
+            let mut rgb = Image::filled(width, height, [0; 4]);
+            film::develop(context.film, &colors, input.seen, &mut rgb);
             if let Some(corners) = corners {
-                let outlines = edges::outlines_of(context.film, input.seen, &colors);
+                let outlines = edges::outlines_of(input.seen, &rgb);
                 let encoder = Encoder::new();
                 edges::smooth(
                     context,
@@ -167,6 +185,7 @@ impl Shader {
                     },
                 );
             }
+            context.spare.colors.keep(colors);
             rgb
         })
     }
@@ -184,7 +203,10 @@ impl Shader {
             let value = |color: Vec3| luminance(color) * (1.0 / WHITE);
             let mut grey = colors.map(|color| value(Vec3::from(*color)));
             if let Some(corners) = corners {
-                let outlines = edges::outlines_of(context.film, input.seen, &colors);
+                let mut rgb = context.spare.bytes.image(colors.width(), colors.height(), [0; 4]);
+                film::develop(context.film, &colors, input.seen, &mut rgb);
+                let outlines = edges::outlines_of(input.seen, &rgb);
+                context.spare.bytes.keep(rgb);
                 edges::smooth(
                     context,
                     corners,
@@ -197,6 +219,7 @@ impl Shader {
                     },
                 );
             }
+            context.spare.colors.keep(colors);
             LuminanceParts {
                 scene: grey,
                 beam: beam.map(|beam| context.beam(&input, beam)),
@@ -221,16 +244,18 @@ impl Shader {
         let emitters: Vec<Emitter> = (self.rig.lamps.iter())
             .map(|lamp| lamp.seen_from(view.world_from_camera.translation))
             .collect();
+        let level = Level::detect();
         let occlusion = Occlusion {
             scene,
             caster,
             rig: &self.rig,
             emitters: &emitters,
             pattern: &self.assets.pattern,
+            level,
             eye: view.world_from_camera.translation,
         };
-        let level = Level::detect();
-        let coarse = Coarse::new(view, rays, seen, &occlusion, level);
+        let spare = &*self.assets.spare;
+        let coarse = Coarse::new(view, rays, seen, &occlusion, &spare.coarse);
         let context = ShadingContext {
             scene,
             view,
@@ -240,8 +265,11 @@ impl Shader {
             occlusion,
             coarse,
             film,
+            spare,
         };
-        (work(&context), findings)
+        let made = work(&context);
+        context.coarse.keep(&spare.coarse);
+        (made, findings)
     }
 
     /// Decodes the textures of the visible surfaces; the findings name those that cannot be decoded, or are reduced.
@@ -288,7 +316,7 @@ impl Shader {
 /// The reused memory of a thread.
 struct Workspace<'a> {
     packet: Packet<'a>,
-    facets: Facets,
+    strengths: Strengths,
     stack: Stack,
 }
 
@@ -296,7 +324,7 @@ impl ShadingContext<'_> {
     fn workspace<'a>(&'a self, rays: &'a Rays<'a>) -> Workspace<'a> {
         Workspace {
             packet: Packet::new(self.scene, self.view, rays, self.level),
-            facets: Facets::default(),
+            strengths: Strengths::default(),
             stack: Stack::new(),
         }
     }
@@ -304,7 +332,7 @@ impl ShadingContext<'_> {
     /// Returns the colour, on film, at the centre of each pixel; black where the lens has no ray.
     fn centres(&self, rays: &Rays<'_>, seen: &Visibility) -> Image<[f32; 3]> {
         let (width, height) = (seen.hits.width(), seen.hits.height());
-        let mut colors = Image::filled(width, height, [0.0; 3]);
+        let mut colors = self.spare.colors.image(width, height, [0.0; 3]);
         let row_length = (width as usize).max(1);
         let strip = TILE as usize * row_length;
         let strips = colors.pixels_mut().par_chunks_mut(strip);
@@ -313,45 +341,58 @@ impl ShadingContext<'_> {
             .zip(seen_strips)
             .zip(0..height.div_ceil(TILE))
             .for_each_init(
-                || self.workspace(rays),
-                |workspace, ((colors, (depths, hits)), strip)| {
-                    let places = in_tiles(width, (TILE * strip..height).take(TILE as usize));
-                    let targets = places.filter_map(|[x, y]| {
-                        let index = (y - TILE * strip) as usize * row_length + x as usize;
-                        Some((index, [x, y], *hits.get(index)?, *depths.get(index)?))
-                    });
-                    self.colors(targets, workspace, |index, color| {
-                        if let Some(pixel) = colors.get_mut(index) {
-                            *pixel = color.to_array();
+                || (self.workspace(rays), Vec::new()),
+                |(workspace, targets), ((colors, (depths, hits)), strip)| {
+                    for left in (0..width).step_by(TILE as usize) {
+                        targets.clear();
+                        let columns = left as usize..row_length.min((left + TILE) as usize);
+                        let rows = hits.chunks(row_length).zip(depths.chunks(row_length));
+                        for (y, (hits, depths)) in (TILE * strip..).zip(rows) {
+                            let seen = hits[columns.clone()].iter().zip(&depths[columns.clone()]);
+                            let first = (y - TILE * strip) as usize * row_length;
+                            for ((hit, z), x) in seen.zip(left..) {
+                                targets.push(Target {
+                                    tag: first + x as usize,
+                                    place: [x, y],
+                                    hit: *hit,
+                                    z: *z,
+                                });
+                            }
                         }
-                    });
+                        self.colors(targets, workspace, |tag, color| {
+                            if let Some(pixel) = colors.get_mut(tag) {
+                                *pixel = color.to_array();
+                            }
+                        });
+                    }
                 },
             );
         colors
     }
 
-    /// Computes the colours, on film, of the workspace's rays through pixels: a tag, the pixel, the visible triangle and its
-    /// z-depth. `put` receives the tags and the colours. Rays that the lens does not have are left out.
+    /// Computes the colours, on film, of the workspace's rays through pixels, each with a tag of its own. `put` receives the tags and
+    /// the colours. Rays that the lens does not have are left out.
     fn colors(
         &self,
-        targets: impl Iterator<Item = (usize, [u32; 2], Hit, f32)>,
+        targets: &mut [Target],
         workspace: &mut Workspace<'_>,
         mut put: impl FnMut(usize, Vec3),
     ) {
-        for (tag, place, hit, z) in targets {
+        each_target(targets, self.scene, self.level, |target| {
+            let Target { tag, place, hit, z } = target;
             let Some(ray) = workspace.packet.ray(place) else {
-                continue;
+                return;
             };
             if hit.is_miss() {
                 let direction = (self.view.world_from_camera.rotation * ray).normalize_or_zero();
                 put(tag, self.film.exposed(self.rig.background(direction)));
-                continue;
+                return;
             }
             if !workspace.packet.has_room_for(hit.instance) {
                 self.expose(workspace, &mut put);
             }
             workspace.packet.push(tag, place, ray, hit, z);
-        }
+        });
         self.expose(workspace, &mut put);
     }
 
@@ -359,16 +400,26 @@ impl ShadingContext<'_> {
     fn expose(&self, workspace: &mut Workspace<'_>, put: &mut impl FnMut(usize, Vec3)) {
         let Workspace {
             packet,
-            facets,
+            strengths,
             stack,
+            ..
         } = workspace;
         if let Some(found) = packet.find() {
             let finishes = finishes(&self.paints, &found, self.level);
-            for (lane, finish) in finishes.into_iter().enumerate().take(found.count()) {
-                facets.set(lane, &self.facet(&found, lane, finish, stack));
+            let (mut shares, known) = self.coarse.light(&found, self.level);
+            for lane in 0..found.count() {
+                if (known >> lane) & 1 == 0 {
+                    let place = Place::new(&found, lane);
+                    shares.set(
+                        lane,
+                        self.occlusion.sample_alone(&place, strengths, stack).shares(),
+                    );
+                }
             }
             let kernel = Radiance {
-                facets,
+                surfaces: found.surfaces,
+                finishes: &finishes,
+                shares: &shares,
                 emitters: self.occlusion.emitters,
                 rig: self.rig,
                 film: self.film,
@@ -379,23 +430,6 @@ impl ShadingContext<'_> {
             }
         }
         packet.clear();
-    }
-
-    #[inline]
-    fn facet(&self, found: &Found<'_, '_>, lane: usize, finish: Finish, stack: &mut Stack) -> Facet {
-        let place = Place::new(found, lane);
-        let light = self
-            .coarse
-            .light(found.place(lane), &place)
-            .unwrap_or_else(|| self.occlusion.sample_alone(&place, stack).shares());
-        Facet {
-            point: place.from_eye,
-            normal: place.normal,
-            finish,
-            direct: light.direct,
-            ambient: light.ambient,
-            sky: light.sky,
-        }
     }
 
     #[inline]

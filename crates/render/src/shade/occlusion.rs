@@ -3,15 +3,14 @@
 use glam::Vec3;
 use oaktwin_camera::math::DVec3;
 use oaktwin_scene::Scene;
+use oaktwin_simd::Level;
 
 use super::lamp::{Emitter, Lamp};
 use super::pattern::{DIRECTIONS_PER_PLACE, Pattern, PatternCell};
-use super::rig::{LightRig, luminance};
+use super::rig::LightRig;
+use super::strength::{MAX_SHADOWS, Strengths, Strongest};
 use super::surfaces::{Found, lane_of};
 use crate::ray::{Ray, RayCaster, Stack};
-
-/// The number of lamps, those that contribute most, for which shadow rays are cast; the others get the same shadow.
-const MAX_SHADOWS: usize = 4;
 
 /// The luminance of lamp light.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -52,14 +51,18 @@ impl Light {
         sky: 1.0,
     };
 
+    /// Returns the light of all lamps.
     #[inline]
-    pub(super) fn shares(&self) -> Shares {
-        let (some, all) = (self.small.some + self.large.some, self.small.all + self.large.all);
-        Shares {
-            direct: if all > 0.0 { some / all } else { 1.0 },
-            ambient: self.ambient,
-            sky: self.sky,
-        }
+    pub(super) fn arrived(&self) -> Arrived {
+        self.small.plus(self.large, 1.0)
+    }
+
+    /// Returns the shares that arrive: of the light from lamps, surroundings and sky.
+    #[inline]
+    pub(super) fn shares(&self) -> [f32; 3] {
+        let Arrived { some, all } = self.arrived();
+        let direct = if all > 0.0 { some / all } else { 1.0 };
+        [direct, self.ambient, self.sky]
     }
 
     /// Returns the sum, with a weight for `other`.
@@ -73,35 +76,53 @@ impl Light {
         }
     }
 
-    /// Returns `smooth` with the sharp shadows of `self`.
-    pub(super) fn with_smooth(self, smooth: Self) -> Self {
-        Self {
-            small: self.small,
-            ..smooth
-        }
-    }
-
-    /// Returns `self` with the surroundings and the sky of `smooth`.
-    pub(super) fn with_smooth_surroundings(self, smooth: Self) -> Self {
-        Self {
-            ambient: smooth.ambient,
-            sky: smooth.sky,
-            ..self
-        }
+    #[inline]
+    pub(super) fn rows(&self) -> LightRows {
+        let Self {
+            small,
+            large,
+            ambient,
+            sky,
+        } = *self;
+        [[small.some, small.all, large.some], [large.all, ambient, sky]]
     }
 
     #[inline]
-    pub(super) fn times(self, factor: f32) -> Self {
-        Self::default().plus(self, factor)
+    pub(super) fn of_rows([first, second]: LightRows) -> Self {
+        Self {
+            small: Arrived {
+                some: first[0],
+                all: first[1],
+            },
+            large: Arrived {
+                some: first[2],
+                all: second[0],
+            },
+            ambient: second[1],
+            sky: second[2],
+        }
     }
 }
 
-/// The shares of the light from lamps, surroundings and sky that reach a point.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// [`Light`] in rows, which vector code gathers.
+pub(super) type LightRows = [[f32; 3]; 2];
+
+/// The shares of the light from lamps, surroundings and sky that reach eight points.
+#[derive(Clone, Debug, Default)]
 pub(super) struct Shares {
-    pub(super) direct: f32,
-    pub(super) ambient: f32,
-    pub(super) sky: f32,
+    pub(super) direct: [f32; 8],
+    pub(super) ambient: [f32; 8],
+    pub(super) sky: [f32; 8],
+}
+
+impl Shares {
+    /// Sets one of eight lanes.
+    #[inline]
+    pub(super) fn set(&mut self, lane: usize, [direct, ambient, sky]: [f32; 3]) {
+        self.direct[lane & 7] = direct;
+        self.ambient[lane & 7] = ambient;
+        self.sky[lane & 7] = sky;
+    }
 }
 
 /// A point on a surface.
@@ -143,6 +164,7 @@ pub(super) struct Occlusion<'a> {
     pub(super) rig: &'a LightRig,
     pub(super) emitters: &'a [Emitter],
     pub(super) pattern: &'a Pattern,
+    pub(super) level: Level,
     /// The eye in the world, metres.
     pub(super) eye: DVec3,
 }
@@ -158,17 +180,16 @@ pub(super) struct LampSample {
 pub(super) type LampSamples = [Option<LampSample>; MAX_SHADOWS];
 
 impl Occlusion<'_> {
-    /// Returns the lamp light at a point relative to the eye. `sees` tests whether a spot on a lamp, −1 to 1, is visible.
+    /// Returns the light of lamps at a point relative to the eye. `sees` tests whether a spot on a lamp, −1 to 1, is visible.
     pub(super) fn lamplight(
         &self,
         from_eye: Vec3,
-        normal: Vec3,
+        strongest: Strongest,
         cell: PatternCell,
         mut sees: impl FnMut(u32, &Lamp, [f64; 2]) -> bool,
     ) -> (Light, LampSamples) {
         let mut light = Light::default();
         let mut lamp_samples = LampSamples::default();
-        let strongest = self.strongest(from_eye, normal);
         for (lamp_sample, (index, strength)) in lamp_samples.iter_mut().zip(strongest.into_iter().flatten()) {
             let Some(lamp) = self.rig.lamps.get(index as usize) else {
                 continue;
@@ -198,16 +219,20 @@ impl Occlusion<'_> {
     pub(super) fn sample_lamps(
         &self,
         place: &Place,
+        strongest: Strongest,
         cell: PatternCell,
         stack: &mut Stack,
     ) -> (Light, LampSamples) {
-        self.lamplight(place.from_eye, place.normal, cell, |_, lamp, spot| {
+        self.lamplight(place.from_eye, strongest, cell, |_, lamp, spot| {
             self.sees(place, lamp, spot, stack)
         })
     }
 
     /// Averages several pattern cells at one point, for pixels without similar samples.
-    pub(super) fn sample_alone(&self, place: &Place, stack: &mut Stack) -> Light {
+    pub(super) fn sample_alone(&self, place: &Place, strengths: &mut Strengths, stack: &mut Stack) -> Light {
+        strengths.set(0, place.from_eye, place.normal);
+        strengths.measure(self.emitters, self.level);
+        let strongest = strengths.strongest(0);
         // One cell for each quarter of a lamp, at similar angles from the normal.
         [0usize, 6, 9, 15]
             .into_iter()
@@ -216,7 +241,7 @@ impl Occlusion<'_> {
                     of_place: cell,
                     of_tile: cell,
                 };
-                let (light, _) = self.sample_lamps(place, cell, stack);
+                let (light, _) = self.sample_lamps(place, strongest, cell, stack);
                 let (ambient, sky) = self.sample_surroundings(place, cell, stack);
                 Light {
                     ambient,
@@ -283,25 +308,5 @@ impl Occlusion<'_> {
             far: if ends { 0.999 } else { f64::INFINITY },
         };
         direction.dot(place.flat_normal.as_dvec3()) > 0.0 && !self.caster.is_occluded(self.scene, ray, stack)
-    }
-
-    /// Returns the lamps that contribute most, with their luminance.
-    fn strongest(&self, from_eye: Vec3, normal: Vec3) -> [Option<(u32, f32)>; MAX_SHADOWS] {
-        let mut strongest = [None; MAX_SHADOWS];
-        for (index, emitter) in (0u32..).zip(self.emitters) {
-            let mut strength = 0.0;
-            emitter.each(from_eye, |towards, irradiance| {
-                strength += luminance(irradiance) * normal.dot(towards).max(0.0);
-            });
-            let mut entry = (strength > 0.0).then_some((index, strength));
-            for slot in &mut strongest {
-                if entry.is_some()
-                    && slot.is_none_or(|(_, other): (u32, f32)| other < entry.map_or(0.0, |(_, mine)| mine))
-                {
-                    std::mem::swap(slot, &mut entry);
-                }
-            }
-        }
-        strongest
     }
 }

@@ -6,7 +6,7 @@ use oaktwin_simd::Level;
 
 use super::filter::{Footprints, Wraps};
 use super::pyramid::Pyramid;
-use super::surfaces::{Columns, Found, Spot, corner_values, lane_of};
+use super::surfaces::{Columns, Found, Spot, corner_values, lane_of, set_lane};
 use super::textures::Textures;
 
 /// The linear colour of surfaces without one: a perceptual middle grey.
@@ -23,13 +23,20 @@ pub(super) struct Paint<'a> {
     roughness: f32,
 }
 
-/// The material properties at a point.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Finish {
-    pub(super) color: Vec3,
-    pub(super) emissive: Vec3,
-    pub(super) metallic: f32,
-    pub(super) roughness: f32,
+/// The material properties at eight points.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Finishes {
+    pub(super) color: Columns,
+    pub(super) emissive: Columns,
+    pub(super) metallic: [f32; 8],
+    pub(super) roughness: [f32; 8],
+}
+
+impl Finishes {
+    #[inline]
+    fn set_color(&mut self, lane: usize, color: Vec3) {
+        set_lane(&mut self.color, lane, color);
+    }
 }
 
 impl<'a> Paint<'a> {
@@ -64,26 +71,20 @@ impl<'a> Paint<'a> {
         }
     }
 
-    /// Returns the properties at a place on a visible triangle.
-    pub(super) fn finish(&self, mesh: &Mesh, triangle: u32, spot: &Spot, level: Level) -> Finish {
-        let color = match self.fill(mesh, triangle, spot) {
+    /// Returns the colour at a place on a visible triangle.
+    pub(super) fn color(&self, mesh: &Mesh, triangle: u32, spot: &Spot, level: Level) -> Vec3 {
+        match self.fill(mesh, triangle, spot) {
             Fill::Color(color) => color,
             Fill::Texture([at, across, down]) => {
                 let mut footprints = Footprints::default();
                 footprints.set(0, at, across, down);
                 self.tinted(lane_of(&self.filtered(&footprints, 1, level), 0))
             }
-        };
-        self.with_color(color)
+        }
     }
 
-    fn with_color(&self, color: Vec3) -> Finish {
-        Finish {
-            color,
-            emissive: self.emissive,
-            metallic: self.metallic,
-            roughness: self.roughness,
-        }
+    pub(super) fn metallic(&self) -> f32 {
+        self.metallic
     }
 
     #[inline]
@@ -161,8 +162,8 @@ enum Fill {
 
 /// Returns the properties at the surfaces of a packet.
 #[inline]
-pub(super) fn finishes(paints: &[Paint<'_>], found: &Found<'_, '_>, level: Level) -> [Finish; 8] {
-    let mut finishes = [Paint::BARE.with_color(Vec3::ZERO); 8];
+pub(super) fn finishes(paints: &[Paint<'_>], found: &Found<'_, '_>, level: Level) -> Finishes {
+    let mut finishes = Finishes::default();
     let mut materials = [u32::MAX; 8];
     let mut footprints = Footprints::default();
     let mut textured = 0u32;
@@ -179,7 +180,10 @@ pub(super) fn finishes(paints: &[Paint<'_>], found: &Found<'_, '_>, level: Level
                 Vec3::ZERO
             }
         };
-        finishes[lane & 7] = paint.with_color(color);
+        finishes.set_color(lane, color);
+        set_lane(&mut finishes.emissive, lane, paint.emissive);
+        finishes.metallic[lane & 7] = paint.metallic;
+        finishes.roughness[lane & 7] = paint.roughness;
     }
     // One material at a time.
     while textured != 0 {
@@ -194,9 +198,9 @@ pub(super) fn finishes(paints: &[Paint<'_>], found: &Found<'_, '_>, level: Level
             continue;
         };
         let read = paint.filtered(&footprints, used, level);
-        for (lane, finish) in finishes.iter_mut().enumerate() {
+        for lane in 0..8 {
             if (used >> lane) & 1 != 0 {
-                finish.color = paint.tinted(lane_of(&read, lane));
+                finishes.set_color(lane, paint.tinted(lane_of(&read, lane)));
             }
         }
     }

@@ -12,7 +12,9 @@ use super::tone::Encoder;
 #[derive(Debug)]
 pub(crate) struct Pyramid {
     levels: Vec<Image<[u8; 4]>>,
+    /// The linear values of bytes.
     linear: &'static [f32; 256],
+    is_srgb: bool,
 }
 
 /// The values of data textures: 0 to 1 in equal steps.
@@ -37,7 +39,11 @@ impl Pyramid {
             let next = halved(last, linear, is_srgb);
             levels.push(next);
         }
-        Self { levels, linear }
+        Self {
+            levels,
+            linear,
+            is_srgb,
+        }
     }
 
     /// Filters over footprints; lanes without a bit in `used` return 0.
@@ -50,7 +56,7 @@ impl Pyramid {
     ) -> [[f32; 8]; 3] {
         let filter = Filter {
             levels: &self.levels,
-            linear: self.linear,
+            is_srgb: self.is_srgb,
             wraps,
             footprints,
             used,

@@ -5,9 +5,11 @@ use oaktwin_simd::{I32Lanes, LaneKernel, Lanes};
 
 use super::film::Film;
 use super::harmonics::Harmonics;
-use super::lamp::Emitter;
-use super::paint::Finish;
+use super::lamp::{Emitter, Receiver};
+use super::occlusion::Shares;
+use super::paint::Finishes;
 use super::rig::LightRig;
+use super::surfaces::Surfaces;
 use super::tone::tone_lanes;
 use crate::ray::Vector;
 
@@ -17,65 +19,13 @@ const DIELECTRIC: f32 = 0.04;
 /// The roughness from which on dielectrics have no specular highlights.
 const DULL: f32 = 0.75;
 
-/// A point on a surface, in single precision, relative to the eye, in world axes; its material, and the shares of the light from
-/// lamps, surroundings and sky that arrive there.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Facet {
-    pub(super) point: Vec3,
-    pub(super) normal: Vec3,
-    pub(super) finish: Finish,
-    pub(super) direct: f32,
-    pub(super) ambient: f32,
-    pub(super) sky: f32,
-}
-
-/// Eight facets.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Facets {
-    point: [[f32; 8]; 3],
-    normal: [[f32; 8]; 3],
-    color: [[f32; 8]; 3],
-    emissive: [[f32; 8]; 3],
-    metallic: [f32; 8],
-    roughness: [f32; 8],
-    direct: [f32; 8],
-    ambient: [f32; 8],
-    sky: [f32; 8],
-}
-
-impl Facets {
-    /// Sets one of eight lanes.
-    #[inline]
-    pub(super) fn set(&mut self, lane: usize, facet: &Facet) {
-        let Finish {
-            color,
-            emissive,
-            metallic,
-            roughness,
-        } = facet.finish;
-        let vectors = [
-            (&mut self.point, facet.point),
-            (&mut self.normal, facet.normal),
-            (&mut self.color, color),
-            (&mut self.emissive, emissive),
-        ];
-        for (lanes, vector) in vectors {
-            for (lanes, value) in lanes.iter_mut().zip(vector.to_array()) {
-                lanes[lane & 7] = value;
-            }
-        }
-        self.metallic[lane & 7] = metallic;
-        self.roughness[lane & 7] = roughness;
-        self.direct[lane & 7] = facet.direct;
-        self.ambient[lane & 7] = facet.ambient;
-        self.sky[lane & 7] = facet.sky;
-    }
-}
-
 /// The exposed radiance towards the eye on film, by channel: a diffuse part, and a glossy part with the distribution of Trowbridge and
 /// Reitz ("GGX") and Schlick's Fresnel term. Emission is not exposed: 1 is white.
 pub(super) struct Radiance<'a> {
-    pub(super) facets: &'a Facets,
+    /// The points, and their materials and light.
+    pub(super) surfaces: &'a Surfaces,
+    pub(super) finishes: &'a Finishes,
+    pub(super) shares: &'a Shares,
     pub(super) emitters: &'a [Emitter],
     pub(super) rig: &'a LightRig,
     pub(super) film: Film,
@@ -87,17 +37,19 @@ impl LaneKernel for Radiance<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self) -> Self::Output {
         let Self {
-            facets,
+            surfaces,
+            finishes,
+            shares,
             emitters,
             rig,
             film,
         } = self;
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
-        let point = Vector::<L>::load(&facets.point);
-        let normal = Vector::<L>::load(&facets.normal);
-        let color = Vector::<L>::load(&facets.color);
-        let (metallic, roughness) = (L::load(&facets.metallic), L::load(&facets.roughness));
-        let ambient = L::load(&facets.ambient);
+        let point = Vector::<L>::load(&surfaces.point);
+        let normal = Vector::<L>::load(&surfaces.normal);
+        let color = Vector::<L>::load(&finishes.color);
+        let (metallic, roughness) = (L::load(&finishes.metallic), L::load(&finishes.roughness));
+        let ambient = L::load(&shares.ambient);
         let length = point.dot(point).sqrt().max(L::splat(f32::MIN_POSITIVE));
         let eye = point * (L::splat(-1.0) / length);
         let dielectric = Vector::splat([DIELECTRIC; 3]);
@@ -115,14 +67,14 @@ impl LaneKernel for Radiance<'_> {
             glossy: Vector::splat([0.0; 3]),
         };
         for emitter in emitters {
-            shine.add(emitter, point);
+            emitter.shine(point, &mut shine);
         }
-        let direct = L::load(&facets.direct);
+        let direct = L::load(&shares.direct);
         let mirrored = normal * (L::splat(2.0) * normal.dot(eye)) - eye;
         let mut around = mean_by_cosine(&rig.ambient, normal) * ambient;
         let mut reflected = mean_by_cosine(&rig.ambient, mirrored) * ambient;
         if rig.has_sky {
-            let sky = L::load(&facets.sky);
+            let sky = L::load(&shares.sky);
             around = around + mean_by_cosine(&rig.sky, normal) * sky;
             reflected = reflected + mean_by_cosine(&rig.sky, mirrored) * sky;
         }
@@ -137,7 +89,7 @@ impl LaneKernel for Radiance<'_> {
         let sent =
             (times(color * (one - metallic), lambert) + shine.glossy * direct + times(all_around, reflected))
                 * L::splat(rig.exposure)
-                + Vector::load(&facets.emissive);
+                + Vector::load(&finishes.emissive);
         let mut out = [[0.0; 8]; 3];
         exposed(film, sent).store(&mut out);
         out
@@ -173,65 +125,9 @@ struct Shine<L: Lanes> {
     glossy: Vector<L>,
 }
 
-impl<L: Lanes> Shine<L> {
+impl<L: Lanes> Receiver<L> for Shine<L> {
     #[inline(always)]
-    fn add(&mut self, emitter: &Emitter, point: Vector<L>) {
-        let (zero, one) = (L::splat(0.0), L::splat(1.0));
-        let min_length = L::splat(f32::MIN_POSITIVE);
-        match emitter {
-            Emitter::Distant {
-                towards,
-                spread,
-                irradiance,
-            } => self.light(
-                Vector::splat(towards.to_array()),
-                one,
-                *irradiance,
-                L::splat(*spread),
-            ),
-            Emitter::Sphere {
-                centre,
-                radius,
-                radiance,
-            } => {
-                let way = Vector::splat(centre.to_array()) - point;
-                let r2 = radius * radius;
-                let d2 = way.dot(way);
-                let share = L::splat(std::f32::consts::PI * r2) / d2.max(L::splat(r2)).max(min_length);
-                let distance = d2.sqrt().max(min_length);
-                self.light(
-                    way * (one / distance),
-                    share,
-                    *radiance,
-                    L::splat(*radius) / distance.max(L::splat(*radius)),
-                );
-            }
-            Emitter::Area {
-                points,
-                normal,
-                area,
-                radiance,
-            } => {
-                let quarter = area / 4.0;
-                let back = Vector::splat((-*normal).to_array());
-                for place in points {
-                    let way = Vector::splat(place.to_array()) - point;
-                    let d2 = way.dot(way).max(min_length);
-                    let towards = way * (one / d2.sqrt());
-                    let cosine = towards.dot(back).max(zero);
-                    let nearest = L::splat(quarter / std::f32::consts::PI);
-                    let share = L::splat(quarter) * cosine / d2.max(nearest);
-                    let width = (L::splat(quarter) / d2).sqrt().min(one);
-                    self.light(towards, share, *radiance, width);
-                }
-            }
-        }
-    }
-
-    /// Adds light from the unit vector `towards`, with an irradiance of `share` times `radiance` on a surface that faces it, from
-    /// a lamp of angular radius `width` (its tangent).
-    #[inline(always)]
-    fn light(&mut self, towards: Vector<L>, share: L, radiance: Vec3, width: L) {
+    fn receive(&mut self, towards: Vector<L>, share: L, radiance: Vec3, width: L) {
         let zero = L::splat(0.0);
         let to_light = self.normal.dot(towards).max(zero);
         let share = share * to_light;
@@ -252,7 +148,9 @@ impl<L: Lanes> Shine<L> {
         let factor = L::select(is_lit, factor, zero);
         self.glossy = self.glossy + times(received, fresnel) * factor;
     }
+}
 
+impl<L: Lanes> Shine<L> {
     /// Returns the glossy reflectance without the cosine: a factor and the Fresnel term.
     #[inline(always)]
     fn lobe(&self, towards: Vector<L>, to_light: L, alpha: L) -> (L, Vector<L>) {

@@ -157,7 +157,7 @@ impl<'a> Packet<'a> {
         for (column, vertex) in pixels.vertices.iter_mut().zip(vertices) {
             column[lane] = vertex;
         }
-        set(&mut pixels.rays, lane, ray.as_vec3());
+        set_lane(&mut pixels.rays, lane, ray.as_vec3());
         #[expect(clippy::cast_possible_truncation, reason = "shading is float32")]
         {
             pixels.distances[lane] = (f64::from(z) / ray.z) as f32;
@@ -166,7 +166,7 @@ impl<'a> Packet<'a> {
             let normals = mesh.normals.as_ref();
             let corners = normals.and_then(|normals| normals.corners(triangle, vertices));
             for (column, normal) in pixels.normals.iter_mut().zip(corners.unwrap_or_default()) {
-                set(column, lane, Vec3::from(normal));
+                set_lane(column, lane, Vec3::from(normal));
             }
         }
         for (column, next) in pixels
@@ -174,7 +174,7 @@ impl<'a> Packet<'a> {
             .iter_mut()
             .zip(self.rays.next(place[0], place[1], ray))
         {
-            set(
+            set_lane(
                 column,
                 lane,
                 next.map_or(Vec3::NAN, |next| (next - ray).as_vec3()),
@@ -284,8 +284,9 @@ pub(super) fn lane_of([x, y, z]: &Columns, lane: usize) -> Vec3 {
     Vec3::new(x[lane & 7], y[lane & 7], z[lane & 7])
 }
 
+/// Sets the vector in a lane.
 #[inline]
-fn set([x, y, z]: &mut Columns, lane: usize, value: Vec3) {
+pub(super) fn set_lane([x, y, z]: &mut Columns, lane: usize, value: Vec3) {
     (x[lane & 7], y[lane & 7], z[lane & 7]) = value.into();
 }
 

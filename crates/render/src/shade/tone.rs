@@ -8,7 +8,7 @@ use oaktwin_simd::Lanes;
 /// The value up to which the tone curve is the identity.
 const SHOULDER: f32 = 0.6;
 
-/// The number of buckets of the sRGB table.
+/// The number of buckets of the sRGB table. None contains two steps.
 const BUCKETS: u16 = 16_384;
 
 /// Maps exposed linear light to 0 to 1: the identity up to 0.6, then `0.6 + 0.4 t / (1 + t)` with `t = (x − 0.6) / 0.4`, which
@@ -34,17 +34,37 @@ pub(super) fn tone_lanes<L: Lanes>(x: L) -> L {
     L::select(x.le(shoulder), x, bright)
 }
 
-/// The sRGB values at the bounds of each bucket.
-static TABLE: LazyLock<Vec<u8>> = LazyLock::new(|| {
+/// The sRGB value at the lower bound of each bucket, and the smallest linear value that rounds to the next one.
+static TABLE: LazyLock<Vec<(f32, u8)>> = LazyLock::new(|| {
+    let steps: Vec<f32> = (0..=255u8).map(step_after).collect();
     (0..=BUCKETS)
         .map(|i| srgb_from_linear(f32::from(i) / f32::from(BUCKETS)))
+        .map(|low| (steps[usize::from(low)], low))
         .collect()
 });
+
+/// Returns the smallest linear value that rounds to the sRGB value after `low`.
+fn step_after(low: u8) -> f32 {
+    if low == u8::MAX {
+        return f32::INFINITY;
+    }
+    // The bits of positive numbers are in the order of the numbers.
+    let (mut below, mut step) = (0.0f32.to_bits(), 1.0f32.to_bits());
+    while step - below > 1 {
+        let middle = below.midpoint(step);
+        if srgb_from_linear(f32::from_bits(middle)) > low {
+            step = middle;
+        } else {
+            below = middle;
+        }
+    }
+    f32::from_bits(step)
+}
 
 /// Encodes linear values of 0 to 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Encoder {
-    table: &'static [u8],
+    table: &'static [(f32, u8)],
 }
 
 impl Encoder {
@@ -61,9 +81,9 @@ impl Encoder {
     )]
     pub(super) fn srgb(self, linear: f32) -> u8 {
         let at = (linear * f32::from(BUCKETS)) as usize;
-        match self.table.get(at..).and_then(|rest| rest.first_chunk()) {
-            Some([low, high]) if low == high => *low,
-            _ => srgb_from_linear(linear),
+        match self.table.get(at) {
+            Some((step, low)) => low + u8::from(linear >= *step),
+            None => u8::MAX,
         }
     }
 }

@@ -100,6 +100,28 @@ fn non_finite_coordinates_give_finite_colours() {
 }
 
 #[test]
+fn bytes_are_decoded_within_a_sixteenth_of_a_step() {
+    struct Decoded([f32; 8]);
+    impl LaneKernel for Decoded {
+        type Output = [f32; 8];
+
+        #[inline(always)]
+        fn run<L: Lanes>(self) -> [f32; 8] {
+            linear_from_srgb_byte(L::load(&self.0)).to_array()
+        }
+    }
+    let exact = oaktwin_image::srgb::linear_from_srgb();
+    for level in Level::available() {
+        for byte in 0..=255u8 {
+            let at = usize::from(byte);
+            let decoded = run_lanes_at(level, Decoded([f32::from(byte); 8]))[0];
+            let step = exact[at.max(1)] - exact[at.max(1) - 1];
+            assert!((decoded - exact[at]).abs() <= step / 16.0, "{byte}: {decoded}");
+        }
+    }
+}
+
+#[test]
 fn logarithms() {
     struct Logs([f32; 8]);
     impl LaneKernel for Logs {
