@@ -180,5 +180,5 @@ fn an_image_that_fits_no_memory_says_what_it_needs() {
         "--resolution",
         "46340x46340",
     ]);
-    assert!(error.contains("832.0 GiB of memory needed"), "{error}");
+    assert!(error.contains("848.0 GiB of memory needed"), "{error}");
 }
