@@ -2,27 +2,24 @@
 //!
 //! A scan moves from row to row, and its blocks with it: the sums over the block's rows are stored for each pixel and
 //! candidate, and each step adds the next row and subtracts the oldest one. Columns are summed likewise along a row.
+//!
+//! With several zones, the candidates of each pixel are first gathered from the right image, so that all are compared at once.
 
 use oaktwin_simd::{self as simd, Kernel};
 
 use super::block_sum::{BlockSum, Columns, Mean};
+use super::gather::Gathered;
 use super::lanes::Lane;
 use super::paths::{chunk, chunk_mut};
-use super::plan::{Plan, Raw, Zone};
+use super::plan::{Plan, Raw};
 use super::view::View;
 
 /// The block sums of a scan.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Blocks {
     columns: Columns,
-    entering: Stepped,
-    leaving: Stepped,
-}
-
-/// A row of the right image, regrouped by the disparity step of a zone.
-#[derive(Clone, Debug, Default)]
-struct Stepped {
-    rows: Vec<u8>,
+    entering: Gathered,
+    leaving: Gathered,
 }
 
 impl Blocks {
@@ -78,68 +75,40 @@ impl Blocks {
             census: [left, right],
             width,
         } = view;
-        for zone in &plan.zones {
-            let stride = right.stride();
-            let phase_stride = stride.div_ceil(zone.step);
-            let rows = [(entering, &mut self.entering), (leaving, &mut self.leaving)];
-            let rows = rows.map(|(y, stepped)| Line {
-                left: left.row(y),
-                right: stepped.of(zone.step, right.row(y), stride),
-            });
-            let work = Zoned::<S, P> {
-                plan,
-                zone,
-                rows,
-                left_stride: left.stride(),
-                right_stride: phase_stride * zone.step,
-                phase_stride,
-                width,
-                columns: S::of_columns(&mut self.columns),
-                out,
-            };
-            // Most pairs have one zone; the others have zones of 16, 32 and 48. Blocks of 48 are slower than three of 16.
-            match (left.planes(), zone.count) {
-                (1, 96) => simd::run_at(level, Costs::<S, P, 1, 96>(work)),
-                (2, 96) => simd::run_at(level, Costs::<S, P, 2, 96>(work)),
-                (3, 96) => simd::run_at(level, Costs::<S, P, 3, 96>(work)),
-                (6, 96) => simd::run_at(level, Costs::<S, P, 6, 96>(work)),
-                (8, 96) => simd::run_at(level, Costs::<S, P, 8, 96>(work)),
-                (1, 64) => simd::run_at(level, Costs::<S, P, 1, 64>(work)),
-                (2, 64) => simd::run_at(level, Costs::<S, P, 2, 64>(work)),
-                (3, 64) => simd::run_at(level, Costs::<S, P, 3, 64>(work)),
-                (6, 64) => simd::run_at(level, Costs::<S, P, 6, 64>(work)),
-                (8, 64) => simd::run_at(level, Costs::<S, P, 8, 64>(work)),
-                (1, 32) => simd::run_at(level, Costs::<S, P, 1, 32>(work)),
-                (2, 32) => simd::run_at(level, Costs::<S, P, 2, 32>(work)),
-                (3, 32) => simd::run_at(level, Costs::<S, P, 3, 32>(work)),
-                (6, 32) => simd::run_at(level, Costs::<S, P, 6, 32>(work)),
-                (8, 32) => simd::run_at(level, Costs::<S, P, 8, 32>(work)),
-                (1, _) => simd::run_at(level, Costs::<S, P, 1, 16>(work)),
-                (2, _) => simd::run_at(level, Costs::<S, P, 2, 16>(work)),
-                (3, _) => simd::run_at(level, Costs::<S, P, 3, 16>(work)),
-                (6, _) => simd::run_at(level, Costs::<S, P, 6, 16>(work)),
-                _ => simd::run_at(level, Costs::<S, P, 8, 16>(work)),
-            }
+        let is_gathered = plan.zones.len() > 1;
+        let rows = [(entering, &mut self.entering), (leaving, &mut self.leaving)];
+        let rows = rows.map(|(y, gathered)| Line {
+            left: left.row(y),
+            right: match is_gathered {
+                true => gathered.of(level, plan, right.row(y), right.stride(), width),
+                false => right.row(y),
+            },
+        });
+        let work = Work::<S, P> {
+            plan,
+            rows,
+            left_stride: left.stride(),
+            right_stride: match is_gathered {
+                true => width * plan.candidates,
+                false => right.stride(),
+            },
+            is_gathered,
+            width,
+            columns: S::of_columns(&mut self.columns),
+            out,
+        };
+        match (left.planes(), plan.candidates) {
+            (1, 64) => simd::run_at(level, Costs::<S, P, 1, 64>(work)),
+            (2, 64) => simd::run_at(level, Costs::<S, P, 2, 64>(work)),
+            (3, 64) => simd::run_at(level, Costs::<S, P, 3, 64>(work)),
+            (6, 64) => simd::run_at(level, Costs::<S, P, 6, 64>(work)),
+            (8, 64) => simd::run_at(level, Costs::<S, P, 8, 64>(work)),
+            (1, _) => simd::run_at(level, Costs::<S, P, 1, 96>(work)),
+            (2, _) => simd::run_at(level, Costs::<S, P, 2, 96>(work)),
+            (3, _) => simd::run_at(level, Costs::<S, P, 3, 96>(work)),
+            (6, _) => simd::run_at(level, Costs::<S, P, 6, 96>(work)),
+            _ => simd::run_at(level, Costs::<S, P, 8, 96>(work)),
         }
-    }
-}
-
-impl Stepped {
-    /// Regroups each plane: every `step`-th pixel from the first one, then from the second one, and so on.
-    fn of<'a>(&'a mut self, step: usize, planes: &'a [u8], stride: usize) -> &'a [u8] {
-        if step == 1 {
-            return planes;
-        }
-        let phase_stride = stride.div_ceil(step);
-        self.rows.clear();
-        for plane in planes.chunks_exact(stride) {
-            for phase in 0..step {
-                let before = self.rows.len();
-                self.rows.extend(plane.iter().skip(phase).step_by(step));
-                self.rows.resize(before + phase_stride, 0);
-            }
-        }
-        &self.rows
     }
 }
 
@@ -150,34 +119,32 @@ struct Line<'a> {
     right: &'a [u8],
 }
 
-struct Zoned<'a, S, P> {
+struct Work<'a, S, P> {
     plan: &'a Plan,
-    zone: &'a Zone,
     /// The row that enters the block, and the one that leaves it.
     rows: [Line<'a>; 2],
     left_stride: usize,
     right_stride: usize,
-    phase_stride: usize,
+    is_gathered: bool,
     width: usize,
     columns: &'a mut [S],
     out: &'a mut [P],
 }
 
-/// Costs from `PLANES` planes of the census transform, `B` candidates at a time.
-struct Costs<'a, S, P, const PLANES: usize, const B: usize>(Zoned<'a, S, P>);
+/// Costs of `D` candidates from `PLANES` planes of the census transform.
+struct Costs<'a, S, P, const PLANES: usize, const D: usize>(Work<'a, S, P>);
 
-impl<S: BlockSum, P: Lane, const PLANES: usize, const B: usize> Kernel for Costs<'_, S, P, PLANES, B> {
+impl<S: BlockSum, P: Lane, const PLANES: usize, const D: usize> Kernel for Costs<'_, S, P, PLANES, D> {
     type Output = ();
 
     #[inline(always)]
     fn run(self) {
-        let Zoned {
+        let Work {
             plan,
-            zone,
             rows: [entering, leaving],
             left_stride,
             right_stride,
-            phase_stride,
+            is_gathered,
             width,
             columns,
             out,
@@ -186,89 +153,92 @@ impl<S: BlockSum, P: Lane, const PLANES: usize, const B: usize> Kernel for Costs
         #[expect(clippy::cast_possible_truncation, reason = "at most 7")]
         let beyond = S::of(plan.raw.beyond() * plan.block as u32);
         let mean = Mean::new(plan.area());
-        for block in 0..zone.count / B {
-            let at = |x: usize| x * plan.candidates + zone.start + block * B;
-            let mut sum = [S::default(); B];
-            for x in 0..width + reach {
-                if x < width {
-                    let place = width - 1 - x + zone.first;
-                    // Division is as expensive as a block.
-                    let place = match zone.step {
-                        1 => place,
-                        step => place % step * phase_stride + place / step,
-                    } + block * B;
-                    let places = [x, left_stride, place, right_stride];
-                    let (Some(enters), Some(leaves), Some(column)) = (
-                        raw::<S, PLANES, B>(plan.raw, entering, places),
-                        raw::<S, PLANES, B>(plan.raw, leaving, places),
-                        chunk_mut::<S, B>(columns, at(x)),
-                    ) else {
-                        return;
-                    };
-                    for k in 0..B {
-                        column[k] = column[k].plus(enters[k]).minus(leaves[k]);
-                    }
-                    // Candidates outside the right image have a fixed cost.
-                    let first = zone.first + block * B * zone.step;
-                    let inside = (x + zone.step).saturating_sub(first) / zone.step;
-                    for own in column.iter_mut().skip(inside) {
-                        *own = beyond;
-                    }
-                }
-                let newest = x.min(width - 1);
-                // The border is repeated outside the image.
-                for _ in 0..if x == 0 { reach + 1 } else { 1 } {
-                    let Some(column) = chunk::<S, B>(columns, at(newest)) else {
-                        return;
-                    };
-                    for k in 0..B {
-                        sum[k] = sum[k].plus(column[k]);
-                    }
-                }
-                if x < reach {
-                    continue;
-                }
-                let oldest = x.saturating_sub(2 * reach);
-                let (Some(costs), Some(column)) = (
-                    chunk_mut::<P, B>(out, at(x - reach)),
-                    chunk::<S, B>(columns, at(oldest)),
+        let first = plan.zones.first().map_or(0, |zone| zone.first);
+        let last = plan.last();
+        let mut sum = [S::default(); D];
+        for x in 0..width + reach {
+            if x < width {
+                let place = if is_gathered { x * D } else { width - 1 - x + first };
+                let places = [x, left_stride, place, right_stride];
+                let (Some(enters), Some(leaves), Some(column)) = (
+                    raw::<S, PLANES, D>(plan.raw, entering, places),
+                    raw::<S, PLANES, D>(plan.raw, leaving, places),
+                    chunk_mut::<S, D>(columns, x * D),
                 ) else {
                     return;
                 };
-                for k in 0..B {
-                    costs[k] = P::of(sum[k].mean(&mean));
+                for k in 0..D {
+                    column[k] = column[k].plus(enters[k]).minus(leaves[k]);
                 }
-                for k in 0..B {
-                    sum[k] = sum[k].minus(column[k]);
+                if x < last {
+                    replace_outside(plan, x, beyond, column);
                 }
             }
+            let newest = x.min(width - 1);
+            // The border is repeated outside the image.
+            for _ in 0..if x == 0 { reach + 1 } else { 1 } {
+                let Some(column) = chunk::<S, D>(columns, newest * D) else {
+                    return;
+                };
+                for k in 0..D {
+                    sum[k] = sum[k].plus(column[k]);
+                }
+            }
+            if x < reach {
+                continue;
+            }
+            let oldest = x.saturating_sub(2 * reach);
+            let (Some(costs), Some(column)) = (
+                chunk_mut::<P, D>(out, (x - reach) * D),
+                chunk::<S, D>(columns, oldest * D),
+            ) else {
+                return;
+            };
+            for k in 0..D {
+                costs[k] = P::of(sum[k].mean(&mean));
+            }
+            for k in 0..D {
+                sum[k] = sum[k].minus(column[k]);
+            }
+        }
+    }
+}
+
+/// Gives the candidates outside the right image a fixed cost.
+#[inline(always)]
+fn replace_outside<S: Copy, const D: usize>(plan: &Plan, x: usize, beyond: S, column: &mut [S; D]) {
+    for zone in &plan.zones {
+        let inside = (x + zone.step).saturating_sub(zone.first) / zone.step;
+        let own = column.get_mut(zone.start..zone.start + zone.count);
+        for own in own.unwrap_or_default().iter_mut().skip(inside) {
+            *own = beyond;
         }
     }
 }
 
 /// Returns the costs of the candidates at one pixel: the number of bits that differ, or the complete equation.
 #[inline(always)]
-fn raw<S: BlockSum, const PLANES: usize, const B: usize>(
+fn raw<S: BlockSum, const PLANES: usize, const D: usize>(
     raw: Raw,
     row: Line<'_>,
     [x, left_stride, place, right_stride]: [usize; 4],
-) -> Option<[S; B]> {
-    let mut differing = [0u8; B];
+) -> Option<[S; D]> {
+    let mut differing = [0u8; D];
     for plane in 0..PLANES {
         let own = *row.left.get(plane * left_stride + x)?;
-        let others = chunk::<u8, B>(row.right, plane * right_stride + place)?;
-        for k in 0..B {
+        let others = chunk::<u8, D>(row.right, plane * right_stride + place)?;
+        for k in 0..D {
             #[expect(clippy::cast_possible_truncation, reason = "at most 8")]
             let ones = (own ^ others[k]).count_ones() as u8;
             differing[k] += ones;
         }
     }
-    let mut out = [S::default(); B];
+    let mut out = [S::default(); D];
     match raw {
         Raw::Equation { alpha, beta, most } if S::IS_EQUATION => {
             let own = *row.left.get(PLANES * left_stride + x)?;
-            let others = chunk::<u8, B>(row.right, PLANES * right_stride + place)?;
-            for k in 0..B {
+            let others = chunk::<u8, D>(row.right, PLANES * right_stride + place)?;
+            for k in 0..D {
                 let levels = u32::from(own.abs_diff(others[k]));
                 let both = alpha * levels + beta * (u32::from(differing[k]) << 3);
                 out[k] = S::of(both.min(most));
@@ -280,7 +250,7 @@ fn raw<S: BlockSum, const PLANES: usize, const B: usize>(
                     *own = (*own).min(most);
                 }
             }
-            for k in 0..B {
+            for k in 0..D {
                 out[k] = S::of(differing[k].into());
             }
         }

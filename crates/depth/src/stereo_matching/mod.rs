@@ -48,6 +48,7 @@ mod block_sum;
 mod census;
 mod cost;
 mod extended;
+mod gather;
 mod inspect;
 mod lanes;
 mod out;

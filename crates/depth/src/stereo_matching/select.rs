@@ -39,19 +39,39 @@ impl<K> Default for RightKeys<K> {
     }
 }
 
-/// Returns each zone with the index of its first key and the number of keys in a phase.
-fn layout(zones: &[Zone], width: usize) -> impl Iterator<Item = (&Zone, usize, usize)> {
+/// The keys of a zone.
+#[derive(Clone, Copy, Debug)]
+struct Place<'a> {
+    zone: &'a Zone,
+    /// The index of its first key.
+    start: usize,
+    /// The number of keys in a phase.
+    phase: usize,
+}
+
+impl Place<'_> {
+    /// Returns the index of the first key of the pixel `place` places from the end of the right image.
+    #[inline(always)]
+    fn index(&self, place: usize) -> usize {
+        // Steps are powers of two, and division takes long.
+        let step = self.zone.step;
+        self.start + (place & (step - 1)) * self.phase + (place >> step.trailing_zeros())
+    }
+}
+
+/// Returns the places of the keys of each zone.
+fn layout(zones: &[Zone], width: usize) -> impl Iterator<Item = Place<'_>> {
     zones.iter().scan(0, move |first, zone| {
         let phase = (width + zone.first).div_ceil(zone.step) + zone.count;
         let start = *first;
         *first += phase * zone.step;
-        Some((zone, start, phase))
+        Some(Place { zone, start, phase })
     })
 }
 
 impl<K: Copy + Ord> RightKeys<K> {
     pub(super) fn reset(&mut self, plan: &Plan, width: usize, last: K) {
-        let room = layout(&plan.zones, width).map(|(zone, start, phase)| start + phase * zone.step);
+        let room = layout(&plan.zones, width).map(|own| own.start + own.phase * own.zone.step);
         let room = room.last().unwrap_or(0);
         self.keys.clear();
         self.keys.resize(room, last);
@@ -65,11 +85,11 @@ impl<K: Copy + Ord> RightKeys<K> {
             }
             return;
         }
+        let zones: Vec<Place<'_>> = layout(&plan.zones, width).collect();
         for place in 0..width {
-            let keys = layout(&plan.zones, width).filter_map(|(zone, start, phase)| {
-                let own = start + place % zone.step * phase + place / zone.step;
-                self.keys.get(own).copied()
-            });
+            let keys = zones
+                .iter()
+                .filter_map(|own| self.keys.get(own.index(place)).copied());
             if let Some(least) = keys.min() {
                 take(width - 1 - place, least);
             }
@@ -111,6 +131,7 @@ impl<S: Lane, const D: usize> Kernel for Select<'_, S, D> {
         }
         let [a, b, c, d, e] = around;
         let mut right = self.right.map(|right| right.keys.as_mut_slice());
+        let zones: Vec<Place<'_>> = layout(&self.plan.zones, width).collect();
         let stride = width.div_ceil(APART).max(D + 1);
         for start in 0..stride {
             let mut x = start;
@@ -153,7 +174,7 @@ impl<S: Lane, const D: usize> Kernel for Select<'_, S, D> {
                             }
                         }
                     } else {
-                        zoned(&self.plan.zones, width, x, &keys, right);
+                        zoned(&zones, width - 1 - x, &keys, right);
                     }
                 }
                 x += stride;
@@ -162,16 +183,27 @@ impl<S: Lane, const D: usize> Kernel for Select<'_, S, D> {
     }
 }
 
-/// Updates the keys of the right image for several zones.
+/// Updates the keys of the right image for several zones, at the pixel `place` places from its end.
 #[inline(always)]
-fn zoned<K: Copy + Ord>(zones: &[Zone], width: usize, x: usize, keys: &[K], right: &mut [K]) {
-    for (zone, start, phase) in layout(zones, width) {
-        let place = width - 1 - x + zone.first;
-        let first = start + place % zone.step * phase + place / zone.step;
-        let own = keys.get(zone.start..zone.start + zone.count).unwrap_or_default();
-        let right = right.get_mut(first..first + zone.count).unwrap_or_default();
-        for (right, &key) in right.iter_mut().zip(own) {
-            *right = (*right).min(key);
+fn zoned<K: Copy + Ord>(zones: &[Place<'_>], place: usize, keys: &[K], right: &mut [K]) {
+    for own in zones {
+        let (start, first) = (own.zone.start, own.index(place + own.zone.first));
+        match own.zone.count {
+            48 => update::<K, 48>(keys, start, right, first),
+            32 => update::<K, 32>(keys, start, right, first),
+            _ => update::<K, 16>(keys, start, right, first),
+        }
+    }
+}
+
+#[inline(always)]
+fn update<K: Copy + Ord, const COUNT: usize>(keys: &[K], start: usize, right: &mut [K], first: usize) {
+    if let (Some(keys), Some(right)) = (
+        chunk::<K, COUNT>(keys, start),
+        chunk_mut::<K, COUNT>(right, first),
+    ) {
+        for k in 0..COUNT {
+            right[k] = right[k].min(keys[k]);
         }
     }
 }
