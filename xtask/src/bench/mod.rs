@@ -6,6 +6,7 @@ mod depth;
 mod generate;
 mod load;
 mod python;
+mod record;
 mod render;
 mod scaling;
 mod stereo;
@@ -31,6 +32,8 @@ pub(crate) enum Bench {
     Load(load::Args),
     /// Calls of the Python package, compared with noise written in NumPy
     Python(python::Args),
+    /// Recordings with point clouds as MCAP, compared with `mcap` in Python writing the same messages
+    Record(record::Args),
     /// How costs grow with triangles, pixels, instances, disparities, frames and threads
     Scaling(scaling::Args),
     /// The page of `oaktwin studio` in a headless browser; requires npm and Chromium
@@ -47,6 +50,7 @@ pub(crate) fn run(bench: &Bench) -> Result<(), String> {
         Bench::Stereo(args) => stereo::run(args),
         Bench::Load(args) => load::run(args),
         Bench::Python(args) => python::run(args),
+        Bench::Record(args) => record::run(args),
         Bench::Scaling(args) => scaling::run(args),
         Bench::Studio(args) => studio::run(args),
     }

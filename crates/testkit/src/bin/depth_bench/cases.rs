@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use oaktwin_camera::StereoGeometry;
 use oaktwin_depth::filter::{self, Chain};
-use oaktwin_depth::random::Stream;
+use oaktwin_depth::random::{Stage, Stream};
 use oaktwin_depth::single_view::{Assumptions, Parameters, SingleView, Wanted};
 use oaktwin_depth::stereo_noise::{self, StereoNoise};
 use oaktwin_depth::time_of_flight::{self, TimeOfFlight};
@@ -149,7 +149,7 @@ fn stereo_noise_cases<'a>(
     batch: Arc<[f32]>,
     engine: &StereoNoise,
     random: Stream,
-) -> [Case<'a>; 2] {
+) -> [Case<'a>; 3] {
     let (pixels, batch_pixels) = (depth.pixels().len(), batch.len());
     let mut out = vec![0.0; pixels];
     let sensor = engine.clone();
@@ -161,6 +161,20 @@ fn stereo_noise_cases<'a>(
             Ok(sensor.sense_batch(depth.pixels(), shape(depth), frame, 0, &random, &mut out)?)
         }),
     };
+    let noise = random.plane(Stage::Exposure, 0, 0);
+    let mut white = vec![0.0; batch_pixels];
+    for (row, depths) in (0..).zip(white.chunks_exact_mut(BATCH[2])) {
+        noise.uniforms(row, depths);
+        depths.iter_mut().for_each(|z| *z = 0.5 + 7.5 * *z);
+    }
+    let mut out = vec![0.0; batch_pixels];
+    let sensor = engine.clone();
+    let worst = Case {
+        name: "stereo_noise, 4096 × 60 × 106, white noise".to_owned(),
+        pixels: batch_pixels,
+        bytes: 8 * batch_pixels,
+        work: Box::new(move |frame| Ok(sensor.sense_batch(&white, BATCH, frame, 0, &random, &mut out)?)),
+    };
     let mut out = vec![0.0; batch_pixels];
     let sensor = engine.clone();
     let many = Case {
@@ -169,7 +183,7 @@ fn stereo_noise_cases<'a>(
         bytes: 8 * batch_pixels,
         work: Box::new(move |frame| Ok(sensor.sense_batch(&batch, BATCH, frame, 0, &random, &mut out)?)),
     };
-    [single, many]
+    [single, many, worst]
 }
 
 /// Time of flight at the camera's 640 × 480.
