@@ -2,8 +2,7 @@
 
 `bench_record.py PROGRAM FRAMES [WIDTHxHEIGHT]`, run by `cargo xtask bench record`. The program renders, measures and records a
 room along a trajectory. The peer gets its messages serialized, from the recording; reading them is not timed. Both compress chunks
-of 4 MiB with zstd at level 1, and the peer does nothing else. Memory is sampled while the program runs; its growth is that from the first quarter
-to the end.
+of 4 MiB with zstd at level 1, and the peer does nothing else. Memory is sampled while the program runs.
 """
 
 import math
