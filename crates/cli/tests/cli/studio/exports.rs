@@ -144,7 +144,7 @@ fn descriptions_for_robots_are_those_of_the_command() {
     assert_eq!(formats.len(), 5);
     for format in formats {
         let name = format["name"].as_str().unwrap();
-        let archive = export(&server, &state(), "robot", json!({"format": name}));
+        let archive = export(&server, &state(), "robot", &json!({"format": name}));
         let mut archive = zip::ZipArchive::new(Cursor::new(archive)).unwrap();
         let mut files = BTreeMap::new();
         for index in 0..archive.len() {
