@@ -180,6 +180,7 @@ mod tests {
     }
 
     /// The means, summed in another order.
+    #[expect(clippy::cast_possible_truncation, reason = "rounds once, at the end")]
     fn expected(full: (u32, u32), divisor: u32, max: f32) -> Image<[f32; 3]> {
         let size = (full.0.div_ceil(divisor), full.1.div_ceil(divisor));
         let mut sums = vec![[0.0f64; 3]; (size.0 * size.1) as usize];
