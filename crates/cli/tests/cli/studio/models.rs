@@ -27,6 +27,8 @@ fn every_model_has_frames_with_each_of_its_sensors_and_engines() {
                 (wanted["sensor"], wanted["engine"]) = (sensor["id"].clone(), engine.clone());
                 let mut request = request(id, &wanted);
                 request["size"] = json!([64, 40]);
+                // Another OAK for each: images that the page has already are not sent again.
+                request["oak"] = json!(id.to_string());
                 send(&mut page, &request);
                 let frame = frame(&mut page);
                 let place = format!("{name}, {}, {engine}", sensor["id"]);
