@@ -51,14 +51,6 @@ fn scene(random: &mut Random<'_>) -> Scene {
             });
         }
     }
-    for (number, mesh) in (0..).zip(&mut scene.meshes) {
-        let instances = || scene.instances.iter().filter(|one| one.mesh == number);
-        let is_wide = |triangle: &[u32; 3]| {
-            let corners = triangle.map(|at| DVec3::from(mesh.positions[at as usize].map(f64::from)));
-            instances().all(|one| is_wide(corners.map(|corner| one.world_from_mesh.transform_point3(corner))))
-        };
-        mesh.triangles = mesh.triangles.iter().copied().filter(is_wide).collect();
-    }
     scene
 }
 
@@ -88,21 +80,6 @@ fn mesh(random: &mut Random<'_>) -> Mesh {
         triangles: (0..=count).map(|_| [corner(), corner(), corner()]).collect(),
         ..Mesh::default()
     }
-}
-
-/// The minimum height of a triangle as a share of the coordinates in the camera's frame: 16 roundings to single precision.
-const MIN_HEIGHT: f64 = 1e-6;
-
-/// Whether a triangle in the world is wider than rounding. A needle whose line passes through the camera covers other
-/// pixels in each arithmetic.
-fn is_wide(corners: [DVec3; 3]) -> bool {
-    let [a, b, c] = corners;
-    let longest = (b - a).length().max((c - b).length()).max((a - c).length());
-    let farthest = corners
-        .iter()
-        .fold(0.0, |far: f64, corner| far.max(corner.length()));
-    // The camera is up to 14 m from the origin.
-    (b - a).cross(c - a).length() > MIN_HEIGHT * (farthest + 14.0) * longest
 }
 
 /// Returns a point within 8 m of the origin, on a grid of 1/16 m or finer.

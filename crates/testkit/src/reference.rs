@@ -180,8 +180,16 @@ fn centre(x: u32, y: u32) -> DVec2 {
 
 /// Whether the line through the origin meets the triangle, including its edges: whether it is on one side of the three
 /// planes through the origin and an edge. Two triangles that share an edge compute the same number for it, negated, so
-/// that there is no gap between them.
+/// that there is no gap between them. Where an edge points at the origin, rounding would decide, and the triangle, which is seen
+/// edge-on, is not met.
 fn covers(ray: DVec3, &[a, b, c]: &[DVec3; 3]) -> bool {
+    let points_at_origin = |p: DVec3, q: DVec3| {
+        let lengths = (p.length_squared() + q.length_squared()) * (q - p).length_squared();
+        4.0 * p.cross(q).length_squared() <= 1e-24 * lengths
+    };
+    if points_at_origin(a, b) || points_at_origin(b, c) || points_at_origin(c, a) {
+        return false;
+    }
     let sides = [a.cross(b).dot(ray), b.cross(c).dot(ray), c.cross(a).dot(ray)];
     sides.iter().all(|side| *side >= 0.0) || sides.iter().all(|side| *side <= 0.0)
 }

@@ -6,7 +6,7 @@ use oaktwin_simd::{I32Lanes, LaneKernel, Lanes};
 
 use super::bvh::{Bounds, Node};
 use super::corners::corners;
-use super::exact::Plane;
+use super::exact::{Plane, Triangle};
 use super::mesh_tree::MeshTree;
 use super::stack::{Entry, Stack, push_children};
 use super::vector::Vector;
@@ -21,7 +21,22 @@ pub(crate) struct Search {
     far: f64,
     hit: Hit,
     until: Until,
+    sides: Sides,
 }
+
+/// The arithmetic that decides on which side of an edge the ray passes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sides {
+    /// Single precision for all triangles but those with an edge that points at the origin.
+    Mixed,
+    /// The same, and a triangle was not met that single precision takes for met. Its neighbours may have been missed.
+    Rejected,
+    /// Double precision for all triangles.
+    Exact,
+}
+
+/// The square of the angle between an edge and the direction to it for which single precision is not trusted.
+const NEEDLE: f64 = 1.0 / 1024.0;
 
 /// The condition that ends a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,22 +88,29 @@ impl LaneKernel for Cast<'_> {
             near,
             far,
         } = self.ray;
-        let mut search = Search {
-            near,
-            far,
-            hit: Hit::MISS,
-            until: self.until,
-        };
         let top = self.scene.instances;
         let path = Path::new(DAffine3::IDENTITY, origin, direction, &top.bounds)?;
         let stack = self.stack;
-        stack.clear();
-        let mut visit = VisitInstances {
-            scene: self.scene,
-            ray: &self.ray,
-        };
-        walk::<L>(&top.nodes, &path, &mut search, stack, &mut visit);
-        (!search.hit.is_miss()).then_some((search.far, search.hit))
+        let mut sides = Sides::Mixed;
+        loop {
+            let mut search = Search {
+                near,
+                far,
+                hit: Hit::MISS,
+                until: self.until,
+                sides,
+            };
+            stack.clear();
+            let mut visit = VisitInstances {
+                scene: self.scene,
+                ray: &self.ray,
+            };
+            let is_over = walk::<L>(&top.nodes, &path, &mut search, stack, &mut visit);
+            if search.sides != Sides::Rejected || is_over {
+                return (!search.hit.is_miss()).then_some((search.far, search.hit));
+            }
+            sides = Sides::Exact;
+        }
     }
 }
 
@@ -137,7 +159,10 @@ impl Visit for VisitTriangles<'_> {
     #[inline(always)]
     fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search, _: &mut Stack) -> bool {
         let triangles = &self.tree.triangles[first as usize..][..count as usize];
-        let mut candidates = crossings::<L>(self.mesh, triangles, self.path, search);
+        let mut candidates = match search.sides {
+            Sides::Exact => (1 << triangles.len()) - 1,
+            Sides::Mixed | Sides::Rejected => crossings::<L>(self.mesh, triangles, self.path, search),
+        };
         while candidates != 0 {
             let lane = candidates.trailing_zeros() as usize;
             candidates &= candidates - 1;
@@ -152,7 +177,20 @@ impl Visit for VisitTriangles<'_> {
 impl VisitTriangles<'_> {
     fn is_over_at(&self, [a, b, c, triangle]: [u32; 4], search: &mut Search) -> bool {
         let corners = [a, b, c].map(|index| self.mesh.positions[index as usize]);
-        let t = Plane::new(corners, self.path.origin).meet(self.path.direction);
+        let Path {
+            origin, direction, ..
+        } = *self.path;
+        let plane = Plane::new(corners, origin);
+        let exact = Triangle::new(corners, origin);
+        if search.sides == Sides::Exact {
+            if !exact.is_met(direction) {
+                return false;
+            }
+        } else if exact.is_needle(&plane, NEEDLE) && !exact.is_met(direction) {
+            search.sides = Sides::Rejected;
+            return false;
+        }
+        let t = plane.meet(direction);
         let instance = self.instance;
         search.offer(t, Hit { instance, triangle })
     }

@@ -6,6 +6,7 @@
     reason = "test numbers"
 )]
 
+mod needles;
 mod shapes;
 
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};

@@ -23,7 +23,17 @@ pub(crate) struct TileRays {
     pub(crate) packets: Range<[f32; 8]>,
     /// The range of all rays.
     pub(crate) all: Range<f32>,
+    /// The square of the maximum angle between an edge and the direction to it for which single precision may displace the edge
+    /// by more than 0.01 px.
+    pub(crate) needle: f32,
 }
+
+/// The largest such angle.
+pub(crate) const MAX_NEEDLE: f32 = 1.0 / 32.0;
+
+/// The maximum rounding error of the normal of a plane through the origin and an edge, in products of the lengths of the edge and to
+/// its ends.
+const SIDE_ERROR: f32 = 4e-7;
 
 /// Minimum and maximum.
 #[derive(Clone, Copy, Debug)]
@@ -52,6 +62,7 @@ impl TileRays {
             u: [f32::INFINITY, f32::NEG_INFINITY],
             v: [f32::INFINITY, f32::NEG_INFINITY],
         },
+        needle: 0.0,
     };
 
     /// Creates a tile from directions in the camera frame, by packet, NaN where there is no ray. With `is_flat`, for
@@ -81,6 +92,7 @@ impl TileRays {
                 }
             }
         }
+        let mut widest = 0f32;
         for (packets, all) in [
             (&mut rays.packets.u, &mut rays.all.u),
             (&mut rays.packets.v, &mut rays.all.v),
@@ -88,11 +100,14 @@ impl TileRays {
             let low = packets[0].into_iter().fold(f32::INFINITY, f32::min);
             let high = packets[1].into_iter().fold(f32::NEG_INFINITY, f32::max);
             if low <= high {
+                widest = widest.max(high - low);
                 let slack = (high - low) / 256.0 + 2e-6 * (1.0 + low.abs().max(high.abs()));
                 *all = [low - slack, high + slack];
                 *packets = [packets[0].map(|x| x - slack), packets[1].map(|x| x + slack)];
             }
         }
+        let hundredth_px = widest / (100.0 * (SIDE - 1) as f32);
+        rays.needle = (SIDE_ERROR / hundredth_px).min(MAX_NEEDLE).powi(2);
         rays
     }
 

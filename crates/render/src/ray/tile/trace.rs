@@ -144,14 +144,18 @@ impl Visit for VisitTriangles<'_> {
         let triangles = &self.tree.triangles[first as usize..][..count as usize];
         let corners = corners::<L>(&self.mesh.positions, triangles);
         self.ready
-            .set(corners, self.frame, &self.rays.all, state.min_inverse_z);
-        let mut vast = self.ready.vast & ((1 << triangles.len()) - 1);
-        while vast != 0 {
-            let lane = vast.trailing_zeros() as usize & 7;
-            vast &= vast - 1;
+            .set(corners, self.frame, self.rays, state.min_inverse_z);
+        let needles = self.ready.needles.into_iter().fold(0, |all, edges| all | edges);
+        let mut unsure = (self.ready.vast | needles) & ((1 << triangles.len()) - 1);
+        while unsure != 0 {
+            let lane = unsure.trailing_zeros() as usize & 7;
+            unsure &= unsure - 1;
             let [a, b, c, _] = triangles[lane].map(|index| index as usize);
             let corners = [a, b, c].map(|vertex| self.mesh.positions[vertex]);
             self.ready.refine(lane, corners, self.frame);
+            if needles >> lane & 1 == 1 {
+                self.ready.refine_sides(lane, corners, self.frame);
+            }
         }
         let leaf = Leaf {
             instance: self.instance,

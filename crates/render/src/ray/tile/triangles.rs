@@ -2,8 +2,10 @@ use oaktwin_camera::math::DVec3;
 use oaktwin_simd::{I32Lanes, Lanes};
 
 use super::frame::Frame;
-use super::rays::Range;
+use super::rays::{MAX_NEEDLE, TileRays};
 use crate::ray::corners::Corners;
+use crate::ray::exact;
+use crate::ray::vector::Vector;
 
 /// The maximum ratio of the distances of a triangle's corner and of its plane for which single precision suffices.
 const MAX_OBLIQUENESS: f32 = 16.0;
@@ -25,6 +27,8 @@ pub(super) struct Triangles {
     pub(super) seen: u32,
     /// The visible triangles that are so oblique that they need [`refine`](Self::refine).
     pub(super) vast: u32,
+    /// For each side, the visible triangles that need [`refine_sides`](Self::refine_sides) because this edge points at the origin.
+    pub(super) needles: [u32; 3],
 }
 
 impl Triangles {
@@ -37,6 +41,7 @@ impl Triangles {
         v: [[0.0; 8]; 2],
         seen: 0,
         vast: 0,
+        needles: [0; 3],
     };
 
     /// Sets up triangles that the tile may see at 1/z of at least `min_inverse_z`.
@@ -45,9 +50,10 @@ impl Triangles {
         &mut self,
         corners: Corners<L>,
         frame: &Frame,
-        extent: &Range<f32>,
+        rays: &TileRays,
         min_inverse_z: f32,
     ) {
+        let extent = &rays.all;
         let zero = L::splat(0.0);
         let one = L::splat(1.0);
         let a = frame.see(corners[0]);
@@ -80,6 +86,7 @@ impl Triangles {
             & L::splat(extent.v[0]).le(v[1]);
         self.seen = seen.signs();
         self.vast = 0;
+        self.needles = [0; 3];
         if self.seen == 0 {
             return;
         }
@@ -87,9 +94,27 @@ impl Triangles {
         let is_oblique = (most * most).lt(a.dot(a) * normal.dot(normal));
         let is_deep = farthest * L::splat(0.95) * max_inverse_z;
         self.vast = (seen & is_oblique & one.lt(is_deep)).signs();
-        a.side(b).flip(sign).store(&mut self.sides[0]);
-        b.side(c).flip(sign).store(&mut self.sides[1]);
-        c.side(a).flip(sign).store(&mut self.sides[2]);
+        let sides = [a.side(b), b.side(c), c.side(a)];
+        // Edges that point at the origin belong to triangles that are seen edge-on, or that cover little beside their depth.
+        let is_edge_on = (most * most).lt(farthest * farthest * normal.dot(normal));
+        let depths = (farthest * max_inverse_z - one) * L::splat(16.0 * MAX_NEEDLE) + L::splat(8e-6);
+        let is_narrow = (u[1] - u[0] + (v[1] - v[0])).le(depths);
+        let may_be_needle = is_edge_on | is_narrow | L::splat(f32::INFINITY).le(max_inverse_z);
+        // The sides of needles get their signs in `refine_sides`.
+        let mut sign = sign;
+        if (seen & may_be_needle).signs() != 0 {
+            let limit = L::splat(rays.needle);
+            let needles = [
+                seen & points_at_origin(sides[0], a, b, limit),
+                seen & points_at_origin(sides[1], b, c, limit),
+                seen & points_at_origin(sides[2], c, a, limit),
+            ];
+            self.needles = [needles[0].signs(), needles[1].signs(), needles[2].signs()];
+            sign = sign & ((needles[0] | needles[1] | needles[2]) ^ L::I32::splat(-1));
+        }
+        sides[0].flip(sign).store(&mut self.sides[0]);
+        sides[1].flip(sign).store(&mut self.sides[1]);
+        sides[2].flip(sign).store(&mut self.sides[2]);
         (normal * (one / volume)).store(&mut self.plane);
         (L::splat(1.0 - 1e-6) / farthest).store(&mut self.min_inverse_z);
         max_inverse_z.store(&mut self.max_inverse_z);
@@ -97,6 +122,31 @@ impl Triangles {
         u[1].store(&mut self.u[1]);
         v[0].store(&mut self.v[0]);
         v[1].store(&mut self.v[1]);
+    }
+
+    /// Recomputes the sides of a needle that point at the origin in double precision. Hides it if not even that knows their
+    /// directions.
+    #[allow(clippy::cast_possible_truncation, reason = "rounds once, at the end")]
+    pub(super) fn refine_sides(&mut self, lane: usize, corners: [[f32; 3]; 3], frame: &Frame) {
+        let [a, b, c] = corners.map(|p| frame.see_exactly(DVec3::from(p.map(f64::from))));
+        let is_reversed = a.dot((b - a).cross(c - a)) < 0.0;
+        for (edge, (p, q)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
+            // The triangle at the other side of the edge decides alike, so that no ray passes between them.
+            if self.needles[edge] >> lane & 1 == 1 {
+                let Some(side) = exact::side(p, q) else {
+                    self.seen &= !(1 << lane);
+                    return;
+                };
+                for (axis, value) in side.to_array().into_iter().enumerate() {
+                    self.sides[edge][axis][lane] = value as f32;
+                }
+            }
+            if is_reversed {
+                for values in &mut self.sides[edge] {
+                    values[lane] = -values[lane];
+                }
+            }
+        }
     }
 
     /// Recomputes the plane of an oblique triangle in double precision.
@@ -119,6 +169,14 @@ impl Triangles {
         }
         self.min_inverse_z[lane] = ((1.0 - 1e-6) / a.z.max(b.z).max(c.z)) as f32;
     }
+}
+
+/// Whether the normal `side` of the plane through the origin and an edge is so short that single precision does not know its
+/// direction.
+#[inline(always)]
+fn points_at_origin<L: Lanes>(side: Vector<L>, p: Vector<L>, q: Vector<L>, limit: L) -> L::I32 {
+    let edge = q - p;
+    side.dot(side).lt((p.dot(p) + q.dot(q)) * edge.dot(edge) * limit)
 }
 
 /// Returns the range of three values with a margin for rounding; an infinite range where `known` is not set.
