@@ -14,7 +14,7 @@ use ::exr::prelude::{
 
 use crate::{CodecError, Image, limits};
 
-const FORMAT: &str = "OpenEXR";
+pub(crate) const FORMAT: &str = "OpenEXR";
 
 /// The name of the written channel.
 pub const CHANNEL: &str = "Y";
@@ -114,22 +114,25 @@ pub fn decode(bytes: &[u8]) -> Result<Image<f32>, CodecError> {
 /// Decodes the linear colours in a file: its channels R, G and B, or Y for all three.
 pub(crate) fn decode_rgb(bytes: &[u8]) -> Result<Image<[f32; 3]>, CodecError> {
     let channels = channels(bytes)?;
-    let of = |name: &str| channels.names.iter().position(|given| given == name);
-    let indices = match (of("R"), of("G"), of("B"), of("Y")) {
-        (Some(r), Some(g), Some(b), _) => [r, g, b],
-        (_, _, _, Some(y)) => [y; 3],
-        _ => {
-            return Err(CodecError::new(
-                FORMAT,
-                "channels",
-                format!("no R, G and B among {}", channels.names.join(", ")),
-                "save an image of R, G and B",
-            ));
-        }
-    };
+    let indices = color_channels(&channels.names)?;
     let [r, g, b] = indices.map(|index| channels.samples[index].values_as_f32());
     let pixels = r.zip(g).zip(b).map(|((r, g), b)| [r, g, b]).collect();
     Image::new(channels.width, channels.height, pixels).ok_or_else(incomplete)
+}
+
+/// Returns the indices of the channels of red, green and blue.
+pub(crate) fn color_channels(names: &[String]) -> Result<[usize; 3], CodecError> {
+    let of = |name: &str| names.iter().position(|given| given == name);
+    match (of("R"), of("G"), of("B"), of("Y")) {
+        (Some(r), Some(g), Some(b), _) => Ok([r, g, b]),
+        (_, _, _, Some(y)) => Ok([y; 3]),
+        _ => Err(CodecError::new(
+            FORMAT,
+            "channels",
+            format!("no R, G and B among {}", names.join(", ")),
+            "save an image of R, G and B",
+        )),
+    }
 }
 
 /// The first layer of a file.
@@ -140,11 +143,11 @@ struct Channels {
     samples: Vec<FlatSamples>,
 }
 
-fn incomplete() -> CodecError {
+pub(crate) fn incomplete() -> CodecError {
     broken("incomplete".into())
 }
 
-fn broken(problem: String) -> CodecError {
+pub(crate) fn broken(problem: String) -> CodecError {
     CodecError::new(
         FORMAT,
         "pixels",

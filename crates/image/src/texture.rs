@@ -8,9 +8,9 @@ use ::image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 
 use oaktwin_memory::{self as memory, Shortage};
 
-pub use crate::png_reduced::Average;
+pub use crate::reduced::Average;
 use crate::srgb::{linear_from_srgb, srgb_from_linear};
-use crate::{CodecError, Image, basis, exr, limits, png_chunks, png_reduced};
+use crate::{CodecError, Image, basis, exr, limits, png_chunks, reduced};
 
 /// A decoded image in its own colour space.
 enum Decoded {
@@ -42,8 +42,8 @@ pub struct Reduction {
 const SRGB_BYTES: u64 = 8;
 const LINEAR_BYTES: u64 = 20;
 
-/// Decodes a texture like [`decode_srgb`]. A PNG image that does not fit into the memory is reduced by a power of two while
-/// it is read.
+/// Decodes a texture like [`decode_srgb`]. A PNG, JPEG or `OpenEXR` image that does not fit into the memory is reduced by a power
+/// of two while it is read.
 ///
 /// # Errors
 /// Returns the same errors as [`decode_srgb`].
@@ -52,7 +52,14 @@ pub fn fit_srgb(
     extension: Option<&str>,
     average: Average,
 ) -> Result<Fitted<[u8; 4]>, CodecError> {
-    if let Some(reduced) = png_reduced::decode(bytes, SRGB_BYTES, average)? {
+    if is_exr(bytes) {
+        // What is brighter than white is clipped before it is averaged, as in the mipmaps of full images.
+        if let Some(reduced) = reduced::decode_exr(bytes, SRGB_BYTES, 1.0)? {
+            let Fitted { image, reduction } = reduced.into();
+            let image = to_srgb(&image);
+            return Ok(Fitted { image, reduction });
+        }
+    } else if let Some(reduced) = reduced::decode(bytes, SRGB_BYTES, average)? {
         return Ok(reduced.into());
     }
     let image = decode_srgb(bytes, extension)?;
@@ -60,13 +67,17 @@ pub fn fit_srgb(
     Ok(Fitted { image, reduction })
 }
 
-/// Decodes a texture like [`decode_linear`]. A PNG image that does not fit into the memory is reduced by a power of two while
-/// it is read.
+/// Decodes a texture like [`decode_linear`]. A PNG, JPEG or `OpenEXR` image that does not fit into the memory is reduced by a
+/// power of two while it is read.
 ///
 /// # Errors
 /// Returns the same errors as [`decode_srgb`].
 pub fn fit_linear(bytes: &[u8], extension: Option<&str>) -> Result<Fitted<[f32; 3]>, CodecError> {
-    if let Some(reduced) = png_reduced::decode(bytes, LINEAR_BYTES, Average::Srgb)? {
+    if is_exr(bytes) {
+        if let Some(reduced) = reduced::decode_exr(bytes, LINEAR_BYTES, f32::INFINITY)? {
+            return Ok(reduced.into());
+        }
+    } else if let Some(reduced) = reduced::decode(bytes, LINEAR_BYTES, Average::Srgb)? {
         let Fitted { image, reduction } = reduced.into();
         let image = to_linear(&image);
         return Ok(Fitted { image, reduction });
@@ -76,8 +87,8 @@ pub fn fit_linear(bytes: &[u8], extension: Option<&str>) -> Result<Fitted<[f32; 
     Ok(Fitted { image, reduction })
 }
 
-impl From<png_reduced::Reduced> for Fitted<[u8; 4]> {
-    fn from(reduced: png_reduced::Reduced) -> Self {
+impl<P> From<reduced::Reduced<P>> for Fitted<P> {
+    fn from(reduced: reduced::Reduced<P>) -> Self {
         Self {
             image: reduced.image,
             reduction: Some(Reduction {
@@ -97,11 +108,19 @@ impl From<png_reduced::Reduced> for Fitted<[u8; 4]> {
 pub fn decode_srgb(bytes: &[u8], extension: Option<&str>) -> Result<Image<[u8; 4]>, CodecError> {
     Ok(match decode(bytes, extension)? {
         Decoded::Srgb(image) => image,
-        Decoded::Linear(image) => image.map(|rgb| {
-            let [r, g, b] = rgb.map(srgb_from_linear);
-            [r, g, b, 255]
-        }),
+        Decoded::Linear(image) => to_srgb(&image),
     })
+}
+
+fn to_srgb(image: &Image<[f32; 3]>) -> Image<[u8; 4]> {
+    image.map(|rgb| {
+        let [r, g, b] = rgb.map(srgb_from_linear);
+        [r, g, b, 255]
+    })
+}
+
+fn is_exr(bytes: &[u8]) -> bool {
+    bytes.starts_with(&[0x76, 0x2F, 0x31, 0x01])
 }
 
 /// Decodes a texture to linear colours, for example of a dome light. Images of 8 bits are assumed to be sRGB.
@@ -123,7 +142,7 @@ pub fn to_linear(image: &Image<[u8; 4]>) -> Image<[f32; 3]> {
 }
 
 fn decode(bytes: &[u8], extension: Option<&str>) -> Result<Decoded, CodecError> {
-    if bytes.starts_with(&[0x76, 0x2F, 0x31, 0x01]) {
+    if is_exr(bytes) {
         return exr::decode_rgb(bytes).map(Decoded::Linear);
     }
     if basis::is_basis(bytes) {
