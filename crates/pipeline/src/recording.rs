@@ -42,8 +42,8 @@ impl Format {
             Some("mcap") => Ok(Self::Mcap),
             Some("rrd") if HAS_RRD => Ok(Self::Rrd),
             Some("rrd") => wrong(
-                "this build cannot write .rrd, which needs the feature `rerun`",
-                "name a .mcap file, or build with the feature `rerun`",
+                "this build of oaktwin cannot write .rrd, the format of Rerun",
+                "name an .mcap file, which Rerun opens too, or build with support for .rrd as the manual describes",
             ),
             _ => wrong("unknown recording format", "name a .mcap or an .rrd file"),
         }

@@ -9,7 +9,7 @@ use oaktwin::depth::rectify::Method;
 use oaktwin::depth::stereo_matching::Pair;
 use oaktwin::image::Image;
 use oaktwin::image::annotation::Annotator;
-use oaktwin::sense::FieldOfView;
+use oaktwin::sense::{FieldOfView, check_hfov};
 use oaktwin::sensor::{FixedDisparity, SensorOptions};
 use oaktwin::stereo::{Matcher, Seen, StereoError};
 use pyo3::prelude::*;
@@ -209,6 +209,7 @@ impl StereoMatcher {
             None => Source::rectified(fx, hfov_deg, baseline)?,
         };
         let platform = maybe_named("platform", platform)?;
+        finding::warn(py, hfov_deg.and_then(check_hfov).as_slice())?;
         // Reports invalid settings immediately.
         let matcher = py.detach(|| source.matcher(platform, &options, source.first_size()));
         Ok(Self {

@@ -390,3 +390,8 @@ def test_parameters():
     again = oaktwin.StereoMatcher(fx=400, baseline=0.05, parameters=matcher.parameters)
     assert again.parameters == matcher.parameters
     assert oaktwin.StereoMatcher(fx=400, baseline=0.05, preset="default").filters != []
+
+
+def test_a_field_of_view_in_radians_is_reported():
+    with pytest.warns(oaktwin.FindingWarning, match="looks like radians"):
+        oaktwin.StereoMatcher(hfov_deg=1.2, baseline=0.075)

@@ -100,14 +100,16 @@ fn report(args: &GenerateArgs, folder: &Path, generated: &Generated, seconds: f6
 }
 
 fn text(folder: &Path, generated: &Generated, seconds: f64) -> String {
-    let mut text = format!("{}: {} frames", folder.display(), generated.made);
+    let frames = |count: u64| format!("{count} frame{}", if count == 1 { "" } else { "s" });
+    let mut text = format!("{}: {}", folder.display(), frames(generated.made));
     if generated.made > 0 {
         #[expect(clippy::cast_precision_loss, reason = "a rate for people")]
         let rate = generated.made as f64 / seconds.max(1e-9);
         text += &format!(", {rate:.1} per second");
     }
     if generated.skipped > 0 {
-        text += &format!("; {} were complete already", generated.skipped);
+        let verb = if generated.skipped == 1 { "was" } else { "were" };
+        text += &format!("; {} {verb} complete already", generated.skipped);
     }
     if generated.is_interrupted {
         return text + "; interrupted: continue with --resume\n";
@@ -117,9 +119,10 @@ fn text(folder: &Path, generated: &Generated, seconds: f64) -> String {
     }
     text += &format!("; {} files, {}", generated.files, memory::size(generated.bytes));
     if generated.missing > 0 {
+        let verb = if generated.missing == 1 { "is" } else { "are" };
         text += &format!(
-            "; {} frames of the recipe are missing: add them with --resume",
-            generated.missing
+            "; {} of the recipe {verb} missing: add with --resume",
+            frames(generated.missing)
         );
     }
     text + "\n"

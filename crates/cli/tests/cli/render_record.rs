@@ -181,12 +181,12 @@ fn what_is_refused() {
 
 #[cfg(not(feature = "rerun"))]
 #[test]
-fn rrd_names_its_feature() {
+fn rrd_names_a_format_that_is_built_in() {
     let refused = program().refused(&["render", "room.usda", "--record", "a.rrd"]);
     assert_eq!(
         refused,
-        "error: a.rrd: this build cannot write .rrd, which needs the feature `rerun`; name a .mcap file, or build with \
-         the feature `rerun`\n"
+        "error: a.rrd: this build of oaktwin cannot write .rrd, the format of Rerun; name an .mcap file, which Rerun opens \
+         too, or build with support for .rrd as the manual describes\n"
     );
 }
 

@@ -6,7 +6,7 @@ mod points;
 use std::array::from_fn;
 use std::borrow::Cow;
 
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_simd::run;
 
 use super::pair::{Luminance, Pair};
@@ -75,7 +75,7 @@ pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
     findings
 }
 
-fn warning(code: &'static str, place: &str, message: String, remedy: &'static str) -> Finding {
+fn warning(code: &'static str, place: &str, message: String, remedy: impl Into<Message>) -> Finding {
     Finding::new(code, Level::Warning, place, message, remedy)
 }
 
@@ -167,7 +167,10 @@ impl<'a> Look<'a> {
                 "unrelated",
                 "stereo pair",
                 "the images do not match, or all surfaces are nearer than the search range".to_owned(),
-                "give both images of the same moment; for near objects enable the extended disparity",
+                message![
+                    "give both images of the same moment; for near objects enable ",
+                    opt("extended-disparity")
+                ],
             ));
         } else if rows != 0 && exceeds(0, BETTER * least.max(FLOOR)) {
             let to = if rows > 0 { "lower" } else { "higher" };

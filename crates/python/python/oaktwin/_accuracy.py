@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 from collections.abc import Sequence
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -14,9 +14,10 @@ from . import _oaktwin
 from ._plot import finished, new_axes
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from typing_extensions import Unpack
 
-    from ._types import _SensorOptions
+    from ._types import _Json, _SensorOptions
 
 _COLUMNS = (
     "distance_m",
@@ -37,14 +38,14 @@ class Accuracy:
     report: all results, as printed by `oaktwin accuracy --json`; names contain the units.
     """
 
-    def __init__(self, report: dict[str, Any]) -> None:
+    def __init__(self, report: _Json) -> None:
         self.report = report
 
     @property
-    def rows(self) -> list[dict[str, Any]]:
+    def rows(self) -> list[_Json]:
         """One dictionary per distance: "distance_m", "error_percent" (None if nothing was measured), "fill_rate", ...,
         "bands" (the published accuracy at this distance) and "verdict"."""
-        rows: list[dict[str, Any]] = self.report["distances"]
+        rows: list[_Json] = self.report["distances"]
         return rows
 
     @property
@@ -52,7 +53,7 @@ class Accuracy:
         """Whether no distance lies outside its band and something was measured."""
         return bool(self.report["passed"])
 
-    def to_numpy(self) -> npt.NDArray[Any]:
+    def to_numpy(self) -> npt.NDArray[np.void]:
         """Returns a structured array with one row per distance: the numbers of `rows` as float64, NaN if nothing was measured."""
         table = np.full(len(self.rows), np.nan, dtype=[(name, np.float64) for name in _COLUMNS])
         for place, row in zip(table, self.rows):
@@ -61,7 +62,7 @@ class Accuracy:
                     place[name] = row[name]
         return table
 
-    def plot(self, ax: Any = None) -> Any:
+    def plot(self, ax: Axes | None = None) -> Axes:
         """Plots error over distance with the published bands and returns the axes.
 
         ax: the Matplotlib axes; by default those of a new figure.

@@ -1,5 +1,5 @@
 from collections.abc import Sequence
-from typing import Any, Literal, final
+from typing import Literal, final
 
 import numpy as np
 import numpy.typing as npt
@@ -134,7 +134,7 @@ class Camera:
         """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
-    def __reduce__(self) -> tuple[Any, ...]: ...
+    def __reduce__(self) -> tuple[object, ...]: ...
 
 @final
 class Rectification:
@@ -153,7 +153,7 @@ class Rectification:
         *,
         intrinsics: _Intrinsics = "zero-disparity",
     ) -> Rectification: ...
-    def __getnewargs_ex__(self) -> tuple[tuple[Camera, Camera], dict[str, Any]]: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[Camera, Camera], dict[str, object]]: ...
     @property
     def R1(self) -> _Float64:
         """The rotation from the left camera's frame to the rectified left frame, (3, 3)."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -14,7 +14,7 @@ from . import _oaktwin
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._types import _SensorOptions
+    from ._types import _Json, _SensorOptions
 
 _NUMBERS = (
     "height_m",
@@ -37,16 +37,16 @@ class Coverage:
         is measured.
     """
 
-    def __init__(self, report: dict[str, Any], points: dict[str, Any] | None = None) -> None:
+    def __init__(self, report: _Json, points: _Json | None = None) -> None:
         self.report = report
         self.points = points
 
     @property
-    def candidates(self) -> list[dict[str, Any]]:
+    def candidates(self) -> list[_Json]:
         """One dictionary per candidate, those of the first device first: "name", "model", "engine", "position_m", "orientation",
         "seen" and "measured" (shares of the surface), "median_absolute_error_mm" (None if nothing is measured), ..., "lost"
         (shares by reason) and "occluders"."""
-        candidates: list[dict[str, Any]] = self.report["candidates"]
+        candidates: list[_Json] = self.report["candidates"]
         return candidates
 
     @property
@@ -56,17 +56,17 @@ class Coverage:
         return ranking
 
     @property
-    def best(self) -> dict[str, Any]:
+    def best(self) -> _Json:
         """The best candidate."""
         return self.candidates[self.ranking[0]]
 
     @property
-    def together(self) -> dict[str, Any]:
+    def together(self) -> _Json:
         """The shares and errors of all candidates together."""
-        together: dict[str, Any] = self.report["together"]
+        together: _Json = self.report["together"]
         return together
 
-    def to_numpy(self) -> npt.NDArray[Any]:
+    def to_numpy(self) -> npt.NDArray[np.void]:
         """Returns a structured array with one row per candidate: its numbers as float64, NaN if nothing is measured."""
         table = np.full(len(self.candidates), np.nan, dtype=[(name, np.float64) for name in _NUMBERS])
         for place, candidate in zip(table, self.candidates):

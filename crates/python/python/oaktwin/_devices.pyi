@@ -1,7 +1,7 @@
 from collections.abc import Sequence
 from os import PathLike
 from pathlib import Path
-from typing import Any, Literal, final
+from typing import Literal, final
 
 import numpy.typing as npt
 
@@ -9,8 +9,10 @@ from ._cameras import Camera, Rectification
 from ._findings import Finding
 from ._types import (
     _Float64,
+    _Inertial,
     _Intrinsics,
     _Isaac,
+    _Json,
     _Lens,
     _Mount,
     _Offsets,
@@ -51,7 +53,7 @@ class Device:
         A unit has a calibration, which `oaktwin population` also writes. Its findings tell where the spread comes from. Raises
         oaktwin.Error for the device of a calibration.
         """
-    def __reduce__(self) -> tuple[Any, ...]: ...
+    def __reduce__(self) -> tuple[object, ...]: ...
     @staticmethod
     def from_calibration(
         path: str | PathLike[str],
@@ -91,7 +93,7 @@ class Device:
         sensor: "stereo", "tof" or a prim; by default "tof" if the device has it.
         """
     @property
-    def depth_sensors(self) -> dict[str, dict[str, Any]]:
+    def depth_sensors(self) -> dict[str, _Json]:
         """The parameters of the depth sensors by kind ("stereo", "tof"; further stereo pairs by prim), with the catalog's names, which
         include units.
         """
@@ -181,7 +183,7 @@ class Device:
         """
     def to_depthai(self) -> dict[str, str]:
         """Returns DepthAI's calibration JSON: a mapping from a file name to its text; for a nominal device that of the ideal unit."""
-    def report(self) -> dict[str, Any]:
+    def report(self) -> _Json:
         """Everything known about the device, each number with its source: what `oaktwin show --json` prints."""
 
 def models(
@@ -201,7 +203,7 @@ def models(
 
 def parameters(
     group: _Parameters, *, platform: _Platform = "rvc2"
-) -> list[dict[str, Any]]:
+) -> list[_Json]:
     """The parameters of an engine, the imager or the filters, as dictionaries.
 
     group: "stereo-noise", "stereo-matching", "time-of-flight", "single-view", "imager" or "filters".
@@ -233,7 +235,7 @@ def simulate_imu(
     part: str | None = None,
     seed: int = 0,
     up: _Up = "z",
-) -> dict[str, npt.NDArray[Any]]:
+) -> _Inertial:
     """Simulates the inertial sensor of a device along a trajectory, as `oaktwin render --imu` does.
 
     times: (N,) the times of the poses in seconds, increasing; at least two.

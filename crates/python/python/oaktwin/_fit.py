@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from . import _oaktwin
 from ._plot import finished, new_axes
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from typing_extensions import Unpack
 
-    from ._types import _SensorOptions
+    from ._types import _Json, _SensorOptions
 
 
 class Fit:
@@ -23,7 +24,7 @@ class Fit:
     toml: the parameters as text, for `DepthSensor(params=)` and the program's `--params`.
     """
 
-    def __init__(self, report: dict[str, Any], toml: str) -> None:
+    def __init__(self, report: _Json, toml: str) -> None:
         self.report = report
         self.toml = toml
 
@@ -50,7 +51,7 @@ class Fit:
         """
         Path(path).write_text(self.toml, encoding="utf-8")
 
-    def plot(self, ax: Any = None) -> Any:
+    def plot(self, ax: Axes | None = None) -> Axes:
         """Plots the measured errors over distance with the fitted curve and returns the axes.
 
         ax: the Matplotlib axes; by default those of a new figure.

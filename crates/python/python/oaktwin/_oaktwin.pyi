@@ -1,6 +1,6 @@
 from collections.abc import Mapping, Sequence
 from os import PathLike
-from typing import Any, Final
+from typing import Final
 
 import numpy.typing as npt
 from typing_extensions import Unpack
@@ -17,7 +17,7 @@ from ._devices import (
 from ._findings import Error as Error, Finding as Finding, FindingWarning as FindingWarning, _finding as _finding
 from ._scenes import Mesh as Mesh, Recipe as Recipe, Recording as Recording, Scene as Scene, annotators as annotators
 from ._sensors import DepthSensor as DepthSensor, Filter as Filter, StereoMatcher as StereoMatcher, align as align
-from ._types import _Array, _SensorOptions
+from ._types import _Array, _Json, _SensorOptions
 
 __all__ = [
     "Camera",
@@ -68,7 +68,7 @@ def accuracy(
     focal_px: float | None = None,
     width_px: int | None = None,
     **options: Unpack[_SensorOptions],
-) -> dict[str, Any]:
+) -> _Json:
     """Wraps the report of `oaktwin accuracy --json` as a dictionary, for `oaktwin.accuracy`."""
 def coverage(
     scene: Scene,
@@ -87,7 +87,7 @@ def coverage(
     ambient: float = 1.0,
     imager: Mapping[str, float | str | bool] | None = None,
     **options: Unpack[_SensorOptions],
-) -> tuple[dict[str, Any], dict[str, Any] | None]:
+) -> tuple[_Json, _Json | None]:
     """Wraps the report of `oaktwin coverage --json` as a dictionary, and the outcomes by point, for `oaktwin.coverage`."""
 def fit(
     device: Device,
@@ -101,7 +101,7 @@ def fit(
     width_px: int | None = None,
     fits_focal_length: bool = False,
     **options: Unpack[_SensorOptions],
-) -> tuple[dict[str, Any], str]:
+) -> tuple[_Json, str]:
     """Wraps the report of `oaktwin fit --json` and its parameter file, for `oaktwin.fit`."""
 def main(arguments: Sequence[str]) -> int:
     """Runs the program `oaktwin` in this process and returns its exit code.

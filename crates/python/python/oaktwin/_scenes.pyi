@@ -2,7 +2,7 @@ from collections.abc import Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from types import TracebackType
-from typing import Any, final
+from typing import final
 
 import numpy as np
 import numpy.typing as npt
@@ -10,7 +10,7 @@ import numpy.typing as npt
 from ._cameras import Camera
 from ._devices import Device
 from ._findings import Finding
-from ._types import _Annotator, _Array, _Backend, _Float64, _Pair, _Up
+from ._types import _Annotator, _Array, _Backend, _Float64, _Json, _Pair, _Rendered, _Up
 
 __all__ = ["Mesh", "Recipe", "Recording", "Scene", "annotators"]
 
@@ -42,7 +42,7 @@ class Mesh:
         roughness: float = 0.5,
         emissive: npt.ArrayLike | None = None,
     ) -> Mesh: ...
-    def __getnewargs_ex__(self) -> tuple[tuple[npt.NDArray[np.float32], npt.NDArray[np.uint32]], dict[str, Any]]: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[npt.NDArray[np.float32], npt.NDArray[np.uint32]], dict[str, object]]: ...
 
 @final
 class Scene:
@@ -136,7 +136,7 @@ class Scene:
         annotators: Sequence[_Annotator] | None = None,
         backend: _Backend = "auto",
         smooth_edges: bool = True,
-    ) -> dict[str, Any]:
+    ) -> _Rendered:
         """Renders the ground truth of a camera.
 
         camera: a device's camera (`device.cameras["left"]`, `device.depth_camera()`) or any other `Camera`.
@@ -193,7 +193,7 @@ class Scene:
         Issues an oaktwin.FindingWarning for missing or unsupported contents. Raises oaktwin.Error for a device without a stereo
         pair or without the requested projector, an invalid pose, values out of range, and images that do not fit in memory.
         """
-    def __reduce__(self) -> tuple[Any, ...]: ...
+    def __reduce__(self) -> tuple[object, ...]: ...
     def __setstate__(self, poses: Mapping[str, npt.ArrayLike]) -> None: ...
     @property
     def cameras(self) -> dict[str, tuple[Camera, _Float64]]:
@@ -308,11 +308,11 @@ class Recipe:
         seed: int | None = None,
         catalog: str | PathLike[str] | None = None,
     ) -> Recipe: ...
-    def __getnewargs_ex__(self) -> tuple[tuple[str], dict[str, Any]]: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[str], dict[str, object]]: ...
     @property
     def frames(self) -> int:
         """The number of frames."""
-    def explain(self, frame: int) -> dict[str, Any]:
+    def explain(self, frame: int) -> _Json:
         """Returns everything that is drawn at random for a frame: the scene, the objects with their poses, the lights, the camera.
 
         Raises oaktwin.Error if an object or the camera has no place.

@@ -1,6 +1,6 @@
 from collections.abc import Mapping, Sequence
 from os import PathLike
-from typing import Any, Literal, final, overload
+from typing import Literal, final, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -144,7 +144,7 @@ class DepthSensor:
         device_seed: Sequence[int] | None = None,
         out: _Out,
     ) -> _Out: ...
-    def __getnewargs_ex__(self) -> tuple[tuple[Device], dict[str, Any]]: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[Device], dict[str, object]]: ...
     def annotate(
         self, depth: _Array, rgb: _Array | None = None, *, annotators: Sequence[_Annotator], frame: int | None = None
     ) -> dict[_Annotator, npt.NDArray[np.float32] | npt.NDArray[np.uint8]]:
@@ -336,7 +336,7 @@ class StereoMatcher:
     ) -> StereoMatcher: ...
     def __call__(self, left: _Array, right: _Array) -> _Matched:
         """Matches a pair or a batch of pairs; see the class."""
-    def __getnewargs_ex__(self) -> tuple[tuple[Device | None], dict[str, Any]]: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[Device | None], dict[str, object]]: ...
     def reset(self) -> None:
         """Resets the state of temporal filters."""
     @property

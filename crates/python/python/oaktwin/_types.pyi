@@ -88,12 +88,36 @@ class _DLPack(Protocol):
 
 class _Interface(Protocol):
     @property
-    def __array_interface__(self) -> dict[str, Any]: ...
+    def __array_interface__(self) -> Mapping[str, object]: ...
 
 _Array = npt.ArrayLike | _DLPack | _Interface
 _Measured = npt.NDArray[np.float32] | npt.NDArray[np.uint16] | npt.NDArray[np.uint8]
 
 _Grey = npt.NDArray[np.uint8] | npt.NDArray[np.uint16]
+
+# The content of a JSON object, whose keys the manual documents.
+_Json = dict[str, Any]
+
+_Boxes = npt.NDArray[np.void] | list[npt.NDArray[np.void]]
+
+# One array for each annotator of a call; lists for a batch.
+class _Rendered(TypedDict, total=False):
+    rgb: npt.NDArray[np.uint8]
+    distance_to_image_plane: npt.NDArray[np.float32]
+    distance_to_camera: npt.NDArray[np.float32]
+    normals: npt.NDArray[np.float32]
+    instance_id_segmentation: npt.NDArray[np.uint32]
+    instance_id_segmentation_prim_paths: dict[int, str]
+    semantic_segmentation: npt.NDArray[np.uint32]
+    semantic_segmentation_labels: dict[int, dict[str, str]]
+    bounding_box_2d_tight: _Boxes
+    bounding_box_2d_loose: _Boxes
+    pointcloud: npt.NDArray[np.float32] | list[npt.NDArray[np.float32]]
+
+class _Inertial(TypedDict):
+    timestamp: npt.NDArray[np.int64]
+    angular_velocity: npt.NDArray[np.float64]
+    linear_acceleration: npt.NDArray[np.float64]
 
 class _Matched(TypedDict):
     depth: npt.NDArray[np.float32]

@@ -45,6 +45,7 @@ fn composition_finding(error: &pcp::Error) -> Finding {
             let message = if reason.contains("no file format registered") {
                 format!("the {} @{asset_path}@ is not a USD layer", name(arc))
             } else {
+                let reason = reason.trim_start_matches("cannot be read: ");
                 format!("the {} @{asset_path}@ cannot be read: {reason}", name(arc))
             };
             (site_path.to_string(), message)
