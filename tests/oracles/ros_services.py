@@ -133,7 +133,7 @@ def plain(answer: object) -> object:
 
 
 class Client:
-    """A client of one service. Nobody else may call it meanwhile: answers are told apart by their order."""
+    """A client of one service. Nobody else may call it meanwhile: answers are matched by their order."""
 
     def __init__(self, peer: Peer, node: str, service: str) -> None:
         self.request, response = SERVICES[service]

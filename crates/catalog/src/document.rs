@@ -197,13 +197,22 @@ fn plain_types(message: &str) -> String {
         return message.to_owned();
     };
     let expected = match expected {
-        "f64" => "a number",
-        "u32" => "a whole number, 0 or more",
-        "i32" => "a whole number",
+        "f32" | "f64" => "a number",
+        "u8" | "u16" | "u32" | "u64" | "u128" | "usize" => "a whole number, 0 or more",
+        "i8" | "i16" | "i32" | "i64" | "i128" | "isize" => "a whole number",
         "a sequence" => "a list in [brackets]",
         other => other.strip_prefix("struct ").map_or(other, |_| "a table"),
     };
-    format!("{found}, expected {expected}")
+    format!("{}, expected {expected}", short_number(found))
+}
+
+/// Writes a number with very many digits with an exponent.
+fn short_number(found: &str) -> String {
+    let value = quoted(found).first().map_or("", |value| *value);
+    match value.parse::<f64>() {
+        Ok(number) if value.len() > 24 => found.replace(value, &format!("{number:e}")),
+        _ => found.to_owned(),
+    }
 }
 
 /// Returns the parts of a message between backticks.

@@ -1,4 +1,4 @@
-//! A user's own files: what loads, and what is said of those that do not.
+//! Files of a user's own catalog: which ones load, and the errors of the others.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use std::fs;

@@ -1,4 +1,4 @@
-//! A furnished room of our own to try things in: textured, lit, labelled, with things from 0.3 m to 8 m away.
+//! A furnished room for first experiments: textured, lit and labelled, with objects 0.3 m to 8 m away.
 
 mod noise;
 mod pictures;
@@ -12,8 +12,8 @@ use rayon::prelude::*;
 /// The name of the stage among the [`files`]; its textures lie beside it.
 pub const STAGE: &str = "demo_room.usda";
 
-/// Where an OAK stands in the room: its body (x forward, y left, z up) in the world, metres. The stage's prim
-/// `/Room/Oak` stands there too.
+/// The pose of an OAK in the room, which is also that of the stage's prim `/Room/Oak`: from its body (x forward, y left, z up)
+/// to the world, metres.
 #[must_use]
 pub fn world_from_body() -> RigidTransform {
     RigidTransform::new(
@@ -22,10 +22,10 @@ pub fn world_from_body() -> RigidTransform {
     )
 }
 
-/// The room's files by name: a USD stage and its textures, painted anew, the same on every run.
+/// Returns the room's files by name: a USD stage and its textures, which are the same on every run.
 ///
 /// # Errors
-/// Never but for lack of memory.
+/// Returns an error if a texture cannot be encoded.
 pub fn files() -> Result<Vec<(&'static str, Vec<u8>)>, CodecError> {
     let stage = (STAGE, include_bytes!("../assets/demo_room.usda").to_vec());
     let textures = TEXTURES
@@ -58,7 +58,7 @@ const TEXTURES: [(&str, Painter); 11] = [
 /// An sRGB colour, 0 to 1.
 type Color = [f32; 3];
 
-/// A picture of `width` × `height` pixels; `color` is asked at their centres, in pixels.
+/// A picture of `width` × `height` pixels; `color` is evaluated at their centres, in pixels.
 fn painted(width: u16, height: u16, color: impl Fn(f32, f32) -> Color) -> Picture {
     let places = (0..height).flat_map(|y| (0..width).map(move |x| (f32::from(x) + 0.5, f32::from(y) + 0.5)));
     #[expect(

@@ -1,4 +1,4 @@
-//! What hangs, lies and stands in the room.
+//! The pictures and patterns of the room's objects.
 
 use super::noise::{rough, smooth, white};
 use super::{Color, Picture, dimmed, mixed, painted};

@@ -65,7 +65,14 @@ impl FileError {
                 "free some space, or choose another place",
             ),
             io::ErrorKind::IsADirectory => ("is a directory", "name a file in it"),
-            io::ErrorKind::NotADirectory => ("a part of its path is a file, not a folder", "check the path"),
+            io::ErrorKind::NotADirectory => {
+                let file = path.ancestors().skip(1).find(|folder| folder.is_file());
+                return Self::new(
+                    file.unwrap_or(path),
+                    "is a file, not a folder",
+                    "choose another folder",
+                );
+            }
             _ => {
                 return Self::new(
                     path,

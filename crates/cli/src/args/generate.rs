@@ -58,7 +58,7 @@ pub(crate) struct GenerateArgs {
     pub(crate) explain: Option<u64>,
 
     /// Write a contact sheet of the first N frames instead of a data set
-    #[arg(long, value_name = "N", conflicts_with_all = ["resume", "frames", "only_frames"])]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), conflicts_with_all = ["resume", "frames", "only_frames"])]
     pub(crate) preview: Option<u64>,
 
     /// Print the JSON schema of recipes

@@ -122,10 +122,11 @@ fn bad_input_is_explained() {
             "generate recipe.toml -o set --formats bip",
             "a similar value exists: 'bop'",
         ),
+        ("generate recipe.toml --preview 0 -o sheet.png", "0 is not in 1.."),
         ("generate recipe.toml", "--output"),
         (
             "generate recipe.toml -o recipe.toml",
-            "a part of its path is a file, not a folder",
+            "recipe.toml: is a file, not a folder; choose another folder",
         ),
     ] {
         let ended = program.run(&words(command));

@@ -152,6 +152,10 @@ fn within(place: &str, quantity: &Quantity, min: f64, max: f64) -> Result<(), Wr
         return Ok(());
     }
     let value = if low < min { low } else { high };
+    let value = match value.abs() < 1e15 {
+        true => value.to_string(),
+        false => format!("{value:e}"),
+    };
     Err(wrong(
         place,
         format!("can be {value}, which is out of range"),
@@ -352,6 +356,15 @@ mod tests {
             ),
             ("[unit.drift]\nyaw = 1", "did you mean"),
             ("[light]\nprojector = 2", "can be 2, which is out of range"),
+            (
+                "[light]\nprojector = 1e308",
+                "can be 1e308, which is out of range",
+            ),
+            ("frames = -3", "integer `-3`, expected a whole number, 0 or more"),
+            (
+                "frames = 1e300",
+                "floating point `1e300`, expected a whole number, 0 or more",
+            ),
             (
                 "[output]\ninterval_s = 1e-9",
                 "r.toml:2: interval_s: is not a time from 1e-6 to 1e5",
