@@ -110,6 +110,6 @@ mod tests {
             ImageSize::new(1 << 16, 1 << 15),
             &Annotator::all().collect::<Vec<_>>(),
         );
-        assert_eq!(memory::size(bytes), "832.0 GiB");
+        assert_eq!(memory::size(bytes), "848.0 GiB");
     }
 }

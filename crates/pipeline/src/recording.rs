@@ -268,7 +268,7 @@ mod tests {
             assert_eq!(error_of(name), expected);
         }
         if !HAS_RRD {
-            assert!(error_of("a.rrd").contains("the feature `rerun`"));
+            assert!(error_of("a.rrd").contains("cannot write .rrd, the format of Rerun"));
         }
         std::fs::create_dir(folder.path().join("b.mcap")).unwrap();
         assert_eq!(
