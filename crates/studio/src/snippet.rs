@@ -105,7 +105,7 @@ pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String,
         let _ = write!(
             out,
             "\npair = scene.render_pair(\n    device, world_from_body, {size}projector={:?}, ambient={:?}, seed={}{unit}\n)\n\
-             matcher = oaktwin.StereoMatcher(device{options})\n\
+             matcher = oaktwin.StereoMatcher(device, raw=False{options})\n\
              depth = matcher(pair[\"rectified_left\"], pair[\"rectified_right\"])[\"depth\"]\n",
             state.projector, state.ambient, state.seed
         );
