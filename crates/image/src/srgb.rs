@@ -37,6 +37,23 @@ pub fn linear_from_srgb() -> &'static [f32; 256] {
     &LINEAR
 }
 
+/// The values 0 to 1 of bytes of data, which are linear already.
+static DATA: [f32; 256] = {
+    let mut values = [0.0; 256];
+    let mut at = 0;
+    while at < 256 {
+        values[at] = at as f32 / 255.0;
+        at += 1;
+    }
+    values
+};
+
+/// Returns the values, 0 to 1 in equal steps, of the bytes of an image that is not sRGB.
+#[must_use]
+pub fn linear_from_data() -> &'static [f32; 256] {
+    &DATA
+}
+
 /// Returns the sRGB value nearest to a linear one. Values below 0 and NaN become 0, values above 1 become 255.
 #[must_use]
 pub fn srgb_from_linear(linear: f32) -> u8 {

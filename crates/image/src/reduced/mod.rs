@@ -9,7 +9,7 @@ mod rows;
 use oaktwin_memory::{self as memory, Shortage};
 
 pub(crate) use self::exr::decode as decode_exr;
-use crate::srgb::{linear_from_srgb, srgb_from_linear};
+use crate::srgb::{linear_from_data, linear_from_srgb, srgb_from_linear};
 use crate::{CodecError, Image};
 
 /// Whether the colours of an image are averaged as sRGB or as numbers.
@@ -64,7 +64,7 @@ impl Average {
     fn values(self) -> [f32; 256] {
         match self {
             Self::Srgb => *linear_from_srgb(),
-            Self::Raw => RAW,
+            Self::Raw => *linear_from_data(),
         }
     }
 
@@ -94,19 +94,8 @@ fn values(of_color: &[f32; 256], samples: &[u8]) -> [f32; 4] {
         _ => [0; 4],
     };
     let [r, g, b, a] = rgba.map(usize::from);
-    [of_color[r], of_color[g], of_color[b], RAW[a]]
+    [of_color[r], of_color[g], of_color[b], linear_from_data()[a]]
 }
-
-/// 0 to 1 in equal steps.
-static RAW: [f32; 256] = {
-    let mut values = [0.0; 256];
-    let mut at = 0;
-    while at < 256 {
-        values[at] = at as f32 / 255.0;
-        at += 1;
-    }
-    values
-};
 
 /// Returns the two pixels of `reduced` that pixel `at` of `full` lies in, with the shares of their areas that it covers.
 #[expect(clippy::cast_precision_loss, reason = "a share")]

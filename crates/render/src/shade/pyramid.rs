@@ -1,7 +1,7 @@
 //! Mipmaps.
 
 use oaktwin_image::Image;
-use oaktwin_image::srgb::linear_from_srgb;
+use oaktwin_image::srgb::{linear_from_data, linear_from_srgb};
 use oaktwin_simd::{Level, run_lanes_at};
 use rayon::prelude::*;
 
@@ -17,21 +17,14 @@ pub(crate) struct Pyramid {
     is_srgb: bool,
 }
 
-/// The values of data textures: 0 to 1 in equal steps.
-static RAW: [f32; 256] = {
-    let mut values = [0.0; 256];
-    let mut i = 0;
-    while i < 256 {
-        values[i] = i as f32 / 255.0;
-        i += 1;
-    }
-    values
-};
-
 impl Pyramid {
     /// Creates a pyramid from an image of sRGB colours or of data.
     pub(super) fn new(image: Image<[u8; 4]>, is_srgb: bool) -> Self {
-        let linear = if is_srgb { linear_from_srgb() } else { &RAW };
+        let linear = if is_srgb {
+            linear_from_srgb()
+        } else {
+            linear_from_data()
+        };
         let mut levels = vec![image];
         while let Some(last) = levels.last()
             && (last.width() > 1 || last.height() > 1)

@@ -34,7 +34,7 @@ fn angle_to(ray: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
     edges.into_iter().fold(f64::INFINITY, f64::min)
 }
 
-/// Places a needle in the world, and returns it as it is stored, relative to the camera.
+/// Places a needle in the world, and returns its corners in single precision, relative to the camera.
 fn stored(corners: [DVec3; 3], world_from_camera: &RigidTransform) -> ([[f32; 3]; 3], [DVec3; 3]) {
     let world = corners.map(|p| {
         let p = world_from_camera.rotation * p + world_from_camera.translation;
