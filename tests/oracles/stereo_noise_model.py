@@ -25,6 +25,7 @@ class Parameters:
     leftRightCheck: bool = True
     leftRightCheckThreshold: int = 10
     confidenceThreshold: int = 55
+    dotContrast: float = 0.0
     numInvalidateEdgePixels: int = 0
     edgeDilation: float = 0.0
     dropout: float = 0.0
@@ -143,8 +144,20 @@ def dilated(d, reach):
     return np.max([wide[k : k + d.shape[0]] for k in range(2 * reach + 1)], 0)
 
 
-def confidence(rgb, side):
-    """0 to 255, from the differences of neighbours along the row."""
+def dots(luma, depth, p, side):
+    """What a projector's dots add to the sums of windows, in float32."""
+    f = np.float32
+    scale = f(side**2 * 15.0 / (p.focalLength * luma.shape[1] / p.width))
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        peak = luma.astype(f) * (np.sqrt(f(1) + f(p.dotContrast) / (depth * depth)) - f(1))
+        added = peak * scale
+        surface = np.isfinite(depth) & (depth > 0)
+    largest = f(255 * side**2)
+    return np.where(surface, np.where(added < largest, added, largest), 0).astype(np.int64)
+
+
+def confidence(rgb, side, depth, p):
+    """0 to 255, from the differences of neighbours along the row and a projector's dots."""
     r, g, b = (rgb[..., channel].astype(np.int64) for channel in range(3))
     luma = (77 * r + 150 * g + 29 * b) >> 8
     difference = np.zeros_like(luma)
@@ -153,7 +166,8 @@ def confidence(rgb, side):
         difference[:, -1] = difference[:, -2]
     half = side // 2
     padded = np.pad(difference, ((half, side - 1 - half),) * 2, mode="edge")
-    return np.minimum(128 * window_sums(padded, side) / side**2, 255)
+    sums = np.minimum(window_sums(padded, side) + dots(luma, depth, p, side), 255 * side**2)
+    return np.minimum(128 * sums / side**2, 255)
 
 
 def disparity(depth, p, seed, camera, frame=0, item=0, rgb=None):
@@ -180,7 +194,7 @@ def disparity(depth, p, seed, camera, frame=0, item=0, rgb=None):
     if p.occlusion:
         lost |= np.arange(width) - d * scale < 0
     if rgb is not None and p.confidenceThreshold > 0:
-        lost |= confidence(rgb, side) < p.confidenceThreshold
+        lost |= confidence(rgb, side, depth, p) < p.confidenceThreshold
     if p.dropout > 0:
         # Low bytes, then high ones, of rows as wide as the program pads them.
         padded = -(-width // 64) * 64

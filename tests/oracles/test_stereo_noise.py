@@ -27,6 +27,8 @@ SETTINGS = [
     {"occlusion": False, "dropout": 0.3},
     {"dropout": 0.02, "numInvalidateEdgePixels": 30},
     {"confidenceThreshold": 120},
+    {"confidenceThreshold": 120, "dotContrast": 3},
+    {"confidenceThreshold": 200, "dotContrast": 1e4, "edgeDilation": 3},
     {"confidenceThreshold": 0, "jitter": 0, "pixelLocking": 0},
 ]
 

@@ -95,10 +95,19 @@ fn stereo_noise_reports_the_texture_that_its_threshold_tests() {
     }
     assert!(levels.pixels().contains(&0) && levels.pixels().contains(&255));
     let thresholds = ["1", "55", "56", "200", "255"];
-    for threshold in thresholds {
-        let parameters = [("confidenceThreshold", threshold), ("occlusion", "false")];
-        let (capture, same) = sure(sensor(&STEREO_NOISE, &parameters, &[]), shot, &[]);
-        assert_eq!(same, levels);
+    for (threshold, contrast) in thresholds.iter().flat_map(|t| [(*t, "0"), (*t, "0.5")]) {
+        let parameters = [
+            ("confidenceThreshold", threshold),
+            ("dotContrast", contrast),
+            ("occlusion", "false"),
+        ];
+        let (capture, levels) = {
+            let (capture, with_dots) = sure(sensor(&STEREO_NOISE, &parameters, &[]), shot, &[]);
+            let more = with_dots.pixels().iter().zip(levels.pixels());
+            assert!(contrast != "0" || with_dots == levels);
+            assert!(more.clone().all(|(dots, plain)| dots >= plain));
+            (capture, with_dots)
+        };
         let threshold: u16 = threshold.parse().unwrap();
         for (metres, level) in capture.distance.0.pixels().iter().zip(levels.pixels()) {
             assert_eq!(*metres > 0.0, *level >= threshold, "{metres} {level}");

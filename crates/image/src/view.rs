@@ -46,6 +46,13 @@ impl<'a, T> ImageView<'a, T> {
         self.pixels
     }
 
+    /// Returns row `y`, or `None` below the image.
+    #[must_use]
+    pub fn row(&self, y: usize) -> Option<&'a [T]> {
+        let width = self.width as usize;
+        self.pixels.get(y.checked_mul(width)?..)?.get(..width)
+    }
+
     /// Returns the rows from the top. An image without columns has none.
     pub fn rows(&self) -> std::slice::ChunksExact<'a, T> {
         self.pixels.chunks_exact((self.width as usize).max(1))

@@ -51,10 +51,7 @@ impl Blur {
     pub(super) fn row(&self, light: ImageView<'_, f32>, y: usize, padded: &mut [f32], out: &mut [f32]) {
         let (width, reach) = (out.len(), self.reach());
         let last = (light.height() as usize).saturating_sub(1);
-        let source = |y: usize| {
-            let y = y.min(last);
-            light.pixels().get(y * width..(y + 1) * width).unwrap_or_default()
-        };
+        let source = |y: usize| light.row(y.min(last)).unwrap_or_default();
         let Some((first, others)) = self.weights.split_first() else {
             return;
         };

@@ -175,8 +175,7 @@ impl<N: Number> Kernel for Record<'_, N> {
             rows.blur.row(light, y, padded, blurred);
             blurred
         } else {
-            let width = out.len();
-            light.pixels().get(y * width..(y + 1) * width).unwrap_or_default()
+            light.row(y).unwrap_or_default()
         };
         let y = u32::try_from(y).unwrap_or(u32::MAX);
         if rows.noise {

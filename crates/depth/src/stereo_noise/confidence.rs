@@ -1,12 +1,12 @@
 //! The confidence of each pixel as an image.
 
 use oaktwin_image::Image;
-use oaktwin_simd::Level;
+use oaktwin_simd::{self as simd, Level};
 use rayon::prelude::*;
 
 use super::scale::Scale;
 use super::sense::BAND;
-use super::texture::{GAIN, Texture};
+use super::texture::{Dotted, GAIN, Texture};
 use super::{Parameters, Shot};
 
 /// The memory of one thread.
@@ -19,9 +19,10 @@ struct Scratch {
 /// Returns the confidence that [`Parameters::confidence_threshold`] is compared with, 0 to 255, also of pixels that are lost for
 /// another reason; `None` without a colour image.
 pub(super) fn confidence(parameters: &Parameters, shot: &Shot<'_>) -> Option<Image<u16>> {
-    let picture = shot.rgb()?;
+    let (picture, depth) = (shot.rgb()?, shot.depth());
     let mut levels = Image::filled(picture.width(), picture.height(), 0);
-    let side = Scale::new(parameters, picture.width()).window;
+    let scale = Scale::new(parameters, picture.width());
+    let side = scale.window;
     let width = (picture.width() as usize).max(1);
     let level = Level::detect();
     levels
@@ -37,6 +38,15 @@ pub(super) fn confidence(parameters: &Parameters, shot: &Shot<'_>) -> Option<Ima
             }
             for (y, out) in (first..).zip(band.chunks_exact_mut(width)) {
                 s.texture.slide(level, &picture, y + side - 1, side, &mut s.sums);
+                if scale.dot_contrast > 0.0 {
+                    let dotted = Dotted {
+                        scale: &scale,
+                        pixels: picture.row(y).unwrap_or_default(),
+                        depth: depth.row(y).unwrap_or_default(),
+                        sums: &mut s.sums,
+                    };
+                    simd::run_at(level, dotted);
+                }
                 for (out, sum) in out.iter_mut().zip(&s.sums) {
                     *out = mean(*sum, side);
                 }

@@ -40,7 +40,7 @@
 //! * Confidence, 0 to 255 (255 = highest, as in `DepthAI` 3; older versions count down from 255): the mean absolute
 //!   difference of a pixel's luma and the next one's on its right, over the matching window, times 128. An estimate: the
 //!   device's own is not published. The default threshold of 55 requires 0.43 grey levels. A colour image does not
-//!   show a dot projector's pattern: omit it for a device with its projector on, or set a threshold of 0.
+//!   show a dot projector's pattern; [`Parameters::dot_contrast`] adds its texture, which fades with the square of the distance.
 //! * In extended mode the device matches near objects in images of half the size; here they have the same resolution.
 
 mod batch;

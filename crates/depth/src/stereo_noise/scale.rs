@@ -2,6 +2,7 @@
 
 use super::field::Numbers;
 use super::parameters::Parameters;
+use super::texture::DOTS_PER_PX;
 use super::window::MAX_SIDE;
 
 /// The parameters for images of one width, in image pixels where noted, else in matcher pixels.
@@ -31,6 +32,10 @@ pub(super) struct Scale {
     pub(super) invalid_edge: usize,
     /// Pixels whose 16 random bits are below this are dropped.
     pub(super) dropout: u32,
+    /// [`Parameters::dot_contrast`].
+    pub(super) dot_contrast: f32,
+    /// What dots add to the sum of a window for each grey level between a dot's centre and the surface.
+    pub(super) dots: f32,
 }
 
 impl Scale {
@@ -59,6 +64,8 @@ impl Scale {
             dilation: ((p.edge_dilation_px * image_px).round() as usize).min(MAX_SIDE / 2),
             invalid_edge: (f64::from(p.invalid_edge_px) * image_px).round() as usize,
             dropout: (p.dropout * 65536.0).round() as u32,
+            dot_contrast: p.dot_contrast as f32,
+            dots: (count * DOTS_PER_PX / (p.stereo.focal_length_px * image_px)) as f32,
         }
     }
 }

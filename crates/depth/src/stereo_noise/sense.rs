@@ -10,7 +10,7 @@ use super::field::Field;
 use super::rows::{Disparities, Dropout, Measure, Textured};
 use super::scale::Scale;
 use super::shadow::{NEARER, Rows, Shadow};
-use super::texture::{GAIN, Texture};
+use super::texture::{Dotted, GAIN, Texture};
 use super::window::{WindowSum, field_width};
 use crate::Shot;
 use crate::random::{Plane, Stage, Stream};
@@ -95,11 +95,6 @@ impl<'a> Job<'a> {
 
     fn width(&self) -> usize {
         self.depth.width() as usize
-    }
-
-    /// Returns the depth of a row, or `None` beyond the border.
-    fn depth_row(&self, y: usize) -> Option<&'a [f32]> {
-        self.depth.pixels().get(y * self.width()..(y + 1) * self.width())
     }
 
     /// Computes all rows on all threads; `finish` makes each from its disparities. A small image is left to the calling thread.
@@ -281,7 +276,7 @@ impl Scratch {
 
     /// Adds a row to the window of the dilation.
     fn dilate(&mut self, job: &Job<'_>, y: Option<usize>) {
-        let inside = y.filter(|&y| job.depth_row(y).is_some());
+        let inside = y.filter(|&y| job.depth.row(y).is_some());
         self.dilated.resize(self.stride, 0.0);
         if let Some(y) = inside {
             to_disparities(job, y, self.stride, &mut self.dilated);
@@ -340,6 +335,15 @@ impl Scratch {
         for (y, disparities) in (first..).zip(self.disparities.chunks_exact_mut(self.stride)) {
             self.texture
                 .slide(job.level, picture, y + side - 1, side, &mut self.texture_sums);
+            if job.scale.dot_contrast > 0.0 {
+                let dotted = Dotted {
+                    scale: &job.scale,
+                    pixels: picture.row(y).unwrap_or_default(),
+                    depth: job.depth.row(y).unwrap_or_default(),
+                    sums: &mut self.texture_sums,
+                };
+                simd::run_at(job.level, dotted);
+            }
             let textured = Textured {
                 least: u32::from(job.sensor.parameters().confidence_threshold) * area,
                 gain: GAIN,
@@ -374,7 +378,7 @@ fn counter(row: usize) -> u32 {
 /// Fills rows of disparities from `first`; the padding has no surface.
 fn to_disparities(job: &Job<'_>, first: usize, stride: usize, out: &mut [f32]) {
     for (y, row) in (first..).zip(out.chunks_exact_mut(stride)) {
-        let depth = job.depth_row(y).unwrap_or_default();
+        let depth = job.depth.row(y).unwrap_or_default();
         let (inside, padding) = row.split_at_mut(depth.len().min(stride));
         inside.copy_from_slice(depth);
         padding.fill(0.0);

@@ -4,14 +4,24 @@
 //! a pixel and of the next pixel on its right over the matching window, times [`GAIN`], at most 255. Only texture along
 //! the row distinguishes disparities. `DepthAI`'s default threshold of 55 requires 0.43 grey levels: a plain face is
 //! dropped, brick and wood are kept.
+//!
+//! The dots of a projector add to the sum of a window: on a surface of luma Y at depth z, the centre of a dot of contrast c is
+//! Y·(√(1 + c/z²) − 1) brighter, with the square root as the response of a display, and the dots contribute
+//! [`DOTS_PER_PX`]/f of that to the mean absolute difference. This is the mean over the pattern: a device matches along
+//! paths, which carry the texture of dots to the surface between them.
 
 use oaktwin_image::ImageView;
 use oaktwin_simd::{self as simd, Kernel, Level};
 
+use super::scale::Scale;
 use super::window::{WindowSum, field_width};
 
 /// Confidence per grey level.
 pub(super) const GAIN: u32 = 128;
+
+/// The mean absolute difference between neighbours along a row, relative to the peak of a dot, of the pattern of an ams Belago 1.1
+/// ([`crate::dots`]) near the axis, times the focal length in pixels.
+pub(super) const DOTS_PER_PX: f64 = 15.0;
 
 /// The differences of an image's rows in a window that slides down.
 #[derive(Clone, Debug, Default)]
@@ -41,7 +51,7 @@ impl Texture {
         let (width, half) = (self.luma.len(), side / 2);
         let last = (picture.height() as usize).saturating_sub(1);
         let y = row.saturating_sub(half).min(last);
-        let Some(pixels) = picture.pixels().get(y * width..(y + 1) * width) else {
+        let Some(pixels) = picture.row(y) else {
             return;
         };
         let Some(inside) = self.field.get_mut(half..half + width) else {
@@ -62,6 +72,47 @@ impl Texture {
     }
 }
 
+/// Adds the texture of a projector's dots to the sums of a row's windows.
+pub(super) struct Dotted<'a> {
+    pub(super) scale: &'a Scale,
+    pub(super) pixels: &'a [[u8; 4]],
+    pub(super) depth: &'a [f32],
+    pub(super) sums: &'a mut [u32],
+}
+
+impl Kernel for Dotted<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "between 0 and the largest sum of a window"
+    )]
+    fn run(self) {
+        let Scale {
+            dot_contrast,
+            dots,
+            window,
+            ..
+        } = *self.scale;
+        let largest = 255.0 * (window * window) as f32;
+        for ((sum, pixel), &z) in self.sums.iter_mut().zip(self.pixels).zip(self.depth) {
+            let peak = f32::from(luma(*pixel)) * ((1.0 + dot_contrast / (z * z)).sqrt() - 1.0);
+            let added = peak * dots;
+            let bounded = if added < largest { added } else { largest };
+            // False for NaN.
+            let is_surface = (z > 0.0) & (z < f32::INFINITY);
+            *sum = (*sum + if is_surface { bounded } else { 0.0 } as i32 as u32).min(largest as i32 as u32);
+        }
+    }
+}
+
+#[inline(always)]
+fn luma([r, g, b, _]: [u8; 4]) -> u16 {
+    (77 * u16::from(r) + 150 * u16::from(g) + 29 * u16::from(b)) >> 8
+}
+
 /// Computes the luma of a row and its difference to the next pixel on the right; the last difference is repeated.
 struct Differences<'a> {
     pixels: &'a [[u8; 4]],
@@ -74,8 +125,8 @@ impl Kernel for Differences<'_> {
 
     #[inline(always)]
     fn run(self) {
-        for (luma, [r, g, b, _]) in self.luma.iter_mut().zip(self.pixels) {
-            *luma = (77 * u16::from(*r) + 150 * u16::from(*g) + 29 * u16::from(*b)) >> 8;
+        for (out, pixel) in self.luma.iter_mut().zip(self.pixels) {
+            *out = luma(*pixel);
         }
         let next = self.luma.get(1..).unwrap_or_default();
         for ((out, a), b) in self.out.iter_mut().zip(self.luma.iter()).zip(next) {

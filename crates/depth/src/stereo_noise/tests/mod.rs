@@ -1,5 +1,6 @@
 #![expect(clippy::cast_possible_truncation, reason = "small numbers of tests")]
 
+mod dots;
 mod errors;
 mod geometry;
 mod parameters;

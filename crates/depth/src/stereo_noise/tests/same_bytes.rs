@@ -11,6 +11,7 @@ fn everything(width_px: u32) -> Parameters {
         bias_px: -0.22,
         edge_dilation_px: 2.0,
         dropout: 0.02,
+        dot_contrast: 0.5,
         disparity_shift_px: 2,
         invalid_edge_px: 5,
         ..Parameters::new(STEREO, width_px)
