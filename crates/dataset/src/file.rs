@@ -1,10 +1,10 @@
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use oaktwin_diagnostic::Message;
-use oaktwin_files::OutputFiles;
+use oaktwin_files::{FileError, OutputFiles};
 use oaktwin_image::npy::{self, Element};
 use oaktwin_image::{CodecError, Image};
-use rayon::prelude::*;
 
 use crate::WriteError;
 
@@ -45,6 +45,13 @@ pub enum DatasetError {
 pub(crate) enum Fault {
     Codec(CodecError),
     IdTooLarge(u32),
+    Write(io::Error),
+}
+
+impl From<io::Error> for Fault {
+    fn from(error: io::Error) -> Self {
+        Self::Write(error)
+    }
 }
 
 impl From<CodecError> for Fault {
@@ -54,11 +61,12 @@ impl From<CodecError> for Fault {
 }
 
 impl Fault {
-    pub(crate) fn at(self, path: &Path) -> DatasetError {
-        let path = path.display().to_string();
+    pub(crate) fn at(self, path: &Path) -> WriteError {
+        let name = path.display().to_string();
         match self {
-            Self::Codec(source) => DatasetError::Codec { path, source },
-            Self::IdTooLarge(id) => DatasetError::IdTooLarge { path, id },
+            Self::Codec(source) => DatasetError::Codec { path: name, source }.into(),
+            Self::IdTooLarge(id) => DatasetError::IdTooLarge { path: name, id }.into(),
+            Self::Write(error) => FileError::writing(path, &error).into(),
         }
     }
 }
@@ -79,12 +87,15 @@ pub(crate) enum Content<'a> {
     Array(Array<'a>),
 }
 
+type Put<'a> = Box<dyn Fn(&mut dyn Write) -> io::Result<()> + Send + Sync + 'a>;
+
 /// An NPY array, in parts that a batch needs.
 pub(crate) struct Array<'a> {
     /// The header for a shape.
     pub(crate) begin: fn(&[usize]) -> Vec<u8>,
     pub(crate) shape: Vec<usize>,
-    pub(crate) data: Box<dyn Fn() -> Vec<u8> + Send + Sync + 'a>,
+    /// Writes the numbers.
+    pub(crate) put: Put<'a>,
 }
 
 impl<'a> Array<'a> {
@@ -104,36 +115,38 @@ impl<'a> Array<'a> {
         Self {
             begin: npy::begin::<T>,
             shape,
-            data: Box::new(move || {
-                let mut bytes = Vec::new();
-                npy::put(values, &mut bytes);
-                bytes
-            }),
+            put: Box::new(move |out| npy::write(values, out)),
         }
     }
 }
 
 impl Content<'_> {
-    pub(crate) fn bytes(&self) -> Result<Vec<u8>, Fault> {
+    /// Writes the whole file.
+    pub(crate) fn write(&self, out: &mut dyn Write) -> Result<(), Fault> {
         match self {
-            Self::Whole(encode) => encode(),
+            Self::Whole(encode) => out.write_all(&encode()?)?,
             Self::Array(array) => {
-                let mut bytes = (array.begin)(&array.shape);
-                bytes.extend((array.data)());
-                Ok(bytes)
+                out.write_all(&(array.begin)(&array.shape))?;
+                (array.put)(out)?;
             }
         }
+        Ok(())
     }
 }
 
-/// Encodes files in parallel and writes them in order.
+/// Encodes and writes files, several at a time.
 pub(crate) fn write_all(
     files: &[(PathBuf, DatasetFile<'_>)],
     output: &mut OutputFiles,
 ) -> Result<(), WriteError> {
-    let encoded: Vec<_> = files.par_iter().map(|(_, file)| file.content.bytes()).collect();
-    for ((path, _), bytes) in files.iter().zip(encoded) {
-        output.write(path, &bytes.map_err(|fault| fault.at(path))?)?;
-    }
-    Ok(())
+    let paths: Vec<&Path> = files.iter().map(|(path, _)| path.as_path()).collect();
+    output.write_all(&paths, |index, out| {
+        let Some((path, file)) = files.get(index) else {
+            return Ok(());
+        };
+        file.content.write(out).map_err(|fault| match fault {
+            Fault::Write(error) => out.failed(&error).into(),
+            fault => fault.at(path),
+        })
+    })
 }

@@ -54,7 +54,7 @@ impl Writer for FlatWriter {
                 }
             };
             let growing = self.arrays.entry(path).or_insert(growing);
-            growing.append(&(array.data)())?;
+            (array.put)(growing).map_err(|error| growing.failed(&error))?;
         }
         write_all(&whole, output)
     }

@@ -71,8 +71,13 @@ impl AtomicFile {
     /// # Errors
     /// Returns an error if they cannot be written.
     pub fn append(&mut self, bytes: &[u8]) -> Result<(), FileError> {
-        self.write_all(bytes)
-            .map_err(|error| FileError::writing(&self.path, &error))
+        self.write_all(bytes).map_err(|error| self.failed(&error))
+    }
+
+    /// Returns the error of a failed write.
+    #[must_use]
+    pub fn failed(&self, error: &io::Error) -> FileError {
+        FileError::writing(&self.path, error)
     }
 
     /// Completes the file; returns its path and length.

@@ -1,11 +1,17 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::ErrorKind;
+use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
 
 use crate::error::folder;
 use crate::temporary::Temporary;
 use crate::{AtomicFile, FileError, WrittenFile, make_folder, write};
+
+/// The number of files that are written at the same time.
+const AT_ONCE: usize = 4;
 
 /// The files that a command writes: never over one of its inputs, and in folders that are created when they are needed.
 /// Folders that were created and stay empty are removed when this value is dropped.
@@ -131,6 +137,33 @@ impl OutputFiles {
         Ok(())
     }
 
+    /// Writes whole files, relative to the root, a few at a time, so that one is encoded while another is synchronized with the
+    /// disk. `put` writes the contents of the file with this index.
+    ///
+    /// # Errors
+    /// Returns an error if a file is an input or cannot be written, and errors of `put`: the first one in the order of the files.
+    /// Files that are complete by then stay.
+    pub fn write_all<E: From<FileError> + Send>(
+        &mut self,
+        paths: &[&Path],
+        put: impl Fn(usize, &mut AtomicFile) -> Result<(), E> + Sync,
+    ) -> Result<(), E> {
+        let mut prepared = Vec::with_capacity(paths.len());
+        for path in paths {
+            prepared.push(self.prepare(path)?);
+        }
+        let write = |index: usize| -> Result<WrittenFile, E> {
+            let mut file = AtomicFile::create(&prepared[index])?;
+            put(index, &mut file)?;
+            let (path, bytes) = file.finish()?;
+            Ok(WrittenFile { path, bytes })
+        };
+        for written in in_order(paths.len(), write) {
+            self.files.push(written?);
+        }
+        Ok(())
+    }
+
     /// Begins a file, relative to the root, that is written in parts and completed by [`finish`](Self::finish).
     ///
     /// # Errors
@@ -184,6 +217,39 @@ impl OutputFiles {
     }
 }
 
+/// Runs a task for each index, at most [`AT_ONCE`] at a time, and returns the results in order. None begins after one has failed,
+/// whose error is the last result.
+fn in_order<T: Send, E: Send>(
+    count: usize,
+    task: impl Fn(usize) -> Result<T, E> + Sync,
+) -> Vec<Result<T, E>> {
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut done = Vec::new();
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            if index >= count {
+                return done;
+            }
+            let result = task(index);
+            if result.is_err() {
+                next.store(count, Ordering::Relaxed);
+            }
+            done.push((index, result));
+        }
+    };
+    let mut done = thread::scope(|scope| {
+        let others: Vec<_> = (1..count.min(AT_ONCE)).map(|_| scope.spawn(work)).collect();
+        let mut done = work();
+        for other in others {
+            done.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        }
+        done
+    });
+    done.sort_unstable_by_key(|(index, _)| *index);
+    done.into_iter().map(|(_, result)| result).collect()
+}
+
 impl Drop for OutputFiles {
     fn drop(&mut self) {
         for folder in self.created.iter().rev() {
@@ -211,6 +277,38 @@ mod tests {
         assert_eq!(files.files()[0].path, at("c/d/left/x.npy"));
         drop(files);
         assert_eq!(fs::read(at("c/d/left/x.npy")).unwrap(), b"x");
+    }
+
+    #[test]
+    fn files_are_listed_in_order_and_none_follows_an_error() {
+        let root = tempfile::tempdir().unwrap();
+        let mut files = OutputFiles::in_folder(root.path()).unwrap();
+        let names: Vec<PathBuf> = (0..40).map(|i| format!("{}/{i}.bin", i % 3).into()).collect();
+        let paths: Vec<&Path> = names.iter().map(PathBuf::as_path).collect();
+        files
+            .write_all(&paths, |index, file| file.append(&vec![7; index]))
+            .unwrap();
+        for (index, (file, name)) in files.take_files().iter().zip(&names).enumerate() {
+            assert_eq!((&file.path, file.bytes), (&root.path().join(name), index as u64));
+            assert_eq!(fs::read(&file.path).unwrap(), vec![7; index]);
+        }
+        let others: Vec<PathBuf> = (0..4000).map(|i| format!("x/{i}").into()).collect();
+        let paths: Vec<&Path> = others.iter().map(PathBuf::as_path).collect();
+        let error = files.write_all(&paths, |index, _| match index {
+            0..5 => Ok(()),
+            _ => Err(FileError::new(&names[0], format!("number {index}"), "")),
+        });
+        assert_eq!(&*error.unwrap_err().message, "number 5");
+        let written = fs::read_dir(root.path().join("x")).unwrap().count();
+        assert!((5..5 + 2 * AT_ONCE).contains(&written), "{written}");
+        assert!(files.files().len() >= 5 && files.files().len() <= written);
+        // A sole file that fails.
+        assert!(
+            files
+                .write_all(&paths[..1], |_, _| Err(FileError::new(&names[0], "x", "")))
+                .is_err()
+        );
+        assert!(files.write_all::<FileError>(&[], |_, _| unreachable!()).is_ok());
     }
 
     #[test]

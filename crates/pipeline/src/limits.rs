@@ -75,10 +75,10 @@ pub fn annotation_bytes(size: ImageSize, annotators: &[Annotator]) -> u64 {
     u64::from(size.width) * u64::from(size.height) * per_pixel
 }
 
-/// Returns the memory in bytes that simulating a sensor on a depth image needs: measured, 12 bytes a pixel, the
-/// next image, and a reserve.
+/// Returns the memory in bytes that simulating a sensor on a sequence of depth images needs: measured, 24 bytes a pixel, which
+/// include the images that wait, and a reserve.
 pub(crate) fn sense_bytes(size: ImageSize) -> u64 {
-    24 * u64::from(size.width) * u64::from(size.height)
+    32 * u64::from(size.width) * u64::from(size.height)
 }
 
 /// Returns the memory in bytes that matching a pair needs: a cost for each pixel and disparity, and both images.

@@ -70,7 +70,7 @@ impl Producer<'_> {
 }
 
 /// Writes the frames that `produce` passes on, of which `total` are expected. A frame is written while the next one is made;
-/// there are never more than two.
+/// there are never more than three.
 ///
 /// # Errors
 /// Returns the error of a writer, else that of `produce`.
@@ -81,7 +81,7 @@ pub(crate) fn write_while<E: From<WriteError>>(
     watch: &Watch<'_>,
     produce: impl FnOnce(&mut Producer<'_>) -> Result<ControlFlow<()>, E>,
 ) -> Result<Written, E> {
-    let (sender, receiver) = sync_channel(0);
+    let (sender, receiver) = sync_channel(1);
     thread::scope(|scope| {
         let writing = scope.spawn(|| write_all(writers, output, receiver));
         let mut producer = Producer {

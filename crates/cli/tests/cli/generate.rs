@@ -76,9 +76,12 @@ fn a_killed_run_is_completed_to_the_same_bytes() {
     let done = program.good(&words("generate recipe.toml -o killed --resume"));
     assert!(done.contains("were complete already"), "{done}");
     assert!(files(&program, "whole/") == files(&program, "killed/"));
+    // Too many frames to be complete before the signal.
+    let recipe = fs::read_to_string(program.path("recipe.toml")).unwrap();
+    program.put("long.toml", recipe.replace("frames = 6", "frames = 600"));
     let ended = program.signalled(
         &["INT"],
-        &words("generate recipe.toml -o stopped --workers 1"),
+        &words("generate long.toml -o stopped --workers 1"),
         |program| program.path("stopped/.oaktwin/frames/00000000.json").exists(),
     );
     assert_eq!(ended.code, 130);

@@ -10,6 +10,7 @@ use tar::{Builder, EntryType, Header};
 
 use super::common::{camera_matrix, matrix, number, text};
 use crate::basic_writer::folder;
+use crate::file::DatasetFile;
 use crate::listing::list;
 use crate::{Format, Options, Records, Shot, WriteError, json as files};
 
@@ -32,7 +33,11 @@ impl Format for WebDataset {
             key = format!("{key}_{}", folder(product).replace('.', "_"));
         }
         let files = list(shot, &self.0);
-        let encoded: Vec<_> = files.par_iter().map(|file| file.content.bytes()).collect();
+        let encode = |file: &DatasetFile<'_>| {
+            let mut bytes = Vec::new();
+            file.content.write(&mut bytes).map(|()| bytes)
+        };
+        let encoded: Vec<_> = files.par_iter().map(encode).collect();
         let mut sample = Builder::new(Vec::new());
         append(
             &mut sample,

@@ -12,7 +12,7 @@ mod write;
 pub use layout::{Layout, Number};
 pub use read::{Array, decode};
 pub use values::Values;
-pub use write::{Element, Field, begin, encode, encode_records, put};
+pub use write::{Element, Field, begin, encode, encode_records, write};
 
 const FORMAT: &str = "NPY";
 

@@ -1,6 +1,11 @@
+use std::io::{self, Write};
+
 use super::{FORMAT, header};
 use crate::CodecError;
 use crate::bytes::Scalar;
+
+/// The size of the blocks that are written, bytes.
+const BLOCK: usize = 1 << 16;
 
 /// An element type of arrays.
 #[expect(
@@ -45,19 +50,28 @@ pub fn encode<T: Element>(shape: &[usize], values: &[T]) -> Result<Vec<u8>, Code
     }
     let mut out = begin::<T>(shape);
     out.reserve_exact(size_of_val(values));
-    put(values, &mut out);
+    T::put_le(values, &mut out);
     Ok(out)
 }
 
-/// Returns the start of a file of `shape` that is written in parts; [`put`] appends its numbers in C order.
+/// Returns the start of a file of `shape` that is written in parts; [`write`] appends its numbers in C order.
 #[must_use]
 pub fn begin<T: Element>(shape: &[usize]) -> Vec<u8> {
     header::encode(&format!("'{}'", T::DESCR), shape)
 }
 
-/// Appends numbers in the byte order of files.
-pub fn put<T: Element>(values: &[T], out: &mut Vec<u8>) {
-    T::put_le(values, out);
+/// Writes numbers in the byte order of files, in blocks that stay in the processor's cache.
+///
+/// # Errors
+/// Returns the errors of the writer.
+pub fn write<T: Element>(values: &[T], out: &mut (impl Write + ?Sized)) -> io::Result<()> {
+    let mut block = Vec::new();
+    for values in values.chunks(BLOCK / size_of::<T>()) {
+        block.clear();
+        T::put_le(values, &mut block);
+        out.write_all(&block)?;
+    }
+    Ok(())
 }
 
 /// A field of a structured type.
@@ -139,6 +153,14 @@ mod tests {
             "NPY: shape: [2, 2] does not hold 3 values; pass the shape of the values"
         );
         assert!(encode::<u8>(&[usize::MAX, 2], &[]).is_err());
+    }
+
+    #[test]
+    fn blocks_make_a_whole() {
+        let values: Vec<u32> = (0..40_000).collect();
+        let mut parts = begin::<u32>(&[200, 200]);
+        write(&values, &mut parts).unwrap();
+        assert!(parts == encode(&[200, 200], &values).unwrap());
     }
 
     #[test]

@@ -149,7 +149,7 @@ impl<'a> Run<'a, '_, '_> {
     fn sequence(&mut self, sequence: &Sequence<'a>) -> Result<ControlFlow<()>, SenseError> {
         let scale = self.options.depth_scale;
         thread::scope(|scope| {
-            let (sender, sources) = sync_channel(0);
+            let (sender, sources) = sync_channel(1);
             scope.spawn(move || {
                 for file in &sequence.files {
                     let source = open(file, scale);

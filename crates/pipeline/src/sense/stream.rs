@@ -20,15 +20,15 @@ impl Writer for StreamWriter<'_> {
         let Some(metres) = aligned.or(distance) else {
             return Ok(());
         };
-        let mut bytes = Vec::new();
+        let mut header = Vec::new();
         if !std::mem::replace(&mut self.has_begun, true) {
             let shape = [metres.height() as usize, metres.width() as usize];
             let shape: Vec<usize> = shot.input.batch.into_iter().chain(shape).collect();
-            bytes = npy::begin::<f32>(&shape);
+            header = npy::begin::<f32>(&shape);
         }
-        npy::put(metres.pixels(), &mut bytes);
         self.stream
-            .write_all(&bytes)
+            .write_all(&header)
+            .and_then(|()| npy::write(metres.pixels(), self.stream))
             .and_then(|()| self.stream.flush())
             .map_err(|error| WriteError::Other(Box::new(error)))
     }
