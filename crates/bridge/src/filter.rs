@@ -141,12 +141,13 @@ impl Filter {
         };
         // The image is consumed by the sensor; a sample of it is enough to find odd values.
         let sample: Vec<f32> = metres.pixels().iter().step_by(97).copied().collect();
+        let has_rgb = rgb.is_some();
         let measured = current.sensor.measure(metres, rgb, frame);
         let current = self.current.insert(current);
         let measured = measured?;
         findings.extend(check_unit(&sample, unit));
-        if check_measured(&sample, &[]).is_some() {
-            findings.extend(check_measured(&sample, measured.distance.pixels()));
+        if check_measured(&sample, &[], has_rgb).is_some() {
+            findings.extend(check_measured(&sample, measured.distance.pixels(), has_rgb));
         }
         Ok(FilterOutput {
             measured,

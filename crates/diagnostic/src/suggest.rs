@@ -1,3 +1,6 @@
+/// Of more valid names than this, half as many are listed.
+const MAX_LISTED: usize = 60;
+
 /// A name reduced to what matters in a comparison: lower case, without spaces, hyphens and underscores.
 #[must_use]
 pub fn fold_name(name: &str) -> String {
@@ -7,13 +10,21 @@ pub fn fold_name(name: &str) -> String {
         .collect()
 }
 
-/// The candidates nearest to a misspelt name, best first, at most three. Empty if none is near.
+/// The candidates nearest to a misspelt name, best first, at most three. Empty if none is near. The name may be the last part of a
+/// path.
 #[must_use]
 pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
     let wanted = fold_name(name);
     let mut scored: Vec<(f64, &str)> = candidates
         .into_iter()
-        .map(|candidate| (strsim::jaro_winkler(&wanted, &fold_name(candidate)), candidate))
+        .map(|candidate| {
+            let is_last = candidate
+                .rsplit('/')
+                .next()
+                .is_some_and(|last| fold_name(last) == wanted);
+            let score = strsim::jaro_winkler(&wanted, &fold_name(candidate));
+            (if is_last { 1.0 } else { score }, candidate)
+        })
         .filter(|(score, _)| *score > 0.75)
         .collect();
     scored.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
@@ -46,6 +57,13 @@ pub fn suggestion(nearest: &[impl AsRef<str>], valid: &[impl AsRef<str>]) -> Str
     match valid[..] {
         [] => "remove it".to_owned(),
         [only] => format!("expected '{only}'"),
+        _ if valid.len() > MAX_LISTED => {
+            let more = valid.len() - MAX_LISTED / 2;
+            format!(
+                "expected one of {} or {more} others",
+                valid[..MAX_LISTED / 2].join(", ")
+            )
+        }
         _ => format!("expected one of {}", valid.join(", ")),
     }
 }
@@ -61,6 +79,15 @@ mod tests {
         "OAK4-D Wide",
         "OAK-D ToF",
     ];
+
+    #[test]
+    fn the_last_part_of_a_path_is_enough() {
+        let links: Vec<String> = (0..100).map(|link| format!("arm/link_{link}")).collect();
+        let names = || links.iter().map(String::as_str);
+        assert_eq!(nearest("link_7", names())[0], "arm/link_7");
+        let listed = suggest("other", names());
+        assert!(listed.ends_with("arm/link_29 or 70 others"), "{listed}");
+    }
 
     #[test]
     fn nearest_ignores_case_and_hyphens() {

@@ -50,6 +50,8 @@ pub struct ImuError {
     pub message: Message,
     /// What to do.
     pub remedy: Message,
+    /// Whether the trajectory is at fault, and not an option.
+    pub is_of_trajectory: bool,
 }
 
 /// A trajectory along which no inertial sensor can be simulated.
@@ -116,10 +118,12 @@ pub fn inertial_part<'a>(
                 Some(near) => format!("did you mean '{near}'?").into(),
                 None => format!("choose one of {}", known().collect::<Vec<_>>().join(", ")).into(),
             },
+            is_of_trajectory: false,
         },
         None => ImuError {
             message: format!("no source names the inertial part of the {}", device.name).into(),
             remedy: message!["choose one with ", opt("imu-part")],
+            is_of_trajectory: false,
         },
     })
 }
@@ -156,6 +160,7 @@ impl ImuSimulation {
             )
             .into(),
             remedy: "choose another model, or describe its pose in a catalog file".into(),
+            is_of_trajectory: false,
         })?;
         let default_hz = part
             .max_rate_hz()
@@ -163,8 +168,9 @@ impl ImuSimulation {
         let rate_hz = options.rate_hz.unwrap_or(default_hz);
         let count = sample_count(&motion, rate_hz)?;
         let out_of_range = |error: RecordingError| ImuError {
-            message: format!("trajectory: {error}").into(),
+            message: error.to_string().into(),
             remedy: "shift the times of the poses".into(),
+            is_of_trajectory: true,
         };
         let start = Time::from_seconds(motion.start_s()).map_err(out_of_range)?;
         start.plus(motion.duration_s()).map_err(out_of_range)?;
@@ -280,6 +286,7 @@ fn sample_count(motion: &Motion, rate_hz: f64) -> Result<u64, ImuError> {
         return Err(ImuError {
             message: message![opt("imu-rate").with(rate_hz), " is out of range"],
             remedy: format!("give Hz above 0, at most {MAX_RATE_HZ}").into(),
+            is_of_trajectory: false,
         });
     }
     // A millionth of a sample makes up for the rounding of times.
@@ -292,6 +299,7 @@ fn sample_count(motion: &Motion, rate_hz: f64) -> Result<u64, ImuError> {
             )
             .into(),
             remedy: message!["check the times of the poses, or lower ", opt("imu-rate")],
+            is_of_trajectory: true,
         });
     }
     Ok(count as u64)

@@ -7,13 +7,28 @@ use oaktwin::accuracy::{
 };
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use pyo3::{Borrowed, FromPyObject};
 
+use crate::arguments::{captures, optional};
 use crate::device::Device;
 use crate::error::{error, reading, wrong};
 use crate::finding;
 use crate::json;
-use crate::settings::sensor_options;
+use crate::settings::{mistyped, sensor_options};
 use crate::threads;
+
+/// The arguments besides the options of the sensor.
+const ARGUMENTS: [&str; 9] = [
+    "sensor",
+    "distances",
+    "devices",
+    "population",
+    "captures",
+    "region",
+    "measured",
+    "focal_px",
+    "width_px",
+];
 
 /// Wraps the report of `oaktwin accuracy --json` as a dictionary, for `oaktwin.accuracy`.
 #[pyfunction]
@@ -26,19 +41,19 @@ pub(crate) fn accuracy<'py>(
     device: &Device,
     sensor: Option<String>,
     distances: Option<Distances>,
-    devices: Option<u32>,
+    #[pyo3(from_py_with = optional::devices)] devices: Option<u32>,
     population: bool,
-    captures: u32,
+    #[pyo3(from_py_with = captures)] captures: u32,
     region: f64,
     measured: Option<PathBuf>,
     measured_from: f64,
     focal_px: Option<f64>,
-    width_px: Option<u32>,
+    #[pyo3(from_py_with = optional::width_px)] width_px: Option<u32>,
     options: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let options = Options {
         sensor,
-        engine: sensor_options("accuracy", options, |_| true)?,
+        engine: sensor_options("accuracy", &ARGUMENTS, options, |_| true)?,
         distances_m: distances.map(Distances::metres).transpose()?,
         devices,
         population,
@@ -53,7 +68,7 @@ pub(crate) fn accuracy<'py>(
     let read = |path: &PathBuf| measured::read(path).map_err(|error| reading(path, &error));
     let curve = measured.as_ref().map(read).transpose()?;
     let (bench, findings) = Bench::new(&device.twin, &options).map_err(error)?;
-    finding::warn(py, &findings)?;
+    finding::warn_caller(py, &findings)?;
     let report = threads::interruptible(py, |stop| {
         let watch = |_| {
             if stop.load(Ordering::Relaxed) {
@@ -69,10 +84,27 @@ pub(crate) fn accuracy<'py>(
 }
 
 /// True distances: numbers in metres, or the program's text syntax.
-#[derive(FromPyObject)]
 pub(crate) enum Distances {
     Text(String),
     Metres(Vec<f64>),
+}
+
+impl FromPyObject<'_, '_> for Distances {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        if let Ok(text) = object.extract() {
+            return Ok(Self::Text(text));
+        }
+        let metres = object.extract().map(Self::Metres);
+        metres.map_err(|_| {
+            mistyped(
+                "distances",
+                &object,
+                "a list of metres, or a range such as \"0.5:4:0.5\"",
+            )
+        })
+    }
 }
 
 impl Distances {

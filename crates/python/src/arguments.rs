@@ -6,7 +6,7 @@ use pyo3::{Borrowed, FromPyObject};
 
 use crate::array::numbers;
 use crate::error::wrong;
-use crate::settings::{mistyped, strings, whole_number};
+use crate::settings::{mistyped, strings, whole, whole_number};
 
 /// `size`: (width, height) in px.
 #[derive(Clone, Copy)]
@@ -53,11 +53,83 @@ impl FromPyObject<'_, '_> for Annotators {
     }
 }
 
+macro_rules! whole_numbers {
+    ($($name:ident: $number:ty),+ $(,)?) => {$(
+        #[doc = concat!("Reads the argument `", stringify!($name), "`.")]
+        pub(crate) fn $name(object: &Bound<'_, PyAny>) -> PyResult<$number> {
+            whole(stringify!($name), object)
+        }
+    )+};
+}
+
+whole_numbers! {
+    captures: u32,
+    count: u64,
+    frame: u64,
+    frames: u64,
+    height: u32,
+    seed: u64,
+    subdivide: u32,
+    width: u32,
+}
+
+/// Optional whole numbers.
+pub(crate) mod optional {
+    use pyo3::prelude::*;
+
+    use crate::settings::whole;
+
+    macro_rules! whole_numbers {
+        ($($name:ident: $number:ty),+ $(,)?) => {$(
+            #[doc = concat!("Reads the argument `", stringify!($name), "`.")]
+            pub(crate) fn $name(object: &Bound<'_, PyAny>) -> PyResult<Option<$number>> {
+                (!object.is_none()).then(|| whole(stringify!($name), object)).transpose()
+            }
+        )+};
+    }
+
+    whole_numbers! {
+        devices: u32,
+        samples: u32,
+        seed: u64,
+        width_px: u32,
+        workers: usize,
+    }
+}
+
+/// Reads `formats`: names, or None.
+pub(crate) fn formats(object: &Bound<'_, PyAny>) -> PyResult<Option<Vec<String>>> {
+    (!object.is_none())
+        .then(|| strings("formats", object))
+        .transpose()
+}
+
+/// Reads `distortion`: coefficients in any shape, such as the (1, 5) of OpenCV's calibration, or None.
+pub(crate) fn distortion(object: &Bound<'_, PyAny>) -> PyResult<Option<Vec<f64>>> {
+    if object.is_none() {
+        return Ok(None);
+    }
+    let (_, array) = numbers("distortion", object)?;
+    Ok(Some(array.as_slice().unwrap_or_default().to_vec()))
+}
+
+/// Reads `isaac`: a version as text or number.
+pub(crate) fn isaac(object: &Bound<'_, PyAny>) -> PyResult<String> {
+    Ok(object.str()?.to_string())
+}
+
 /// Reads three numbers.
 pub(crate) fn vector(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<DVec3> {
     let (shape, array) = numbers(argument, object)?;
     match array.as_slice().unwrap_or_default() {
-        &[x, y, z] if shape == [3] => Ok(DVec3::new(x, y, z)),
+        &[x, y, z] if shape == [3] && [x, y, z].iter().all(|number| number.is_finite()) => {
+            Ok(DVec3::new(x, y, z))
+        }
+        [_, _, _] if shape == [3] => Err(wrong(
+            argument,
+            "has non-finite values",
+            "pass three finite numbers",
+        )),
         _ => Err(wrong(
             argument,
             format_args!("has shape {shape:?}"),

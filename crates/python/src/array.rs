@@ -10,6 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyList, PyMemoryView, PyTuple};
 
 use crate::error::{error, wrong};
+use crate::scene::annotators::check_free;
 
 /// DLPack's device types of memory that the CPU can read: CPU, CUDA pinned host and ROCm pinned host memory.
 const HOST_MEMORY: [i32; 3] = [1, 3, 11];
@@ -121,7 +122,7 @@ pub(crate) fn writable<'py, T: Element>(
     let mut array = array.cast::<PyArrayDyn<T>>()?.try_readwrite().map_err(|_| {
         wrong(
             name,
-            "is read-only, or used by another call",
+            "is read-only, overlaps the input, or is used by another call",
             "pass a separate array to write to",
         )
     })?;
@@ -140,6 +141,10 @@ pub(crate) fn zeros<'py, T: Element>(
     py: Python<'py>,
     shape: &[usize],
 ) -> PyResult<Bound<'py, PyArrayDyn<T>>> {
+    let bytes = shape.iter().fold(size_of::<T>() as u64, |bytes, &length| {
+        bytes.saturating_mul(length as u64)
+    });
+    check_free("the result", bytes, "pass fewer or smaller images")?;
     // NumPy's own function raises a MemoryError instead of aborting.
     let made = py
         .import("numpy")?

@@ -8,7 +8,7 @@ use oaktwin::render::{Clip, PlacedCamera, check_size};
 use oaktwin::sense::check_hfov;
 use pyo3::prelude::*;
 
-use crate::arguments::Size;
+use crate::arguments::{Size, distortion, height, width};
 use crate::array::numbers;
 use crate::choice::choose;
 use crate::error::{error, wrong};
@@ -202,7 +202,7 @@ impl Camera {
         size: Size,
         K: Option<Bound<'_, PyAny>>,
         hfov_deg: Option<f64>,
-        distortion: Option<Vec<f64>>,
+        #[pyo3(from_py_with = distortion)] distortion: Option<Vec<f64>>,
         lens: Option<&str>,
         body_from_camera: Option<Bound<'_, PyAny>>,
         near: f64,
@@ -329,7 +329,13 @@ impl Camera {
     ///
     /// Raises oaktwin.Error for an image without pixels.
     #[pyo3(signature = (width, height, *, keep_aspect_ratio = true, keep_center = false))]
-    fn resized(&self, width: u32, height: u32, keep_aspect_ratio: bool, keep_center: bool) -> PyResult<Self> {
+    fn resized(
+        &self,
+        #[pyo3(from_py_with = width)] width: u32,
+        #[pyo3(from_py_with = height)] height: u32,
+        keep_aspect_ratio: bool,
+        keep_center: bool,
+    ) -> PyResult<Self> {
         let size = ImageSize::new(width, height);
         check_size(size).map_err(error)?;
         let own = &self.camera.intrinsics;
@@ -403,7 +409,13 @@ impl Camera {
     ///
     /// Raises oaktwin.Error for an image without pixels, or a corner that is not finite.
     #[pyo3(signature = (x, y, width, height))]
-    fn cropped(&self, x: f64, y: f64, width: u32, height: u32) -> PyResult<Self> {
+    fn cropped(
+        &self,
+        x: f64,
+        y: f64,
+        #[pyo3(from_py_with = width)] width: u32,
+        #[pyo3(from_py_with = height)] height: u32,
+    ) -> PyResult<Self> {
         if !(x.is_finite() && y.is_finite()) {
             return Err(wrong(
                 "x, y",

@@ -16,6 +16,7 @@ use oaktwin::usd::asset::LensChoice;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::arguments::{count, isaac, seed};
 use crate::asset::{self, AssetSettings};
 use crate::camera::Camera;
 use crate::choice::named;
@@ -173,7 +174,11 @@ impl Device {
     /// A unit has a calibration, which `oaktwin population` also writes. Its findings tell where the spread comes from. Raises
     /// oaktwin.Error for the device of a calibration.
     #[pyo3(signature = (count, *, seed = 0))]
-    fn population(&self, count: u64, seed: u64) -> PyResult<Vec<Self>> {
+    fn population(
+        &self,
+        #[pyo3(from_py_with = count)] count: u64,
+        #[pyo3(from_py_with = seed)] seed: u64,
+    ) -> PyResult<Vec<Self>> {
         self.units(count, seed)
     }
 
@@ -289,8 +294,12 @@ impl Device {
     ///
     /// Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an option that the model does not support or an unknown
     /// extension, OSError for files that cannot be written; incomplete files are removed.
-    #[pyo3(signature = (path, *, isaac = "5.1", target = "isaac", aperture_offsets = "openusd", extended_disparity = false,
-        legacy_distortion = false, rigid_body = false, body = true, over = None, scene_limit = 1.0))]
+    #[pyo3(
+        signature = (path, *, isaac = "5.1".to_owned(), target = "isaac", aperture_offsets = "openusd", extended_disparity = false,
+            legacy_distortion = false, rigid_body = false, body = true, over = None, scene_limit = 1.0),
+        text_signature = "($self, path, *, isaac='5.1', target='isaac', aperture_offsets='openusd', extended_disparity=False, \
+            legacy_distortion=False, rigid_body=False, body=True, over=None, scene_limit=1.0)"
+    )]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
     #[expect(clippy::fn_params_excessive_bools, reason = "options of Python")]
     #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
@@ -298,7 +307,7 @@ impl Device {
         &self,
         py: Python<'_>,
         path: PathBuf,
-        isaac: &str,
+        #[pyo3(from_py_with = isaac)] isaac: String,
         target: &str,
         aperture_offsets: &str,
         extended_disparity: bool,
@@ -309,7 +318,7 @@ impl Device {
         scene_limit: f64,
     ) -> PyResult<()> {
         let settings = AssetSettings {
-            isaac,
+            isaac: &isaac,
             target,
             aperture_offsets,
             extended_disparity,

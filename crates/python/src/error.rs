@@ -41,6 +41,11 @@ const ARGUMENTS: [(&str, &str); 10] = [
 
 /// An option as an argument: `fx=500`, `engine="single-view"`.
 fn argument(option: &Opt) -> String {
+    if option.name() == "param"
+        && let Some((name, value)) = option.value().and_then(|value| value.split_once('='))
+    {
+        return format!("parameters={{{name:?}: {value}}}");
+    }
     let own = ARGUMENTS.iter().find(|(name, _)| *name == option.name());
     let name = own.map_or_else(|| option.name().replace('-', "_"), |(_, own)| (*own).to_owned());
     match option.value() {

@@ -113,11 +113,20 @@ impl Notices {
     }
 }
 
-/// Issues warnings and errors as Python warnings.
+/// Issues warnings and errors as Python warnings about the line that calls the package.
 pub(crate) fn warn(py: Python<'_>, findings: &[diagnostic::Finding]) -> PyResult<()> {
+    warn_at(py, findings, 1)
+}
+
+/// The same for functions that the package wraps in Python.
+pub(crate) fn warn_caller(py: Python<'_>, findings: &[diagnostic::Finding]) -> PyResult<()> {
+    warn_at(py, findings, 2)
+}
+
+fn warn_at(py: Python<'_>, findings: &[diagnostic::Finding], level: i32) -> PyResult<()> {
     for finding in findings.iter().filter(|finding| finding.level > Level::Note) {
         let text = CString::new(text(finding).replace('\0', " "))?;
-        PyErr::warn(py, &py.get_type::<FindingWarning>(), &text, 1)?;
+        PyErr::warn(py, &py.get_type::<FindingWarning>(), &text, level)?;
     }
     Ok(())
 }

@@ -5,11 +5,13 @@ use std::sync::atomic::Ordering;
 use oaktwin::accuracy::{MeasuredOptics, REGION};
 use oaktwin::fit::{self as fitting, FitError, Options};
 use oaktwin::sensor::SensorOption;
+use pyo3::exceptions::PyFileNotFoundError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::arguments::optional;
 use crate::device::Device;
-use crate::error::error;
+use crate::error::{error, wrong};
 use crate::finding;
 use crate::json;
 use crate::settings::sensor_options;
@@ -19,6 +21,17 @@ use crate::threads;
 fn is_offered(option: &SensorOption) -> bool {
     !["filters", "isaac", "seed", "device_seed", "drift"].contains(&option.name)
 }
+
+/// The arguments besides the options of the sensor.
+const ARGUMENTS: [&str; 7] = [
+    "sensor",
+    "region",
+    "depth_scale",
+    "measured_from",
+    "focal_px",
+    "width_px",
+    "fits_focal_length",
+];
 
 /// Wraps the report of `oaktwin fit --json` and its parameter file, for `oaktwin.fit`.
 #[pyfunction]
@@ -35,13 +48,27 @@ pub(crate) fn fit<'py>(
     depth_scale: f64,
     measured_from: f64,
     focal_px: Option<f64>,
-    width_px: Option<u32>,
+    #[pyo3(from_py_with = optional::width_px)] width_px: Option<u32>,
     fits_focal_length: bool,
     options: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<(Bound<'py, PyAny>, String)> {
+    if recordings.is_empty() {
+        return Err(wrong(
+            "recordings",
+            "is empty",
+            "pass at least one folder or CSV file",
+        ));
+    }
+    if let Some(missing) = recordings.iter().find(|path| !path.exists()) {
+        let text = format!(
+            "{}: there is no such file or folder; check the path",
+            missing.display()
+        );
+        return Err(PyFileNotFoundError::new_err(text));
+    }
     let options = Options {
         sensor,
-        engine: sensor_options("fit", options, is_offered)?,
+        engine: sensor_options("fit", &ARGUMENTS, options, is_offered)?,
         optics: MeasuredOptics {
             focal_length_px: focal_px,
             width_px,
@@ -63,6 +90,6 @@ pub(crate) fn fit<'py>(
         Ok::<_, FitError>((fit.report().clone(), findings))
     })?;
     let (report, findings) = fitted.map_err(error)?;
-    finding::warn(py, &findings)?;
+    finding::warn_caller(py, &findings)?;
     Ok((json::to_python(py, &report)?, report.toml()))
 }

@@ -1,14 +1,16 @@
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf, absolute};
-use std::sync::atomic::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use oaktwin::generate::recipe::{RecipeFile, Texts};
 use oaktwin::generate::{GenerateError, GenerateOptions, Generated, Generator};
+use oaktwin::progress::Progress;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::{error, wrong};
+use crate::arguments::{formats, frame, frames, optional};
+use crate::error::{error, reading, wrong};
 use crate::models::Models;
 use crate::{finding, json, threads};
 
@@ -47,8 +49,8 @@ impl Recipe {
     fn new(
         py: Python<'_>,
         path: PathBuf,
-        formats: Option<Vec<String>>,
-        seed: Option<u64>,
+        #[pyo3(from_py_with = formats)] formats: Option<Vec<String>>,
+        #[pyo3(from_py_with = optional::seed)] seed: Option<u64>,
         catalog: Option<PathBuf>,
     ) -> PyResult<Self> {
         let models = Models::open(catalog)?;
@@ -60,7 +62,7 @@ impl Recipe {
             file.recipe.seed = seed.unwrap_or(file.recipe.seed);
             Generator::open(file, models.get())
         })?;
-        let generator = generator.map_err(|cause: GenerateError| error(cause))?;
+        let generator = generator.map_err(|cause: GenerateError| reading(&path, &cause))?;
         Ok(Self {
             path,
             formats,
@@ -95,15 +97,23 @@ impl Recipe {
     /// Returns everything that is drawn at random for a frame: the scene, the objects with their poses, the lights, the camera.
     ///
     /// Raises oaktwin.Error if an object or the camera has no place.
-    fn explain<'py>(&self, py: Python<'py>, frame: u64) -> PyResult<Bound<'py, PyAny>> {
+    fn explain<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = frame)] frame: u64,
+    ) -> PyResult<Bound<'py, PyAny>> {
         let explained = threads::run(py, || self.generator.explain(frame))?;
         json::to_python(py, &explained.map_err(error)?)
     }
 
     /// Returns a contact sheet of the first frames as an sRGB image (H, W, 3) of uint8: colour, exact depth and measured depth.
     #[pyo3(signature = (frames = 16))]
-    fn preview<'py>(&self, py: Python<'py>, frames: u64) -> PyResult<Bound<'py, PyArray3<u8>>> {
-        let sheet = threads::run(py, || self.generator.preview(frames))?;
+    fn preview<'py>(
+        &self,
+        py: Python<'py>,
+        #[pyo3(from_py_with = frames)] frames: u64,
+    ) -> PyResult<Bound<'py, PyArray3<u8>>> {
+        let sheet = threads::interruptible(py, |stop| self.generator.preview(frames, &watch(stop)))?;
         let sheet = sheet.map_err(error)?;
         let shape = [sheet.height() as usize, sheet.width() as usize, 3];
         PyArray1::from_slice(py, sheet.pixels().as_flattened()).reshape(shape)
@@ -131,7 +141,7 @@ impl Recipe {
         output: PathBuf,
         frames: Option<(u64, u64)>,
         resume: bool,
-        workers: Option<usize>,
+        #[pyo3(from_py_with = optional::workers)] workers: Option<usize>,
         only_frames: bool,
         ray: Ray,
     ) -> PyResult<Py<PyDict>> {
@@ -161,15 +171,17 @@ impl Recipe {
     }
 }
 
+/// Interrupts a task once `stop` is set.
+fn watch(stop: &AtomicBool) -> impl Fn(Progress) -> ControlFlow<()> + Sync {
+    |_| match stop.load(Ordering::Relaxed) {
+        true => ControlFlow::Break(()),
+        false => ControlFlow::Continue(()),
+    }
+}
+
 impl Recipe {
     fn generate_here(&self, py: Python<'_>, output: &Path, options: &GenerateOptions) -> PyResult<Generated> {
-        let made = threads::interruptible(py, |stop| {
-            let watch = |_| match stop.load(Ordering::Relaxed) {
-                true => ControlFlow::Break(()),
-                false => ControlFlow::Continue(()),
-            };
-            self.generator.generate(output, options, &watch)
-        })?;
+        let made = threads::interruptible(py, |stop| self.generator.generate(output, options, &watch(stop)))?;
         made.map_err(error)
     }
 

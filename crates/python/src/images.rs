@@ -67,7 +67,7 @@ impl Shape {
     }
 
     /// The dimensions without that of the channel.
-    fn rows(self) -> Vec<usize> {
+    pub(crate) fn rows(self) -> Vec<usize> {
         let rows = [self.size.height as usize, self.size.width as usize];
         self.batch.into_iter().chain(rows).collect()
     }
@@ -335,11 +335,15 @@ fn made<'py, T: Element>(
 }
 
 impl OutSlice<'_> {
-    /// Whether nothing was measured.
-    pub(crate) fn is_empty(&self) -> bool {
+    /// The first of `count` images in which nothing was measured.
+    pub(crate) fn first_empty(&self, count: usize) -> Option<usize> {
+        fn find<T: Default + PartialEq>(values: &[T], count: usize) -> Option<usize> {
+            let mut images = values.chunks((values.len() / count.max(1)).max(1));
+            images.position(|image| image.iter().all(|value| *value == T::default()))
+        }
         match self {
-            Self::Metres(values) => values.iter().all(|metres| *metres == 0.0),
-            Self::Millimetres(values) => values.iter().all(|millimetres| *millimetres == 0),
+            Self::Metres(values) => find(values, count),
+            Self::Millimetres(values) => find(values, count),
         }
     }
 

@@ -6,10 +6,11 @@ use oaktwin::scene::Up;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::arguments::seed;
 use crate::array::numbers;
 use crate::choice::named;
 use crate::device::Device;
-use crate::error::{error, wrong};
+use crate::error::{error, text, wrong};
 use crate::finding;
 use crate::pose::poses;
 
@@ -42,7 +43,7 @@ pub(crate) fn simulate_imu<'py>(
     poses: &Bound<'py, PyAny>,
     rate: Option<f64>,
     part: Option<&str>,
-    seed: u64,
+    #[pyo3(from_py_with = seed)] seed: u64,
     up: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
     let up: Up = named("up", up)?;
@@ -51,7 +52,13 @@ pub(crate) fn simulate_imu<'py>(
     let part = imu::inertial_part(device.models.get(), &twin.device, part).map_err(error)?;
     let motion = imu::motion(&path).map_err(|cause| error(format!("poses: {cause}")))?;
     let options = ImuOptions { rate_hz: rate, seed };
-    let (mut samples, findings) = ImuSimulation::new(twin, part, motion, up, options).map_err(error)?;
+    let (mut samples, findings) = ImuSimulation::new(twin, part, motion, up, options).map_err(|cause| {
+        if cause.is_of_trajectory {
+            error(format!("times: {}", text(&cause)))
+        } else {
+            error(cause)
+        }
+    })?;
     memory::check(samples.sample_count() * SAMPLE_BYTES).map_err(|shortage| {
         let what = format!("{} samples: {}", samples.sample_count(), shortage.what());
         wrong("poses", what, "pass a shorter trajectory, or a lower rate")

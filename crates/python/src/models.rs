@@ -2,10 +2,11 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use oaktwin::catalog::{Catalog, DepthFilter, Device};
+use pyo3::exceptions::PyFileNotFoundError;
 use pyo3::prelude::*;
 
 use crate::choice::named;
-use crate::error::error;
+use crate::error::{error, text};
 
 /// Returns the names of all models for `Device`.
 ///
@@ -36,7 +37,13 @@ pub(crate) struct Models(Option<(PathBuf, Arc<Catalog>)>);
 impl Models {
     pub(crate) fn open(folder: Option<PathBuf>) -> PyResult<Self> {
         let open = |folder: PathBuf| {
-            let catalog = Catalog::with_dir(&folder).map_err(error)?;
+            let catalog = Catalog::with_dir(&folder).map_err(|cause| {
+                if folder.exists() {
+                    error(cause)
+                } else {
+                    PyFileNotFoundError::new_err(text(&cause))
+                }
+            })?;
             // The absolute path, for pickles of the device.
             let folder = std::path::absolute(&folder).unwrap_or(folder);
             Ok::<_, PyErr>((folder, Arc::new(catalog)))

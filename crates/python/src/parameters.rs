@@ -26,21 +26,24 @@ pub(crate) fn parameters<'py>(py: Python<'py>, group: &str, platform: &str) -> P
     Ok(list.into_any())
 }
 
-/// The names of DepthAI's presets for a platform, in DepthAI's order.
+/// The names of DepthAI's presets for a platform, in DepthAI's order, as `preset` accepts them.
 ///
 /// platform: "rvc2", "rvc4" or "tof" (time of flight).
 #[pyfunction]
 #[pyo3(signature = (platform = "rvc2"))]
-pub(crate) fn presets(platform: &str) -> PyResult<Vec<&'static str>> {
+pub(crate) fn presets(platform: &str) -> PyResult<Vec<String>> {
     let all = [
         ("rvc2", Some(Platform::Rvc2)),
         ("rvc4", Some(Platform::Rvc4)),
         ("tof", None),
     ];
-    Ok(match choice::choose("platform", platform, &all)? {
+    let names = match choice::choose("platform", platform, &all)? {
         Some(platform) => Preset::names_on(platform),
         None => TIME_OF_FLIGHT_PRESETS.to_vec(),
-    })
+    };
+    // As the argument `preset` spells them.
+    let spelled = |name: &str| name.to_lowercase().replace('_', "-");
+    Ok(names.into_iter().map(spelled).collect())
 }
 
 /// The parameters of an engine by name, with values of their types.

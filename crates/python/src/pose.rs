@@ -45,12 +45,14 @@ pub(crate) fn poses(name: &str, object: &Bound<'_, PyAny>) -> PyResult<(Vec<Rigi
 }
 
 pub(crate) fn one_pose(name: &str, object: &Bound<'_, PyAny>) -> PyResult<RigidTransform> {
-    match poses(name, object)? {
-        (poses, false) => match poses[..] {
-            [pose] => Ok(pose),
-            _ => Err(wrong(name, "is empty", "pass a 4x4 matrix")),
-        },
-        _ => Err(wrong(name, "contains several poses", "pass one 4x4 matrix")),
+    let (shape, array) = numbers(name, object)?;
+    match (&shape[..], array.as_slice().map_err(error)?.as_chunks::<16>().0) {
+        ([4, 4], [matrix]) => pose(name, matrix),
+        _ => Err(wrong(
+            name,
+            format_args!("has shape {shape:?}"),
+            "pass a matrix (4, 4)",
+        )),
     }
 }
 
@@ -117,8 +119,8 @@ pub(crate) fn look_at<'py>(
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let axes = choose("frame", frame, &[("camera", Axes::OpenCv), ("body", Axes::Ros)])?;
     let up = up.map_or(Ok(DVec3::Z), |up| vector("up", up))?;
-    let world_from_body =
-        render::look_at(vector("eye", eye)?, vector("target", target)?, up).map_err(error)?;
+    let [eye, target] = [("eye", eye), ("target", target)].map(|(name, point)| vector(name, point));
+    let world_from_body = render::look_at(eye?, target?, up).map_err(error)?;
     let body_from_frame = RigidTransform::new(Axes::Ros.rotation_from(axes), DVec3::ZERO);
     rows(py, &(world_from_body * body_from_frame))
 }

@@ -119,7 +119,7 @@ pub(crate) fn unproject<'py>(
             "pass one pose, or one for each image",
         ));
     }
-    let array: Bound<'py, PyArrayDyn<f32>> = zeros(py, &[&shape.dims()[..], &[3]].concat())?;
+    let array: Bound<'py, PyArrayDyn<f32>> = zeros(py, &[&shape.rows()[..], &[3]].concat())?;
     let mut writable = array.try_readwrite().map_err(error)?;
     let out = writable.as_slice_mut().map_err(error)?.as_chunks_mut::<3>().0;
     let depth = depth.slice()?;

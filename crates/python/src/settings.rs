@@ -6,13 +6,14 @@ use oaktwin::diagnostic::suggest;
 use oaktwin::sensor::{OptionValue, SENSOR_OPTIONS, SensorOption, SensorOptions, assignment};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyString};
+use pyo3::types::{PyDict, PyFloat, PyInt, PyString};
 
 use crate::error::{error, reading, wrong};
 
-/// Reads options from the keyword arguments of a function.
+/// Reads options from the keyword arguments of a function. `others` are the arguments that it also has.
 pub(crate) fn sensor_options(
     function: &str,
+    others: &[&str],
     keywords: Option<&Bound<'_, PyDict>>,
     is_offered: fn(&SensorOption) -> bool,
 ) -> PyResult<SensorOptions> {
@@ -24,7 +25,8 @@ pub(crate) fn sensor_options(
     for name in keywords.keys() {
         let name: String = name.extract()?;
         if !offered().any(|option| option.name == name) {
-            let remedy = suggest(&name, offered().map(|option| option.name));
+            let known = offered().map(|option| option.name).chain(others.iter().copied());
+            let remedy = suggest(&name, known);
             let text = format!("{function}() got an unexpected keyword argument '{name}'; {remedy}");
             return Err(PyTypeError::new_err(text));
         }
@@ -122,9 +124,19 @@ pub(crate) fn strings(argument: &str, value: &Bound<'_, PyAny>) -> PyResult<Vec<
 
 /// Returns a whole number from 0 to 2⁶⁴ − 1.
 pub(crate) fn whole_number(argument: &str, value: &Bound<'_, PyAny>) -> PyResult<u64> {
-    value
-        .extract()
-        .map_err(|_| mistyped(argument, value, "a whole number from 0 to 2**64 - 1"))
+    whole(argument, value)
+}
+
+/// Returns a whole number of an unsigned type.
+pub(crate) fn whole<T: TryFrom<u64>>(argument: &str, value: &Bound<'_, PyAny>) -> PyResult<T> {
+    let number = value
+        .extract::<u64>()
+        .ok()
+        .and_then(|number| T::try_from(number).ok());
+    number.ok_or_else(|| {
+        let range = format!("a whole number from 0 to 2**{} - 1", 8 * size_of::<T>());
+        mistyped(argument, value, &range)
+    })
 }
 
 /// Returns an error for a value of the wrong type.
@@ -147,6 +159,21 @@ fn shortened(text: &str) -> String {
     }
 }
 
+/// Returns the text of a value: true or false, also of NumPy's type, and whole numbers without a fraction, which integers accept.
+fn assigned(value: &Bound<'_, PyAny>) -> PyResult<String> {
+    if let Ok(flag) = value.extract::<bool>() {
+        return Ok(flag.to_string());
+    }
+    let text = value.str()?.to_string();
+    let whole = text
+        .strip_suffix(".0")
+        .filter(|whole| whole.parse::<i64>().is_ok());
+    Ok(match whole {
+        Some(whole) if !value.is_instance_of::<PyString>() => whole.to_owned(),
+        _ => text,
+    })
+}
+
 /// Converts a mapping from names to numbers, strings or booleans to the assignments of a command line.
 pub(crate) fn assignments(option: &str, parameters: &Bound<'_, PyAny>) -> PyResult<Vec<(String, String)>> {
     let items = parameters
@@ -154,9 +181,7 @@ pub(crate) fn assignments(option: &str, parameters: &Bound<'_, PyAny>) -> PyResu
         .map_err(|_| mistyped(option, parameters, "a dictionary from names to values"))?;
     let assignment = |item: PyResult<Bound<'_, PyAny>>| {
         let (name, value): (String, Bound<'_, PyAny>) = item?.extract()?;
-        let text = value.str()?.to_string();
-        let is_flag = value.is_instance_of::<PyBool>();
-        Ok((name, if is_flag { text.to_lowercase() } else { text }))
+        Ok((name, assigned(&value)?))
     };
     items.try_iter()?.map(assignment).collect()
 }

@@ -167,6 +167,11 @@ impl StereoMatcher {
     }
 }
 
+/// The arguments besides the options of the sensor.
+const ARGUMENTS: [&str; 7] = [
+    "sensor", "raw", "rectify", "fx", "hfov_deg", "baseline", "platform",
+];
+
 #[pymethods]
 impl StereoMatcher {
     #[new]
@@ -186,7 +191,9 @@ impl StereoMatcher {
         platform: Option<&str>,
         options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
-        let options = sensor_options("StereoMatcher", options, |option| option.is_of_matcher)?;
+        let options = sensor_options("StereoMatcher", &ARGUMENTS, options, |option| {
+            option.is_of_matcher
+        })?;
         let of_any = fx.is_some() || hfov_deg.is_some() || baseline.is_some();
         let source = match device {
             Some(_) if of_any => {

@@ -97,7 +97,7 @@ def test_parameters_have_the_types_of_their_declarations(engine):
 
 
 def test_presets():
-    assert "DEFAULT" in {name.upper() for name in oaktwin.presets()}
+    assert "default" in oaktwin.presets() and "high-detail" in oaktwin.presets()
     for platform, model in {"rvc2": "OAK-D Pro PoE", "rvc4": "OAK4-D", "tof": "OAK-D ToF"}.items():
         names = oaktwin.presets(platform)
         assert len(names) == len(set(names)) > 1

@@ -127,11 +127,69 @@ def test_arguments_are_named(device):
         "near, far": lambda: oaktwin.Camera((640, 400), hfov_deg=60, near=1e-320),
         "distances: is empty": lambda: oaktwin.accuracy(device, distances=[]),
         "rgb: is required by the filter brightness": lambda: oaktwin.filters.brightness(np.ones((4, 4), np.uint16), None),
+        "eye: has non-finite values": lambda: oaktwin.look_at((0, 0, np.nan), (1, 0, 0)),
+        "width: invalid value -640": lambda: device.cameras["left"].resized(-640, 400),
+        "height: invalid value 400.5": lambda: device.cameras["left"].cropped(0, 0, 64, 400.5),
+        "count: invalid value -1": lambda: device.population(-1),
+        "seed: invalid value -1": lambda: oaktwin.simulate_imu(device, [0, 1], np.stack([np.eye(4)] * 2), seed=-1),
+        "devices: invalid value -1": lambda: oaktwin.accuracy(device, devices=-1),
+        "distances: invalid value 1.0; pass a list": lambda: oaktwin.accuracy(device, distances=1.0),
+        "distortion: is not an array": lambda: oaktwin.Camera((4, 4), hfov_deg=60, distortion="x"),
+        "recordings: is empty": lambda: oaktwin.fit(device, []),
+        "world_from_camera: has shape": lambda: device.cameras["left"].project([[0, 0, 1]], np.eye(4)[None]),
         "reflection": lambda: oaktwin.Camera((4, 4), hfov_deg=60, body_from_camera=np.diag([1, 1, -1, 1])),
     }.items():
         with pytest.raises(oaktwin.Error, match=text):
             call()
     oaktwin.DepthSensor(device, engine="single-view", isaac=6)
+    for wrong, nearest in {"hfov": "hfov_deg", "enigne": "engine"}.items():
+        with pytest.raises(TypeError, match=f"did you mean '{nearest}'"):
+            oaktwin.DepthSensor(device, **{wrong: 1})
+    with pytest.raises(FileNotFoundError, match="no/wall"):
+        oaktwin.fit(device, "no/wall")
+    with pytest.raises(FileNotFoundError, match="no.toml"):
+        oaktwin.Recipe("no.toml")
+    with pytest.raises(FileNotFoundError, match="no/catalog"):
+        oaktwin.Device("OAK4-D", catalog="no/catalog")
+
+
+def test_values_of_other_types_are_converted(device, tmp_path):
+    sensor = oaktwin.DepthSensor(device, parameters={"window": 5.0, "subpixel": np.False_, "jitter": np.float32(1)})
+    assert (sensor.parameters["window"], sensor.parameters["subpixel"], sensor.parameters["jitter"]) == (5, False, 1.0)
+    device.write_usd(tmp_path / "six.usda", isaac=6)
+    flat, nested = ([0.1, 0.01, 0, 0, 0.001], [[0.1, 0.01, 0, 0, 0.001]])
+    cameras = [oaktwin.Camera((64, 48), hfov_deg=60, distortion=np.array(values)) for values in (flat, nested)]
+    assert cameras[0] == cameras[1]
+    left = device.cameras["left"].resized(64, 40)
+    assert left.unproject(np.ones((40, 64, 1), np.float32)).shape == (40, 64, 3)
+
+
+def test_lost_images_of_batches_and_annotators_are_reported(device):
+    wall = np.full((60, 106), 2, np.float32)
+    for lost, code in [(wall * 1000, "depth-unit"), (wall * 0.05, "nothing-measured")]:
+        with pytest.warns(oaktwin.FindingWarning, match=code):
+            oaktwin.DepthSensor(device)(np.stack([wall, lost, wall]))
+        with pytest.warns(oaktwin.FindingWarning, match=code):
+            oaktwin.DepthSensor(device).annotate(lost, annotators=["depth_sensor_distance"])
+    with pytest.warns(oaktwin.FindingWarning, match="texture of the colour image"):
+        oaktwin.DepthSensor(device)(wall, np.full((60, 106, 3), 128, np.uint8))
+
+
+def test_dots_give_plain_walls_texture():
+    device = oaktwin.Device("OAK-D Pro PoE")
+    wall, grey = np.full((60, 106), 2, np.float32), np.full((60, 106, 3), 128, np.uint8)
+    sensor = oaktwin.DepthSensor(device, parameters={"dotContrast": 3})
+    assert (sensor(wall, grey) > 0).mean() > 0.8
+
+
+def test_arrays_within_the_limit_of_memory(device):
+    images = np.zeros((20, 800, 1280), np.uint16)
+    oaktwin.set_memory_limit("70M")
+    try:
+        with pytest.raises(oaktwin.Error, match="the result: "):
+            device.cameras["left"].resized(1280, 800).unproject(images)
+    finally:
+        oaktwin.set_memory_limit(None)
 
 
 def test_fields_of_view_of_fisheyes():

@@ -95,8 +95,8 @@ def test_look_at():
     body = oaktwin.look_at(np.array([1.0, 2, 3]), (1, 7, 3), frame="body")
     assert np.allclose(body[:3, 0], [0, 1, 0]) and np.allclose(body[:3, 3], [1, 2, 3])
     for text, arguments in {
-        "EYE and TARGET are equal": ((1, 1, 1), (1, 1, 1)),
-        "parallel to UP": ((0, 0, 0), (0, 0, 1)),
+        "the eye and the target are equal": ((1, 1, 1), (1, 1, 1)),
+        "parallel to the up direction": ((0, 0, 0), (0, 0, 1)),
         "finite": ((0, 0, float("inf")), (0, 0, 1)),
     }.items():
         with pytest.raises(oaktwin.Error, match=text):

@@ -1,5 +1,6 @@
 mod ray;
 
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Instant;
 
@@ -52,7 +53,7 @@ pub(crate) fn run(context: &Context, args: &GenerateArgs) -> Result<Exit> {
         return Err("name the folder of the data set with --output".into());
     };
     if let Some(frames) = args.preview {
-        let sheet = generator.preview(frames)?;
+        let sheet = generator.preview(frames, &|_| ControlFlow::Continue(()))?;
         files::write(folder, &png::encode(&sheet)?)?;
         output::print(&format!("{}\n", folder.display()))?;
         return Ok(Exit::Success);

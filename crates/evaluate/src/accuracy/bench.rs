@@ -5,7 +5,7 @@ use crate::measure::r_squared;
 use rayon::prelude::*;
 
 use super::measured::Curve;
-use super::test_rig::{Effort, TestRig};
+use super::test_rig::{Effort, TestRig, Work};
 use super::units::{Prepared, intrinsics, rigs};
 use super::vendor::protocol_deviations;
 use super::{
@@ -141,8 +141,11 @@ impl Bench {
                 let total = distances.len() as u64;
                 let progress = |done| Progress { done, total };
                 let wants_more = || watch(progress(done.load(Ordering::Relaxed))).is_continue();
-                let rigs = self.rigs.par_iter();
-                let units = rigs.map(|rig| rig.measure(distance_m, effort, &wants_more));
+                let work = Work {
+                    effort,
+                    wants_more: &wants_more,
+                };
+                let units = self.rigs.par_iter().map(|rig| rig.measure(distance_m, work));
                 let units = units.collect::<Result<Vec<_>, _>>()?.concat();
                 if watch(progress(done.fetch_add(1, Ordering::Relaxed) + 1)).is_break() {
                     return Err(AccuracyError::Interrupted);

@@ -77,6 +77,22 @@ pub(super) struct Effort {
     pub(super) quality: bool,
 }
 
+/// A measurement that may be interrupted.
+#[derive(Clone, Copy)]
+pub(super) struct Work<'a> {
+    pub(super) effort: Effort,
+    pub(super) wants_more: &'a (dyn Fn() -> bool + Sync),
+}
+
+impl Work<'_> {
+    fn check(&self) -> Result<(), AccuracyError> {
+        match (self.wants_more)() {
+            true => Ok(()),
+            false => Err(AccuracyError::Interrupted),
+        }
+    }
+}
+
 /// The measurements of one unit, and for Isaac Sim's sensor those under its other documented reading: depth computed from
 /// disparity, or carried along.
 #[derive(Clone, Copy, Debug)]
@@ -90,17 +106,14 @@ impl TestRig {
     pub(super) fn measure(
         &self,
         distance_m: f64,
-        effort: Effort,
-        wants_more: &(dyn Fn() -> bool + Sync),
+        work: Work<'_>,
     ) -> Result<Vec<MeasuredUnit>, AccuracyError> {
         let part = self.part(distance_m);
         let scenery = Scenery::new(self, &part, distance_m);
         let measure = |(unit, item): (&Unit, u32)| {
-            if !wants_more() {
-                return Err(AccuracyError::Interrupted);
-            }
+            work.check()?;
             let measure =
-                |engine: &Arc<dyn Engine>| self.measure_unit(engine, unit, item, &scenery, &part, effort);
+                |engine: &Arc<dyn Engine>| self.measure_unit(engine, unit, item, &scenery, &part, work);
             Ok(MeasuredUnit {
                 own: measure(&unit.engine)?,
                 other: other_reading(&unit.engine)?.as_ref().map(measure).transpose()?,
@@ -151,7 +164,7 @@ impl TestRig {
         item: u32,
         scenery: &Scenery<'_>,
         part: &Part,
-        effort: Effort,
+        work: Work<'_>,
     ) -> Result<Measured, AccuracyError> {
         let cropped = engine.crop(self.intrinsics.size.width, &part.intrinsics)?;
         let engine = cropped.unwrap_or_else(|| Arc::clone(engine));
@@ -161,7 +174,7 @@ impl TestRig {
         });
         let sensor = Sensor::new(engine, unit.filters.clone(), self.random);
         let mut sensor = sensor.with_drift(drifted);
-        let images = scenery.captures(&mut sensor, unit, item, part, effort.captures)?;
+        let images = scenery.captures(&mut sensor, unit, item, part, work)?;
         let (region, intrinsics) = part.in_image(images.first());
         let views: Vec<ImageView<'_, f32>> = images.iter().map(|image| (&image.0).into()).collect();
         let optics = Optics {
@@ -170,7 +183,7 @@ impl TestRig {
         };
         Ok(Measured {
             vendor: vendor(&views, &region),
-            quality: if effort.quality {
+            quality: if work.effort.quality {
                 quality(&views, &region, &optics, scenery.distance_m)
             } else {
                 Quality::default()
@@ -261,18 +274,20 @@ impl<'a> Scenery<'a> {
         }
     }
 
-    /// Captures a unit `count` times.
+    /// Captures a unit several times.
     fn captures(
         &self,
         sensor: &mut Sensor,
         unit: &Unit,
         item: u32,
         part: &Part,
-        count: u32,
+        work: Work<'_>,
     ) -> Result<Vec<ZDepth>, AccuracyError> {
+        let count = work.effort.captures;
         if let Some((board, stereo_camera, left)) = &self.pair {
             let right = stereo_camera.right(board, part.intrinsics, unit.bias_px);
             let captures = (0..count).map(|frame| {
+                work.check()?;
                 let [left, right] =
                     stereo_camera.record([left, &right], &part.intrinsics, (frame.into(), item));
                 let pair = Pair::new(&left, &right).map_err(region_error)?;
@@ -286,6 +301,7 @@ impl<'a> Scenery<'a> {
         let shot = Shot::new(depth.into());
         let mut shot = shot.with_rgb(picture.into()).unwrap_or(shot);
         let captures = (0..count).map(|frame| {
+            work.check()?;
             (shot.frame, shot.item) = (frame.into(), item);
             Ok(sensor.capture(shot, &[])?.distance)
         });

@@ -1,6 +1,7 @@
 use oaktwin_image::annotation::Annotator;
 use oaktwin_image::contact_sheet::{Column, contact_sheet};
 use oaktwin_image::{Image, ZDepth, preview};
+use oaktwin_pipeline::progress::{Progress, Watch};
 
 use super::Generator;
 use crate::GenerateError;
@@ -10,15 +11,20 @@ use crate::frame::FrameMaker;
 const ROW: usize = 4;
 
 impl Generator {
-    /// Draws a contact sheet of the first frames: colour, depth and measured depth of the first camera.
+    /// Draws a contact sheet of the first frames: colour, depth and measured depth of the first camera. If `watch` interrupts the
+    /// task, it has fewer frames.
     ///
     /// # Errors
     /// Returns an error if a frame cannot be made.
-    pub fn preview(&self, frames: u64) -> Result<Image<[u8; 3]>, GenerateError> {
+    pub fn preview(&self, frames: u64, watch: &Watch<'_>) -> Result<Image<[u8; 3]>, GenerateError> {
         let mut maker = FrameMaker::new(&self.context);
         let mut columns = Vec::new();
         let total = self.context.file.recipe.frames;
-        for frame in 0..frames.clamp(1, total) {
+        let total = frames.clamp(1, total);
+        for frame in 0..total {
+            if watch(Progress { done: frame, total }).is_break() {
+                break;
+            }
             let made = maker.make_with(
                 frame,
                 &[

@@ -30,10 +30,10 @@ pub enum PoseError {
         length: f64,
     },
     /// The direction of view is undefined.
-    #[error("EYE and TARGET are equal; give another TARGET")]
+    #[error("the eye and the target are equal; give another target")]
     NoDirection,
     /// The roll of the view is undefined.
-    #[error("the direction of view is parallel to UP; give another UP")]
+    #[error("the direction of view is parallel to the up direction; give another one")]
     NoUpright,
 }
 

@@ -38,15 +38,19 @@ pub fn check_unit(metres: &[f32], unit: DepthUnit) -> Option<Finding> {
     Some(Finding::new("depth-unit", Level::Warning, "depth", what, remedy))
 }
 
-/// Reports an image with surfaces, none of which was measured.
+/// Reports an image with surfaces, none of which was measured. With a colour image, surfaces need texture.
 #[must_use]
-pub fn check_measured(exact: &[f32], measured: &[f32]) -> Option<Finding> {
+pub fn check_measured(exact: &[f32], measured: &[f32], has_rgb: bool) -> Option<Finding> {
     if measured.iter().any(|metres| *metres > 0.0) {
         return None;
     }
     let (nearest, farthest) = limits(exact.iter())?;
     let what = format!("no pixel was measured of surfaces from {nearest:?} to {farthest:?} m");
-    let remedy = "check the unit of depth, the range of the sensor and its filters";
+    let remedy = if has_rgb {
+        "check the unit of depth, the range of the sensor, its filters, and the texture of the colour image"
+    } else {
+        "check the unit of depth, the range of the sensor and its filters"
+    };
     Some(Finding::new(
         "nothing-measured",
         Level::Warning,
@@ -108,11 +112,14 @@ mod tests {
     #[test]
     fn lost_images_are_reported_if_they_have_a_surface() {
         assert_eq!(
-            code(check_measured(&[1.0, 2.0], &[0.0, 0.0])),
+            code(check_measured(&[1.0, 2.0], &[0.0, 0.0], false)),
             Some("nothing-measured")
         );
-        assert_eq!(code(check_measured(&[1.0, 2.0], &[0.0, 2.0])), None);
-        assert_eq!(code(check_measured(&[f32::INFINITY, 0.0], &[0.0, 0.0])), None);
+        assert_eq!(code(check_measured(&[1.0, 2.0], &[0.0, 2.0], false)), None);
+        assert_eq!(
+            code(check_measured(&[f32::INFINITY, 0.0], &[0.0, 0.0], false)),
+            None
+        );
     }
 
     #[test]

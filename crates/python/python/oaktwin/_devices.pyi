@@ -19,6 +19,7 @@ from ._types import (
     _Parameters,
     _Part,
     _Platform,
+    _Preset,
     _Robot,
     _Sensor,
     _Target,
@@ -213,8 +214,8 @@ def parameters(
     parameter has an effect on one platform only), "source" and "description", and "values" if "type" is "enum".
     """
 
-def presets(platform: Literal["rvc2", "rvc4", "tof"] = "rvc2") -> list[str]:
-    """The names of DepthAI's presets for a platform, in DepthAI's order.
+def presets(platform: Literal["rvc2", "rvc4", "tof"] = "rvc2") -> list[_Preset]:
+    """The names of DepthAI's presets for a platform, in DepthAI's order, as `preset` accepts them.
 
     platform: "rvc2", "rvc4" or "tof" (time of flight).
     """

@@ -100,8 +100,8 @@ _Json = dict[str, Any]
 
 _Boxes = npt.NDArray[np.void] | list[npt.NDArray[np.void]]
 
-# One array for each annotator of a call; lists for a batch.
-class _Rendered(TypedDict, total=False):
+# One array for each annotator of a call, which type checkers do not know: all keys count as present. Lists for a batch.
+class _Rendered(TypedDict):
     rgb: npt.NDArray[np.uint8]
     distance_to_image_plane: npt.NDArray[np.float32]
     distance_to_camera: npt.NDArray[np.float32]

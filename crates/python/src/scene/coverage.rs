@@ -16,7 +16,7 @@ use pyo3::types::{PyDict, PyString};
 
 use super::Scene;
 use super::annotators::check_free;
-use crate::arguments::{Size, vector};
+use crate::arguments::{Size, optional, vector};
 use crate::device::Device;
 use crate::error::{error, wrong};
 use crate::finding;
@@ -31,6 +31,21 @@ const MADE: [Annotator; 3] = [
     Annotator::Rgb,
     Annotator::DistanceToImagePlane,
     Annotator::DepthSensorDistance,
+];
+
+/// The arguments besides the options of the sensor.
+const ARGUMENTS: [&str; 11] = [
+    "region",
+    "region_box",
+    "height",
+    "tilt",
+    "sensor",
+    "size",
+    "samples",
+    "points",
+    "projector",
+    "ambient",
+    "imager",
 ];
 
 /// Wraps the report of `oaktwin coverage --json` as a dictionary, and the outcomes by point, for `oaktwin.coverage`.
@@ -50,7 +65,7 @@ pub(crate) fn coverage<'py>(
     tilt: Option<List>,
     sensor: Option<String>,
     size: Option<Size>,
-    samples: Option<u32>,
+    #[pyo3(from_py_with = optional::samples)] samples: Option<u32>,
     points: bool,
     projector: f64,
     ambient: f64,
@@ -58,7 +73,7 @@ pub(crate) fn coverage<'py>(
     options: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<(Bound<'py, PyAny>, Option<Bound<'py, PyDict>>)> {
     let region = self::region(region, region_box)?;
-    let engine = sensor_options("coverage", options, |_| true)?;
+    let engine = sensor_options("coverage", &ARGUMENTS, options, |_| true)?;
     let mut rigs = Vec::new();
     for device in &devices {
         let pair = PairSettings {

@@ -20,7 +20,7 @@ use pyo3::types::PyDict;
 
 use self::annotators::{check_memory, scene_annotator};
 use self::parts::{Parts, Stage, items};
-use crate::arguments::{Annotators, FrameNumber, Size};
+use crate::arguments::{Annotators, FrameNumber, Size, subdivide};
 use crate::asset;
 use crate::camera::Camera;
 use crate::choice::{maybe_named, named};
@@ -88,7 +88,7 @@ impl Scene {
         py: Python<'_>,
         path: PathBuf,
         time: Option<f64>,
-        subdivide: u32,
+        #[pyo3(from_py_with = subdivide)] subdivide: u32,
         up: Option<&str>,
         scale: Option<f64>,
         scene_limit: f64,

@@ -95,6 +95,9 @@ pub(crate) struct DepthSensor {
     units: Units,
 }
 
+/// The arguments besides the options of the sensor.
+const ARGUMENTS: [&str; 5] = ["sensor", "fx", "hfov_deg", "camera", "name"];
+
 #[pymethods]
 impl DepthSensor {
     #[new]
@@ -113,7 +116,7 @@ impl DepthSensor {
     ) -> PyResult<Self> {
         let options = SensorOptions {
             name,
-            ..sensor_options("DepthSensor", options, |_| true)?
+            ..sensor_options("DepthSensor", &ARGUMENTS, options, |_| true)?
         };
         let (whole, device) = (device, device.get());
         let twin = &device.twin;
@@ -201,7 +204,7 @@ impl DepthSensor {
             drop(items);
             self.image(py, sensor, values, rgb, shape.size, frame, &mut room)?;
         }
-        self.notice(py, values, &room)?;
+        self.notice(py, values, shape, &room, rgb.is_some())?;
         Ok(result)
     }
 
@@ -255,6 +258,9 @@ impl DepthSensor {
             let sensor = Arc::make_mut(&mut eye.sensor);
             threads::install(|| sense_frame(sensor, &eye.camera, frame, None, &asked, &mut seen))
         })?;
+        let distance = seen.depth_sensor_distance.as_ref();
+        let is_lost = distance.is_some_and(|z| z.0.pixels().iter().all(|metres| *metres == 0.0));
+        self.notice_image(py, depth.slice()?, is_lost, pictures.is_some())?;
         let all = PyDict::new(py);
         for annotator in asked {
             let data = seen.take(annotator).map(|data| sensor_array(py, data));

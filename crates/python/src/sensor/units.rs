@@ -102,8 +102,29 @@ impl DepthSensor {
         Ok(sensor)
     }
 
-    /// Reports depth that is probably in another unit, and an image that was lost.
-    pub(super) fn notice(&self, py: Python<'_>, depth: DepthSlice<'_>, out: &OutSlice<'_>) -> PyResult<()> {
+    /// Reports depth that is probably in another unit, and images that were lost.
+    pub(super) fn notice(
+        &self,
+        py: Python<'_>,
+        depth: DepthSlice<'_>,
+        shape: Shape,
+        out: &OutSlice<'_>,
+        has_rgb: bool,
+    ) -> PyResult<()> {
+        let pixels = shape.pixels();
+        let lost = out.first_empty(shape.count());
+        let image = depth.part(lost.unwrap_or(0) * pixels, pixels);
+        self.notice_image(py, image, lost.is_some(), has_rgb)
+    }
+
+    /// Reports an image that is probably in another unit, or that was lost.
+    pub(super) fn notice_image(
+        &self,
+        py: Python<'_>,
+        depth: DepthSlice<'_>,
+        is_lost: bool,
+        has_rgb: bool,
+    ) -> PyResult<()> {
         let unit = match depth {
             DepthSlice::Metres(_) => DepthUnit::Metres,
             DepthSlice::Millimetres(_) => DepthUnit::Millimetres,
@@ -111,10 +132,10 @@ impl DepthSensor {
         if let Some(finding) = sensing::check_unit(&depth.sampled(), unit) {
             return self.notices.notice(py, Some(finding));
         }
-        if out.is_empty() {
+        if is_lost {
             return self
                 .notices
-                .notice(py, sensing::check_measured(&depth.metres(), &[]));
+                .notice(py, sensing::check_measured(&depth.metres(), &[], has_rgb));
         }
         Ok(())
     }

@@ -1,5 +1,7 @@
 //! Converts polygon meshes to triangle meshes.
 
+use std::collections::HashSet;
+
 use oaktwin_camera::math::DVec3;
 use oaktwin_diagnostic::{Finding, Level};
 
@@ -92,6 +94,18 @@ impl PolygonMesh {
         };
         mesh.triangles = vertices;
         (mesh, findings.list)
+    }
+
+    /// Whether [`into_mesh`](Self::into_mesh) makes any triangle.
+    #[must_use]
+    pub fn has_triangles(&self) -> bool {
+        let (faces, _) = Faces::of(self);
+        let holes: HashSet<i32> = self.holes.iter().copied().collect();
+        (0..faces.len()).any(|face| {
+            let mut corners = faces.corners(face);
+            let is_hole = i32::try_from(face).is_ok_and(|face| holes.contains(&face));
+            corners.len() >= 3 && !is_hole && corners.all(|corner| self.is_usable(corner))
+        })
     }
 
     fn checked_faces(&self, findings: &mut Findings<'_>) -> Faces {

@@ -47,7 +47,11 @@ pub(super) fn simulation(
         rate_hz: args.imu.imu_rate,
         seed: args.sensor.options()?.seed,
     };
-    Ok(Some(ImuSimulation::new(twin, part, motion, up, options)?))
+    let simulation = ImuSimulation::new(twin, part, motion, up, options);
+    match simulation {
+        Err(error) if error.is_of_trajectory => Err(format!("{}: {error}", file.display()).into()),
+        simulation => Ok(Some(simulation?)),
+    }
 }
 
 /// Writes the samples, if they are requested. Breaks if the program is interrupted.

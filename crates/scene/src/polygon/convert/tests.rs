@@ -1,6 +1,8 @@
 use super::*;
 use crate::Attribute;
 use crate::polygon::{FaceMaterial, Interpolation, Subdivision};
+use proptest::collection::vec;
+use proptest::prelude::*;
 
 /// A row of unit squares along x.
 fn strip(quads: i16) -> PolygonMesh {
@@ -255,4 +257,23 @@ fn smooth_schemes_give_smooth_normals() {
     // A zero normal is replaced by its triangle's.
     mesh.normals = Some(Primvar::new(Interpolation::Vertex, vec![[0.0; 3]; 5]));
     assert_eq!(smooth(&mesh), [0.0, 0.0, -1.0]);
+}
+
+proptest! {
+    #[test]
+    fn knows_whether_there_are_triangles(
+        counts in vec(-1..5_i32, 0..5),
+        indices in vec(-1..4_i32, 0..12),
+        holes in vec(0..4_i32, 0..3),
+        is_finite in any::<bool>(),
+    ) {
+        let mesh = PolygonMesh {
+            points: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, if is_finite { 1.0 } else { f32::NAN }, 0.0]],
+            face_vertex_counts: counts,
+            face_vertex_indices: indices,
+            holes,
+            ..PolygonMesh::default()
+        };
+        prop_assert_eq!(mesh.has_triangles(), !mesh.into_mesh("").0.triangles.is_empty());
+    }
 }

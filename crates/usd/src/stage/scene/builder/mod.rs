@@ -3,8 +3,9 @@
 mod instancing;
 mod prims;
 mod singular;
+mod triangulation;
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use oaktwin_camera::math::{DAffine3, DVec3};
 use oaktwin_diagnostic::Finding;
@@ -19,6 +20,7 @@ use crate::stage::own::Own;
 use crate::stage::reader::{Outcome, Record};
 use crate::stage::walk::Walk;
 use prims::MeshKey;
+use triangulation::Triangulation;
 
 /// The types of prim that are skipped, and the reason.
 const UNSUPPORTED: [(&str, &str); 13] = [
@@ -52,6 +54,8 @@ pub(in crate::stage) struct Builder {
     materials: Materials,
     /// The meshes that instances may share; `None` for a mesh without triangles.
     meshes: HashMap<MeshKey, Option<u32>>,
+    /// The meshes that are empty in the scene until it is finished.
+    triangulation: Triangulation,
     /// The point instancers whose prototypes are being read, outermost first.
     instancers: Vec<Path>,
 }
@@ -76,6 +80,7 @@ impl Builder {
             meters_per_unit,
             materials: Materials::new(),
             meshes: HashMap::new(),
+            triangulation: Triangulation::default(),
             instancers: Vec::new(),
         }
     }
@@ -174,6 +179,14 @@ impl Builder {
 
     /// Returns the finished scene.
     pub(in crate::stage) fn finish(mut self) -> (Scene, Findings) {
+        let mut of_meshes = BTreeMap::new();
+        for done in std::mem::take(&mut self.triangulation).finish() {
+            if let Some(mesh) = self.scene.meshes.get_mut(done.index as usize) {
+                *mesh = done.mesh;
+            }
+            of_meshes.insert(done.index, done.findings);
+        }
+        self.findings.fill(of_meshes);
         self.drop_or_bake();
         (self.scene, self.findings)
     }

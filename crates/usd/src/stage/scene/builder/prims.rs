@@ -1,7 +1,7 @@
 use std::rc::Rc;
 
-use oaktwin_scene::MaterialSpan;
 use oaktwin_scene::polygon::{PolygonMesh, Scheme};
+use oaktwin_scene::{MaterialSpan, Mesh};
 
 use super::super::context::Context;
 use super::super::material::Surface;
@@ -92,12 +92,14 @@ impl Builder {
             polygons = refined;
             self.take(findings);
         }
-        let (mesh, findings) = polygons.into_mesh(path);
-        self.take(findings);
-        if mesh.triangles.is_empty() {
+        if !polygons.has_triangles() {
+            self.take(polygons.into_mesh(path).1);
             return None;
         }
-        self.push_mesh(mesh)
+        let index = self.push_mesh(Mesh::default())?;
+        self.findings.reserve(index);
+        self.triangulation.begin(index, polygons, path);
+        Some(index)
     }
 
     pub(super) fn add_shape(&mut self, walk: &Walk<'_>, prim: &Record, path: &str, context: &Context) {
