@@ -1,3 +1,6 @@
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use oaktwin::diagnostic::with_style;
 
 use crate::protocol::Failure;
@@ -10,4 +13,21 @@ pub(crate) async fn blocking<T: Send + 'static>(
     let failed = "the computation failed; please report this";
     task.await
         .unwrap_or_else(|_| Err(Failure::from(failed.to_owned())))
+}
+
+/// Exists while a client waits for its answer.
+pub(crate) struct Presence(Arc<AtomicBool>);
+
+impl Presence {
+    /// Also returns what is true once the client has left.
+    pub(crate) fn new() -> (Self, Arc<AtomicBool>) {
+        let has_left = Arc::new(AtomicBool::new(false));
+        (Self(Arc::clone(&has_left)), has_left)
+    }
+}
+
+impl Drop for Presence {
+    fn drop(&mut self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
 }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DVec3;
@@ -97,8 +98,12 @@ fn rig(studio: &Studio, state: &OakState) -> Result<(Rig, RigidTransform), Failu
     Ok((rig, state.pose.transform()?))
 }
 
-/// Measures the coverage of the region by each state.
-pub(crate) fn coverage(studio: &Studio, request: &CoverageRequest) -> Result<CoverageAnswer, Failure> {
+/// Measures the coverage of the region by each state, until the client has left.
+pub(crate) fn coverage(
+    studio: &Studio,
+    request: &CoverageRequest,
+    has_left: &AtomicBool,
+) -> Result<CoverageAnswer, Failure> {
     if request.states.len() > MAX_STATES {
         let error = format!(
             "{} poses are too many; choose at most {MAX_STATES}",
@@ -115,7 +120,7 @@ pub(crate) fn coverage(studio: &Studio, request: &CoverageRequest) -> Result<Cov
         .zip(1..)
         .map(|((rig, pose), number)| Candidate::new(rig, number.to_string(), *pose))
         .collect();
-    let watch = |_| match studio.is_stopped() {
+    let watch = |_| match studio.is_stopped() || has_left.load(Ordering::Relaxed) {
         true => ControlFlow::Break(()),
         false => ControlFlow::Continue(()),
     };

@@ -113,6 +113,12 @@ pub fn serve(
     let runtime = runtime.map_err(|error| StudioError::System(error.to_string()))?;
     let host = options.host.unwrap_or(IpAddr::V4(Ipv4Addr::LOCALHOST));
     let address = SocketAddr::new(host, options.port);
+    let uploads = tempfile::Builder::new().prefix("oaktwin-studio-").tempdir();
+    let uploads = uploads.map_err(|error| {
+        StudioError::System(format!(
+            "no temporary folder can be created ({error}); set TMPDIR to a writable folder"
+        ))
+    })?;
     let not_listening = |error| StudioError::Address { address, error };
     let served = runtime.block_on(async {
         let listener = tokio::net::TcpListener::bind(address)
@@ -138,6 +144,7 @@ pub fn serve(
             options.model,
             Scenes::new(scene),
             guard,
+            uploads.path().to_owned(),
         ));
         let serving = axum::serve(listener, server::router(&studio)).into_future();
         ready(&link);

@@ -14,7 +14,7 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use crate::answer::{binary, failure, file, json, json_or_failure};
-use crate::blocking::blocking;
+use crate::blocking::{Presence, blocking};
 use crate::catalog::CatalogInfo;
 use crate::coverage::{CoverageRequest, SurfaceRequest};
 use crate::protocol::{ExportRequest, Failure, OakState};
@@ -135,7 +135,7 @@ async fn dropped_scene(
     body: Body,
 ) -> Result<crate::protocol::SceneInfo, Failure> {
     let name = upload::file_name(name)?;
-    let folder = tempfile::tempdir().map_err(|error| {
+    let folder = tempfile::tempdir_in(&studio.uploads).map_err(|error| {
         Failure::from(format!(
             "no temporary folder can be created ({error}); free space on the disk"
         ))
@@ -188,8 +188,10 @@ async fn accuracy_curve(State(studio): Server, body: Body) -> Response {
 
 async fn region_coverage(State(studio): Server, body: Body) -> Response {
     let asked = request::<CoverageRequest>(body).await;
+    // Dropped with this future if the client leaves.
+    let (_here, has_left) = Presence::new();
     json_or_failure(match asked {
-        Ok(asked) => blocking(move || coverage::coverage(&studio, &asked)).await,
+        Ok(asked) => blocking(move || coverage::coverage(&studio, &asked, &has_left)).await,
         Err(error) => Err(error),
     })
 }

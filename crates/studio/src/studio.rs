@@ -1,6 +1,7 @@
 //! The state that all pages share.
 
 use std::borrow::Cow;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use oaktwin::catalog::Catalog;
@@ -24,19 +25,28 @@ pub(crate) struct Studio {
     pub(crate) scenes: Scenes,
     pub(crate) calibrations: Calibrations,
     pub(crate) guard: Guard,
+    /// The folder for files that are being received, which is removed when the server ends.
+    pub(crate) uploads: PathBuf,
     pub(crate) computing: Semaphore,
     pages: Arc<Semaphore>,
     stop: watch::Sender<bool>,
 }
 
 impl Studio {
-    pub(crate) fn new(catalog: Cow<'static, Catalog>, model: String, scenes: Scenes, guard: Guard) -> Self {
+    pub(crate) fn new(
+        catalog: Cow<'static, Catalog>,
+        model: String,
+        scenes: Scenes,
+        guard: Guard,
+        uploads: PathBuf,
+    ) -> Self {
         Self {
             catalog,
             model,
             scenes,
             calibrations: Calibrations::default(),
             guard,
+            uploads,
             computing: Semaphore::new(COMPUTING),
             pages: Arc::new(Semaphore::new(MAX_PAGES)),
             stop: watch::Sender::new(false),

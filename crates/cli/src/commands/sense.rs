@@ -29,7 +29,7 @@ pub(crate) fn run(context: &Context, args: &SenseArgs) -> Result<Exit> {
     };
     let sensed = progress::watched(|watch| sense::sense(&twin, &inputs, &options, to, watch));
     let sensed = sensed.map_err(|error| match error {
-        SenseError::Stream(error) if error.kind() == io::ErrorKind::BrokenPipe => Box::new(error).into(),
+        SenseError::Stream(error) if error.kind() == io::ErrorKind::BrokenPipe => error.into(),
         SenseError::Stream(error) => {
             let text = format!("standard output: cannot be written ({error}); redirect it elsewhere");
             <Box<dyn std::error::Error>>::from(text)

@@ -93,6 +93,42 @@ fn a_killed_run_is_completed_to_the_same_bytes() {
 }
 
 #[test]
+fn damaged_records_and_shards_are_made_again() {
+    let program = case("[80, 50]");
+    let recipe = fs::read_to_string(program.path("recipe.toml")).unwrap();
+    let output = "[output]\nformats = ['basic', 'webdataset']\nshard_frames = 2\n";
+    program.put("recipe.toml", format!("{recipe}{output}"));
+    program.good(&words("generate recipe.toml -o whole"));
+    let whole = files(&program, "whole/");
+    let frame = |number: u32| program.path(&format!("whole/.oaktwin/frames/{number:08}.json"));
+    let shard = || program.path("whole/webdataset/shard-000001.tar");
+    let resumed = || {
+        program.good(&words("generate recipe.toml -o whole --resume"));
+        assert!(files(&program, "whole/") == whole);
+    };
+    // Two records in each other's place.
+    let [third, fifth] = [3, 5].map(|number| fs::read(frame(number)).unwrap());
+    fs::write(frame(3), &fifth).unwrap();
+    fs::write(frame(5), &third).unwrap();
+    resumed();
+    let mut flipped = third;
+    let middle = flipped.len() / 2;
+    flipped[middle] ^= 1;
+    fs::write(frame(3), &flipped).unwrap();
+    resumed();
+    fs::write(shard(), "short").unwrap();
+    resumed();
+    fs::remove_file(shard()).unwrap();
+    resumed();
+    fs::write(program.path("whole/.oaktwin/recipe.json"), "{").unwrap();
+    let refused = program.refused(&words("generate recipe.toml -o whole --resume"));
+    assert!(
+        refused.contains("recipe.json: is damaged") && refused.contains("restore it"),
+        "{refused}"
+    );
+}
+
+#[test]
 fn several_runs_share_a_folder() {
     let program = case("[80, 50]");
     program.good(&words("generate recipe.toml -o whole"));

@@ -46,6 +46,24 @@ fn values(bytes: &[u8]) -> (Vec<usize>, Vec<f32>) {
 
 const SIZE: (u32, u32) = (64, 40);
 
+#[test]
+fn a_closed_pipe_is_not_an_error() {
+    let program = Program::new();
+    // More than a pipe holds.
+    program.put("depth.npy", array(&[800, 1280], &vec![2.0f32; 800 * 1280]));
+    let mut child = program
+        .command(&["sense", "-", "--model", "oak4-d", "--input-kind", "z"])
+        .stdin(fs::File::open(program.path("depth.npy")).unwrap())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let ended = child.wait_with_output().unwrap();
+    let message = String::from_utf8_lossy(&ended.stderr).into_owned();
+    assert_eq!((ended.status.code(), message.as_str()), (Some(0), ""));
+}
+
 /// The same scene in every format gives the same result.
 #[test]
 fn every_form_of_the_same_depth() {

@@ -1,12 +1,13 @@
 //! The files that span frames, and the manifest.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
 
 use oaktwin_dataset::WriteError;
 use oaktwin_files::{AtomicFile, FileError, OutputFiles, PackedFiles};
 use serde_json::json;
 
-use super::store::{FileRecord, FrameRecord, Store, pretty};
+use super::store::{Container, FileRecord, FrameRecord, Store, pretty};
 use super::{Generated, PlacedFormat, add_new};
 use crate::GenerateError;
 use crate::context::Context;
@@ -58,9 +59,12 @@ pub(super) fn finish(
 }
 
 /// Returns the files that replace others, by the paths of these.
-fn containers(store: &Store, packed: &[PackedFiles]) -> BTreeMap<String, String> {
+fn containers(store: &Store, packed: &[PackedFiles]) -> BTreeMap<String, Container> {
     let of = |files: &PackedFiles| {
-        let container = store.relative(&files.container);
+        let container = Container {
+            path: store.relative(&files.container),
+            bytes: fs::metadata(&files.container).map_or(0, |metadata| metadata.len()),
+        };
         let members = files.members.iter().map(|member| store.relative(member));
         members
             .map(|member| (member, container.clone()))
@@ -73,7 +77,7 @@ fn containers(store: &Store, packed: &[PackedFiles]) -> BTreeMap<String, String>
 fn packed_record(
     store: &Store,
     frame: u64,
-    containers: &BTreeMap<String, String>,
+    containers: &BTreeMap<String, Container>,
 ) -> Result<FrameRecord, FileError> {
     let mut record = store.frame(frame)?;
     let mut is_changed = false;
@@ -96,7 +100,7 @@ fn write_manifest(
     store: &Store,
     frames: &BTreeSet<u64>,
     mut shared: Vec<FileRecord>,
-    containers: &BTreeMap<String, String>,
+    containers: &BTreeMap<String, Container>,
     generated: &mut Generated,
 ) -> Result<(), GenerateError> {
     let mut file = AtomicFile::create(&store.root.join("manifest.json"))?;

@@ -55,7 +55,14 @@ pub(crate) struct FileRecord {
     pub(crate) sha256: String,
     /// The file of the data set that has its contents, if it was removed.
     #[serde(skip_serializing_if = "Option::is_none", default)]
-    pub(crate) packed_in: Option<String>,
+    pub(crate) packed_in: Option<Container>,
+}
+
+/// A file with the contents of others.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+pub(crate) struct Container {
+    pub(crate) path: String,
+    pub(crate) bytes: u64,
 }
 
 impl Store {
@@ -92,8 +99,11 @@ impl Store {
         let path = folder.join("recipe.json");
         let own = serde_json::to_value(&file.recipe).unwrap_or_default();
         if is_known {
-            let bytes = files::read(&path, MAX_BYTES, "a recipe")?;
-            let known: Value = serde_json::from_slice(&bytes).unwrap_or_default();
+            let bytes = read(&path)?;
+            let known: Value = serde_json::from_slice(&bytes).map_err(|error| {
+                let message = format!("is damaged ({error})");
+                FileError::new(&path, message, "restore it, or choose another folder")
+            })?;
             reject_change(root, &known, &own)?;
         }
         if !is_worker {
@@ -116,31 +126,39 @@ impl Store {
 
     /// Whether all files of a finished frame are there.
     pub(crate) fn is_intact(&self, frame: u64) -> bool {
-        let has = |file: &FileRecord| match &file.packed_in {
-            Some(container) => self.root.join(container).exists(),
-            None => {
-                fs::metadata(self.root.join(&file.path)).is_ok_and(|metadata| metadata.len() == file.bytes)
-            }
+        let has = |file: &FileRecord| {
+            let (path, bytes) = match &file.packed_in {
+                Some(container) => (&container.path, container.bytes),
+                None => (&file.path, file.bytes),
+            };
+            fs::metadata(self.root.join(path)).is_ok_and(|metadata| metadata.len() == bytes)
         };
         self.frame(frame).is_ok_and(|record| record.files.iter().all(has))
     }
 
-    /// Reads the record of a frame.
+    /// Reads the record of a frame: a line of JSON, and one with its checksum.
     pub(crate) fn frame(&self, frame: u64) -> Result<FrameRecord, FileError> {
         let path = self.frame_path(frame);
-        let bytes = files::read(&path, MAX_BYTES, "the record of a frame")?;
-        serde_json::from_slice(&bytes).map_err(|error| {
-            FileError::new(
-                &path,
-                format!("is not a record ({error})"),
-                "remove it, and resume",
-            )
-        })
+        let damaged = |what: String| FileError::new(&path, what, "remove it, and resume");
+        let bytes = read(&path)?;
+        let mut lines = bytes.split(|byte| *byte == b'\n');
+        let (record, sum) = (lines.next().unwrap_or_default(), lines.next().unwrap_or_default());
+        if format!("\"{}\"", hex(&Sha256::digest(record))).as_bytes() != sum {
+            return Err(damaged("is damaged: its checksum differs".to_owned()));
+        }
+        let record: FrameRecord =
+            serde_json::from_slice(record).map_err(|error| damaged(format!("is not a record ({error})")))?;
+        match record.frame == frame {
+            true => Ok(record),
+            false => Err(damaged(format!("is the record of frame {}", record.frame))),
+        }
     }
 
     /// Writes the record of a frame, which is complete from then on.
     pub(crate) fn add(&self, record: &FrameRecord) -> Result<(), FileError> {
-        let bytes = serde_json::to_vec(record).unwrap_or_default();
+        let mut bytes = serde_json::to_vec(record).unwrap_or_default();
+        let sum = hex(&Sha256::digest(&bytes));
+        bytes.extend_from_slice(format!("\n\"{sum}\"\n").as_bytes());
         files::write(&self.frame_path(record.frame), &bytes)
     }
 
@@ -181,11 +199,16 @@ fn checksum(path: &Path) -> Result<String, FileError> {
             length => digest.update(&buffer[..length]),
         }
     }
-    Ok(digest
-        .finalize()
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect())
+    Ok(hex(&digest.finalize()))
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// Reads a file of the state. A pipe in its place must not block.
+fn read(path: &Path) -> Result<Vec<u8>, FileError> {
+    files::read_regular(path, MAX_BYTES).map_err(|error| FileError::reading(path, &error))
 }
 
 fn lock(root: &Path, path: &Path) -> Result<File, GenerateError> {
@@ -323,6 +346,18 @@ mod tests {
         store.add(&record).unwrap();
         assert_eq!(store.frames().unwrap(), [12].into());
         assert!(store.is_intact(12) && !store.is_intact(13));
+        // Under another number, or with a bit flipped, it is no record.
+        let bytes = fs::read(store.frame_path(12)).unwrap();
+        fs::write(store.frame_path(13), &bytes).unwrap();
+        let error = store.frame(13).unwrap_err().to_string();
+        assert!(error.contains("is the record of frame 12"), "{error}");
+        for place in [3, bytes.len() / 2, bytes.len() - 4] {
+            let mut flipped = bytes.clone();
+            flipped[place] ^= 1;
+            fs::write(store.frame_path(12), &flipped).unwrap();
+            assert!(!store.is_intact(12));
+        }
+        fs::write(store.frame_path(12), &bytes).unwrap();
         fs::write(&path, "ab").unwrap();
         assert!(!store.is_intact(12));
     }

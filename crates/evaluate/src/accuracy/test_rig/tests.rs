@@ -5,6 +5,13 @@ use oaktwin_pipeline::sensor::{
     EngineKind, SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, SensorOptions, sensor,
 };
 
+fn work(effort: Effort) -> Work<'static> {
+    Work {
+        effort,
+        wants_more: &|| true,
+    }
+}
+
 fn test_rig(model: &str, engine: &'static EngineKind, parameters: &[(&str, &str)]) -> TestRig {
     let catalog = Catalog::builtin();
     let twin = catalog.nominal(catalog.device(model).unwrap());
@@ -66,7 +73,7 @@ fn a_crop_measures_the_same_as_the_whole_image() {
                 let engines = [Some(unit.engine.clone()), other_reading(&unit.engine).unwrap()];
                 engines.map(|engine| {
                     engine.map(|engine| {
-                        rig.measure_unit(&engine, unit, 0, &scenery, &part, effort)
+                        rig.measure_unit(&engine, unit, 0, &scenery, &part, work(effort))
                             .unwrap()
                             .vendor
                     })
@@ -87,7 +94,18 @@ fn a_pair_that_cannot_be_matched_is_an_error_of_the_region() {
     let scenery = Scenery::new(&rig, &part, 2.0);
     let unit = &rig.units[0];
     let mut sensor = Sensor::new(unit.engine.clone(), unit.filters.clone(), rig.random);
-    let error = scenery.captures(&mut sensor, unit, 0, &part, 1).unwrap_err();
+    let error = scenery
+        .captures(
+            &mut sensor,
+            unit,
+            0,
+            &part,
+            work(Effort {
+                captures: 1,
+                quality: false,
+            }),
+        )
+        .unwrap_err();
     let text = error.to_string();
     assert!(
         text.contains("region: the images have no pixels; give images with pixels"),
@@ -111,7 +129,7 @@ fn matching_a_crop_nearly_equals_matching_the_whole_image() {
         let [part, whole] = [part, whole(&rig)].map(|part| {
             let scenery = Scenery::new(&rig, &part, distance);
             let unit = &rig.units[0];
-            let measured = rig.measure_unit(&unit.engine, unit, 0, &scenery, &part, effort);
+            let measured = rig.measure_unit(&unit.engine, unit, 0, &scenery, &part, work(effort));
             rig.disparity_times_depth() / measured.unwrap().vendor.depth_m.unwrap()
         });
         assert!((part - whole).abs() < 0.15, "{distance} m: {part} {whole} px");
