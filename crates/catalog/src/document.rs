@@ -199,6 +199,7 @@ fn plain_types(message: &str) -> String {
     let expected = match expected {
         "f32" | "f64" => "a number",
         "u8" | "u16" | "u32" | "u64" | "u128" | "usize" => "a whole number, 0 or more",
+        other if other.starts_with("a nonzero u") => "a whole number, 1 or more",
         "i8" | "i16" | "i32" | "i64" | "i128" | "isize" => "a whole number",
         "a sequence" => "a list in [brackets]",
         other => other.strip_prefix("struct ").map_or(other, |_| "a table"),

@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyList, PyMemoryView, PyTuple};
 
 use crate::error::{error, wrong};
-use crate::scene::annotators::check_free;
+use crate::memory::check_free;
 
 /// DLPack's device types of memory that the CPU can read: CPU, CUDA pinned host and ROCm pinned host memory.
 const HOST_MEMORY: [i32; 3] = [1, 3, 11];

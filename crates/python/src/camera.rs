@@ -179,7 +179,7 @@ fn intrinsics(size: ImageSize, k: Option<&Bound<'_, PyAny>>, hfov_deg: Option<f6
         }
         (None, Some(hfov)) => {
             let is = format!("{hfov} is out of range");
-            Err(wrong("hfov_deg", is, "pass degrees between 0 and 180"))
+            Err(wrong("hfov_deg", is, "pass degrees above 0 and below 180"))
         }
         _ => Err(wrong(
             "K, hfov_deg",

@@ -22,3 +22,8 @@ pub(crate) fn set_memory_limit(limit: Option<Bound<'_, PyAny>>) -> PyResult<()> 
     memory::set_limit(bytes);
     Ok(())
 }
+
+/// Returns an error if less memory is free than needed, bytes. `less` is the way to need less.
+pub(crate) fn check_free(name: &str, needed: u64, less: &str) -> PyResult<()> {
+    memory::check(needed).map_err(|shortage| wrong(name, shortage.what(), shortage.remedy_or(less)))
+}

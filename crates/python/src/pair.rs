@@ -12,7 +12,7 @@ use crate::device::Device;
 use crate::error::error;
 use crate::grey::recorded;
 use crate::images::array;
-use crate::scene::annotators::check_free;
+use crate::memory::check_free;
 use crate::settings::assignments;
 
 /// The bytes per pixel: light, recorded value, rectification map and rectified value of both cameras, and the ground

@@ -2,8 +2,11 @@
 
 use super::field::Numbers;
 use super::parameters::Parameters;
-use super::texture::DOTS_PER_PX;
 use super::window::MAX_SIDE;
+
+/// The mean absolute difference between neighbours along a row, relative to the peak of a dot, of the pattern of an ams Belago 1.1
+/// ([`crate::dots`]) near the axis, times the focal length in pixels.
+pub(super) const DOTS_PER_PX: f64 = 15.0;
 
 /// The parameters for images of one width, in image pixels where noted, else in matcher pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,7 +7,7 @@
 //!
 //! The dots of a projector add to the sum of a window: on a surface of luma Y at depth z, the centre of a dot of contrast c is
 //! Y·(√(1 + c/z²) − 1) brighter, with the square root as the response of a display, and the dots contribute
-//! [`DOTS_PER_PX`]/f of that to the mean absolute difference. This is the mean over the pattern: a device matches along
+//! [`DOTS_PER_PX`](super::scale::DOTS_PER_PX)/f of that to the mean absolute difference. This is the mean over the pattern: a device matches along
 //! paths, which carry the texture of dots to the surface between them.
 
 use oaktwin_image::ImageView;
@@ -18,10 +18,6 @@ use super::window::{WindowSum, field_width};
 
 /// Confidence per grey level.
 pub(super) const GAIN: u32 = 128;
-
-/// The mean absolute difference between neighbours along a row, relative to the peak of a dot, of the pattern of an ams Belago 1.1
-/// ([`crate::dots`]) near the axis, times the focal length in pixels.
-pub(super) const DOTS_PER_PX: f64 = 15.0;
 
 /// The differences of an image's rows in a window that slides down.
 #[derive(Clone, Debug, Default)]

@@ -80,7 +80,7 @@ pub(super) fn of_images(
             if !(hfov > 0.0 && hfov < 180.0) {
                 return Err(SenseError::option(message![
                     opt("hfov"),
-                    format!(": {hfov} is out of range; give degrees between 0 and 180")
+                    format!(": {hfov} is out of range; give degrees above 0 and below 180")
                 ]));
             }
             Ok(known(pinhole(Intrinsics::from_hfov(size, hfov.to_radians()))))

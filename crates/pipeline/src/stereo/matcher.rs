@@ -288,7 +288,7 @@ fn ideal(size: ImageSize, field_of_view: FieldOfView) -> Result<Intrinsics, Para
         FieldOfView::Degrees(hfov) if hfov > 0.0 && hfov < 180.0 => {
             Ok(Intrinsics::from_hfov(size, hfov.to_radians()))
         }
-        FieldOfView::Degrees(hfov) => Err(wrong("hfov", hfov, "give degrees between 0 and 180")),
+        FieldOfView::Degrees(hfov) => Err(wrong("hfov", hfov, "give degrees above 0 and below 180")),
         FieldOfView::Camera(camera) if camera.intrinsics.size == size => Ok(camera.intrinsics),
         FieldOfView::Camera(camera) => Err(ParameterError {
             name: "camera".to_owned(),

@@ -1,12 +1,12 @@
 use std::collections::BTreeMap;
 
 use oaktwin::image::annotation::Annotator;
-use oaktwin::memory;
 use oaktwin::render::{annotation_bytes, annotator, frame_bytes};
 use pyo3::prelude::*;
 
 use crate::camera::Camera;
 use crate::error::{error, wrong};
+use crate::memory::check_free;
 
 /// The annotators of scenes and depth sensors: a dictionary from name to description.
 ///
@@ -43,9 +43,4 @@ pub(super) fn check_memory(camera: &Camera, annotators: &[Annotator], count: usi
         needed,
         "render fewer poses at once or smaller images",
     )
-}
-
-/// Returns an error if less memory is free than needed, bytes. `less` is the way to need less.
-pub(crate) fn check_free(name: &str, needed: u64, less: &str) -> PyResult<()> {
-    memory::check(needed).map_err(|shortage| wrong(name, shortage.what(), shortage.remedy_or(less)))
 }

@@ -15,12 +15,12 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 
 use super::Scene;
-use super::annotators::check_free;
 use crate::arguments::{Size, optional, vector};
 use crate::device::Device;
 use crate::error::{error, wrong};
 use crate::finding;
 use crate::json;
+use crate::memory::check_free;
 use crate::pair::PairSettings;
 use crate::pose::poses;
 use crate::settings::{sensor_options, strings};

@@ -1,6 +1,6 @@
 use super::*;
 use crate::dots::{Dots, Projector};
-use crate::stereo_noise::texture::DOTS_PER_PX;
+use crate::stereo_noise::scale::DOTS_PER_PX;
 
 /// The share of a plain wall's pixels that are measured, for walls at several distances.
 fn shares(dot_contrast: f64, level: u8, confidence_threshold: u8) -> Vec<f64> {
