@@ -54,7 +54,7 @@ pub fn encode<T: Element>(shape: &[usize], values: &[T]) -> Result<Vec<u8>, Code
     Ok(out)
 }
 
-/// Returns the start of a file of `shape` that is written in parts; [`write`] appends its numbers in C order.
+/// Returns the start of a file of `shape` that is written in parts; [`write()`] appends its numbers in C order.
 #[must_use]
 pub fn begin<T: Element>(shape: &[usize]) -> Vec<u8> {
     header::encode(&format!("'{}'", T::DESCR), shape)
