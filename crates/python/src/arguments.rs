@@ -122,14 +122,17 @@ pub(crate) fn isaac(object: &Bound<'_, PyAny>) -> PyResult<String> {
 pub(crate) fn vector(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<DVec3> {
     let (shape, array) = numbers(argument, object)?;
     match array.as_slice().unwrap_or_default() {
-        &[x, y, z] if shape == [3] && [x, y, z].iter().all(|number| number.is_finite()) => {
-            Ok(DVec3::new(x, y, z))
-        }
-        [_, _, _] if shape == [3] => Err(wrong(
-            argument,
-            "has non-finite values",
-            "pass three finite numbers",
-        )),
+        &[x, y, z] if shape == [3] => match [("x", x), ("y", y), ("z", z)]
+            .iter()
+            .find(|(_, at)| !at.is_finite())
+        {
+            Some((axis, at)) => Err(wrong(
+                argument,
+                format_args!("{axis} is {at}"),
+                "pass finite numbers",
+            )),
+            None => Ok(DVec3::new(x, y, z)),
+        },
         _ => Err(wrong(
             argument,
             format_args!("has shape {shape:?}"),

@@ -24,7 +24,8 @@ use crate::{finding, json, threads};
 /// A frame depends on the recipe, the seed and its number only: it has the same bytes on every machine, whichever frames are made
 /// before it. Unpickling reads the files again.
 ///
-/// Raises oaktwin.Error for an invalid recipe, with the line and the nearest name.
+/// Raises oaktwin.Error for an invalid recipe, with the line and the nearest name, FileNotFoundError or another OSError for a file that cannot be
+/// read.
 #[pyclass(frozen, module = "oaktwin")]
 #[derive(Debug)]
 pub(crate) struct Recipe {

@@ -14,7 +14,7 @@ use crate::error::{error, text};
 /// depth: only those with this kind of depth sensor: "stereo", "tof" or "none".
 /// catalog: a folder with more models, see `Device`.
 ///
-/// Raises oaktwin.Error for an unknown maker or kind, and for an invalid folder or file.
+/// Raises oaktwin.Error for an unknown maker or kind, and for an invalid file, FileNotFoundError for a folder that does not exist.
 #[pyfunction]
 #[pyo3(signature = (*, maker = None, depth = None, catalog = None))]
 pub(crate) fn models(

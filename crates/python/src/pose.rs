@@ -48,6 +48,7 @@ pub(crate) fn one_pose(name: &str, object: &Bound<'_, PyAny>) -> PyResult<RigidT
     let (shape, array) = numbers(name, object)?;
     match (&shape[..], array.as_slice().map_err(error)?.as_chunks::<16>().0) {
         ([4, 4], [matrix]) => pose(name, matrix),
+        ([count, 4, 4], _) if *count > 1 => Err(wrong(name, "contains several poses", "pass one 4x4 matrix")),
         _ => Err(wrong(
             name,
             format_args!("has shape {shape:?}"),

@@ -66,7 +66,7 @@ def test_parameter_files(recording, tmp_path):
 
 def test_bad_recordings(tmp_path):
     device = oaktwin.Device("OAK4-D")
-    with pytest.raises(oaktwin.Error, match="none"):
+    with pytest.raises(FileNotFoundError, match="none"):
         oaktwin.fit(device, tmp_path / "none")
     with pytest.raises(oaktwin.Error):
         oaktwin.fit(device, tmp_path, region=2.0)

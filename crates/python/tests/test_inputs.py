@@ -127,7 +127,7 @@ def test_arguments_are_named(device):
         "near, far": lambda: oaktwin.Camera((640, 400), hfov_deg=60, near=1e-320),
         "distances: is empty": lambda: oaktwin.accuracy(device, distances=[]),
         "rgb: is required by the filter brightness": lambda: oaktwin.filters.brightness(np.ones((4, 4), np.uint16), None),
-        "eye: has non-finite values": lambda: oaktwin.look_at((0, 0, np.nan), (1, 0, 0)),
+        "eye: z is NaN": lambda: oaktwin.look_at((0, 0, np.nan), (1, 0, 0)),
         "width: invalid value -640": lambda: device.cameras["left"].resized(-640, 400),
         "height: invalid value 400.5": lambda: device.cameras["left"].cropped(0, 0, 64, 400.5),
         "count: invalid value -1": lambda: device.population(-1),

@@ -199,7 +199,7 @@ def models(
     depth: only those with this kind of depth sensor: "stereo", "tof" or "none".
     catalog: a folder with more models, see `Device`.
 
-    Raises oaktwin.Error for an unknown maker or kind, and for an invalid folder or file.
+    Raises oaktwin.Error for an unknown maker or kind, and for an invalid file, FileNotFoundError for a folder that does not exist.
     """
 
 def parameters(

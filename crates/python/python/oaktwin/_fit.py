@@ -101,8 +101,8 @@ def fit(
     options: what is known of the sensor: the options engine, preset, params, parameters and extended_disparity of `DepthSensor`, such as
         parameters={"subpixelFractionalBits": 3}.
 
-    Ctrl-C interrupts the fit. Issues an `oaktwin.FindingWarning` for oddities of the recordings. Raises `oaktwin.Error` for
-    recordings that cannot be read and for invalid arguments.
+    Ctrl-C interrupts the fit. Issues an `oaktwin.FindingWarning` for oddities of the recordings. Raises FileNotFoundError for
+    recordings that do not exist, `oaktwin.Error` for others that cannot be read and for invalid arguments.
     """
     paths = [recordings] if isinstance(recordings, (str, PathLike)) else list(recordings)
     report, toml = _oaktwin.fit(
