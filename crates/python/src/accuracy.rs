@@ -18,7 +18,7 @@ use crate::settings::{mistyped, sensor_options};
 use crate::threads;
 
 /// The arguments besides the options of the sensor.
-const ARGUMENTS: [&str; 9] = [
+const ARGUMENTS: [&str; 10] = [
     "sensor",
     "distances",
     "devices",
@@ -26,6 +26,7 @@ const ARGUMENTS: [&str; 9] = [
     "captures",
     "region",
     "measured",
+    "measured_from",
     "focal_px",
     "width_px",
 ];

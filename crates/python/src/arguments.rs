@@ -6,7 +6,7 @@ use pyo3::{Borrowed, FromPyObject};
 
 use crate::array::numbers;
 use crate::error::wrong;
-use crate::settings::{mistyped, strings, whole, whole_number};
+use crate::settings::{mistyped, strings, whole};
 
 /// `size`: (width, height) in px.
 #[derive(Clone, Copy)]
@@ -41,7 +41,7 @@ impl FromPyObject<'_, '_> for FrameNumber {
     type Error = PyErr;
 
     fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
-        whole_number("frame", &object).map(Self)
+        whole("frame", &object).map(Self)
     }
 }
 
@@ -53,16 +53,18 @@ impl FromPyObject<'_, '_> for Annotators {
     }
 }
 
-macro_rules! whole_numbers {
-    ($($name:ident: $number:ty),+ $(,)?) => {$(
+/// Defines functions that read the arguments of their names.
+macro_rules! arguments {
+    ($read:ident: $($name:ident: $number:ty),+ $(,)?) => {$(
         #[doc = concat!("Reads the argument `", stringify!($name), "`.")]
         pub(crate) fn $name(object: &Bound<'_, PyAny>) -> PyResult<$number> {
-            whole(stringify!($name), object)
+            $read(stringify!($name), object)
         }
     )+};
 }
 
-whole_numbers! {
+arguments! {
+    whole:
     captures: u32,
     count: u64,
     frame: u64,
@@ -73,27 +75,19 @@ whole_numbers! {
     width: u32,
 }
 
-/// Optional whole numbers.
+/// Arguments that may be None.
 pub(crate) mod optional {
     use pyo3::prelude::*;
 
-    use crate::settings::whole;
+    use crate::settings::maybe_whole;
 
-    macro_rules! whole_numbers {
-        ($($name:ident: $number:ty),+ $(,)?) => {$(
-            #[doc = concat!("Reads the argument `", stringify!($name), "`.")]
-            pub(crate) fn $name(object: &Bound<'_, PyAny>) -> PyResult<Option<$number>> {
-                (!object.is_none()).then(|| whole(stringify!($name), object)).transpose()
-            }
-        )+};
-    }
-
-    whole_numbers! {
-        devices: u32,
-        samples: u32,
-        seed: u64,
-        width_px: u32,
-        workers: usize,
+    arguments! {
+        maybe_whole:
+        devices: Option<u32>,
+        samples: Option<u32>,
+        seed: Option<u64>,
+        width_px: Option<u32>,
+        workers: Option<usize>,
     }
 }
 

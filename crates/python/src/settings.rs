@@ -87,7 +87,7 @@ fn texts(option: &SensorOption, value: &Bound<'_, PyAny>) -> PyResult<Vec<String
                 .map_err(|_| mistyped(name, value, "True or False"))?;
             Ok(is_set.then(|| "true".to_owned()).into_iter().collect())
         }
-        OptionValue::Number => whole_number(name, value).map(|number| vec![number.to_string()]),
+        OptionValue::Number => whole::<u64>(name, value).map(|number| vec![number.to_string()]),
         OptionValue::Choice(..) if value.is_instance_of::<PyInt>() || value.is_instance_of::<PyFloat>() => {
             Ok(vec![value.str()?.to_string()])
         }
@@ -122,11 +122,6 @@ pub(crate) fn strings(argument: &str, value: &Bound<'_, PyAny>) -> PyResult<Vec<
     all.map_err(|_| mistyped(argument, value, "a list of strings"))
 }
 
-/// Returns a whole number from 0 to 2⁶⁴ − 1.
-pub(crate) fn whole_number(argument: &str, value: &Bound<'_, PyAny>) -> PyResult<u64> {
-    whole(argument, value)
-}
-
 /// Returns a whole number of an unsigned type.
 pub(crate) fn whole<T: TryFrom<u64>>(argument: &str, value: &Bound<'_, PyAny>) -> PyResult<T> {
     let number = value
@@ -137,6 +132,11 @@ pub(crate) fn whole<T: TryFrom<u64>>(argument: &str, value: &Bound<'_, PyAny>) -
         let range = format!("a whole number from 0 to 2**{} - 1", 8 * size_of::<T>());
         mistyped(argument, value, &range)
     })
+}
+
+/// Returns a whole number of an unsigned type, or None.
+pub(crate) fn maybe_whole<T: TryFrom<u64>>(argument: &str, value: &Bound<'_, PyAny>) -> PyResult<Option<T>> {
+    (!value.is_none()).then(|| whole(argument, value)).transpose()
 }
 
 /// Returns an error for a value of the wrong type.

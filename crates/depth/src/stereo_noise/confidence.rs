@@ -1,12 +1,12 @@
 //! The confidence of each pixel as an image.
 
 use oaktwin_image::Image;
-use oaktwin_simd::{self as simd, Level};
+use oaktwin_simd::Level;
 use rayon::prelude::*;
 
 use super::scale::Scale;
 use super::sense::BAND;
-use super::texture::{Dotted, GAIN, Texture};
+use super::texture::{GAIN, Texture, add_dots};
 use super::{Parameters, Shot};
 
 /// The memory of one thread.
@@ -38,15 +38,7 @@ pub(super) fn confidence(parameters: &Parameters, shot: &Shot<'_>) -> Option<Ima
             }
             for (y, out) in (first..).zip(band.chunks_exact_mut(width)) {
                 s.texture.slide(level, &picture, y + side - 1, side, &mut s.sums);
-                if scale.dot_contrast > 0.0 {
-                    let dotted = Dotted {
-                        scale: &scale,
-                        pixels: picture.row(y).unwrap_or_default(),
-                        depth: depth.row(y).unwrap_or_default(),
-                        sums: &mut s.sums,
-                    };
-                    simd::run_at(level, dotted);
-                }
+                add_dots(level, &scale, &picture, &depth, y, &mut s.sums);
                 for (out, sum) in out.iter_mut().zip(&s.sums) {
                     *out = mean(*sum, side);
                 }

@@ -10,7 +10,7 @@ use super::field::Field;
 use super::rows::{Disparities, Dropout, Measure, Textured};
 use super::scale::Scale;
 use super::shadow::{NEARER, Rows, Shadow};
-use super::texture::{Dotted, GAIN, Texture};
+use super::texture::{GAIN, Texture, add_dots};
 use super::window::{WindowSum, field_width};
 use crate::Shot;
 use crate::random::{Plane, Stage, Stream};
@@ -335,15 +335,14 @@ impl Scratch {
         for (y, disparities) in (first..).zip(self.disparities.chunks_exact_mut(self.stride)) {
             self.texture
                 .slide(job.level, picture, y + side - 1, side, &mut self.texture_sums);
-            if job.scale.dot_contrast > 0.0 {
-                let dotted = Dotted {
-                    scale: &job.scale,
-                    pixels: picture.row(y).unwrap_or_default(),
-                    depth: job.depth.row(y).unwrap_or_default(),
-                    sums: &mut self.texture_sums,
-                };
-                simd::run_at(job.level, dotted);
-            }
+            add_dots(
+                job.level,
+                &job.scale,
+                picture,
+                &job.depth,
+                y,
+                &mut self.texture_sums,
+            );
             let textured = Textured {
                 least: u32::from(job.sensor.parameters().confidence_threshold) * area,
                 gain: GAIN,

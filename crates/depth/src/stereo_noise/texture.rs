@@ -68,12 +68,32 @@ impl Texture {
     }
 }
 
-/// Adds the texture of a projector's dots to the sums of a row's windows.
-pub(super) struct Dotted<'a> {
-    pub(super) scale: &'a Scale,
-    pub(super) pixels: &'a [[u8; 4]],
-    pub(super) depth: &'a [f32],
-    pub(super) sums: &'a mut [u32],
+/// Adds the texture of a projector's dots, if it is on, to the sums of the windows of row `y`.
+pub(super) fn add_dots(
+    level: Level,
+    scale: &Scale,
+    picture: &ImageView<'_, [u8; 4]>,
+    depth: &ImageView<'_, f32>,
+    y: usize,
+    sums: &mut [u32],
+) {
+    if scale.dot_contrast > 0.0 {
+        let dotted = Dotted {
+            scale,
+            pixels: picture.row(y).unwrap_or_default(),
+            depth: depth.row(y).unwrap_or_default(),
+            sums,
+        };
+        simd::run_at(level, dotted);
+    }
+}
+
+/// Computes that texture for a row.
+struct Dotted<'a> {
+    scale: &'a Scale,
+    pixels: &'a [[u8; 4]],
+    depth: &'a [f32],
+    sums: &'a mut [u32],
 }
 
 impl Kernel for Dotted<'_> {

@@ -346,7 +346,7 @@ mod tests {
         store.add(&record).unwrap();
         assert_eq!(store.frames().unwrap(), [12].into());
         assert!(store.is_intact(12) && !store.is_intact(13));
-        // Under another number, or with a bit flipped, it is no record.
+        // A record with the number of another frame, or with a flipped bit, is rejected.
         let bytes = fs::read(store.frame_path(12)).unwrap();
         fs::write(store.frame_path(13), &bytes).unwrap();
         let error = store.frame(13).unwrap_err().to_string();

@@ -31,7 +31,7 @@ use crate::frames::Frames;
 use crate::mesh::Mesh;
 use crate::pair::{self, PairSettings};
 use crate::pose::{matrix, one_pose, poses, rows};
-use crate::settings::whole_number;
+use crate::settings::whole;
 use crate::threads;
 
 /// A scene to render on the CPU: `Scene.open(path)`, `Scene.from_meshes({name: mesh})` or
@@ -336,7 +336,7 @@ impl Scene {
             projector,
             ambient,
             imager,
-            seed: seed.map_or(Ok(0), |seed| whole_number("seed", seed))?,
+            seed: seed.map_or(Ok(0), |seed| whole("seed", seed))?,
             device_seed,
             drift,
         };
