@@ -300,6 +300,15 @@ fn pytest(python: &Path, tests: &[&str], programs: &Programs, args: &Args) -> Co
         "no:cacheprovider",
     ]);
     command.args(tests);
+    // The tests of a file stay together: they share what is made once.
+    command.args([
+        "--numprocesses",
+        "auto",
+        "--maxprocesses",
+        "8",
+        "--dist",
+        "loadfile",
+    ]);
     // Copies of the documentation's inputs would fill gigabytes.
     command.args(["-o", "tmp_path_retention_policy=failed"]);
     if args.all {

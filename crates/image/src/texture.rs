@@ -201,7 +201,13 @@ fn decode(bytes: &[u8], extension: Option<&str>) -> Result<Decoded, CodecError> 
             Decoded::Linear(Image::new(width, height, pixels).ok_or_else(incomplete)?)
         }
         image => {
-            let pixels = image.into_rgba8().into_raw().as_chunks().0.to_vec();
+            let pixels = match &image {
+                DynamicImage::ImageRgb8(image) => {
+                    let (pixels, _) = image.as_raw().as_chunks();
+                    pixels.iter().map(|&[r, g, b]| [r, g, b, u8::MAX]).collect()
+                }
+                _ => image.into_rgba8().into_raw().as_chunks().0.to_vec(),
+            };
             Decoded::Srgb(Image::new(width, height, pixels).ok_or_else(incomplete)?)
         }
     })

@@ -5,6 +5,7 @@
 
 mod annotate;
 mod backend;
+mod blocks;
 #[cfg(test)]
 mod fixture;
 mod luminance;

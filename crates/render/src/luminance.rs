@@ -1,7 +1,6 @@
 use oaktwin_diagnostic::Finding;
 use oaktwin_image::{Image, ZDepth};
 
-use crate::rays::Rays;
 use crate::shade::{Beam, Corners, ShadingInput, corners_of};
 use crate::{Backend, Renderer, View};
 
@@ -29,21 +28,21 @@ impl Renderer {
     ) -> (Luminance, Vec<Finding>) {
         let seen = self.visibility(view, backend);
         let corner_view = corners_of(view);
+        let spare = self.spare_visibility(view, backend);
         let corners = Corners {
-            rays: Rays::new(&corner_view),
-            seen: self.visibility(&corner_view, backend),
+            view: &corner_view,
+            render: &|blocks| self.visibility_in(blocks, &corner_view, backend),
+            spare,
         };
         let input = ShadingInput {
             scene: self.scene(),
             caster: self.ray_caster(),
             view,
-            rays: &Rays::new(view),
+            rays: &self.rays(view),
             seen: &seen,
         };
         let (parts, findings) = self.shader().luminance(input, Some(&corners), beam);
-        let spare = self.spare_visibility(view, backend);
         spare.keep(None, seen.hits);
-        spare.keep(Some(corners.seen.z), corners.seen.hits);
         let found = Luminance {
             scene: parts.scene,
             beam: parts.beam,
@@ -62,6 +61,7 @@ mod tests {
     use oaktwin_scene::{Material, MaterialSpan, Scene};
 
     use super::*;
+    use crate::rays::Rays;
     use crate::{AnnotateOptions, BeamPattern, fixture};
 
     /// A cone of uniform luminance.

@@ -1,9 +1,10 @@
+use std::sync::Arc;
+
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{LensModel, PixelPoint, Usd};
-use oaktwin_image::Image;
-use rayon::prelude::*;
 
 use crate::View;
+use crate::ray::{RayCaster, RayTable};
 
 /// The rays of a view's pixels in the camera frame: with z = 1 where the view is clipped along the optical axis, else of
 /// length 1. A point at `t` times the ray is clipped by `t`, which is the z-depth for a pinhole.
@@ -11,35 +12,30 @@ use crate::View;
 pub(crate) struct Rays<'a> {
     view: &'a View,
     along_axis: bool,
-    /// For lenses with distortion: one column and one row more than the image has; NaN where the lens has no ray.
-    table: Option<Image<DVec3>>,
     /// For ideal pinholes: the difference from a pixel's ray to that of the next pixel to the right, and below.
-    steps: [DVec3; 2],
+    steps: Option<[DVec3; 2]>,
+    /// The rays of other lenses, if they are known.
+    table: Option<Arc<RayTable>>,
 }
 
 impl<'a> Rays<'a> {
+    /// Creates the rays of a view. Those of a lens with distortion are computed when they are needed.
     pub(crate) fn new(view: &'a View) -> Self {
-        let mut rays = Self {
+        let camera = &view.camera;
+        let steps = [DVec3::X / camera.intrinsics.fx, DVec3::Y / camera.intrinsics.fy];
+        Self {
             view,
             along_axis: view.clips_along_axis(),
+            steps: (camera.lens == LensModel::Pinhole).then_some(steps),
             table: None,
-            steps: [
-                DVec3::X / view.camera.intrinsics.fx,
-                DVec3::Y / view.camera.intrinsics.fy,
-            ],
-        };
-        if view.camera.lens != LensModel::Pinhole {
-            let size = view.camera.intrinsics.size;
-            let (width, height) = (size.width.saturating_add(1), size.height.saturating_add(1));
-            let mut table = Image::filled(width, height, DVec3::NAN);
-            let rows = table.pixels_mut().par_chunks_mut(width as usize);
-            rows.zip(0..height).for_each(|(row, y)| {
-                for (ray, x) in row.iter_mut().zip(0..) {
-                    let at = [f64::from(x) + 0.5, f64::from(y) + 0.5];
-                    *ray = rays.through(at).unwrap_or(DVec3::NAN);
-                }
-            });
-            rays.table = Some(table);
+        }
+    }
+
+    /// Creates the rays of a view. Those of a lens with distortion are the ones that the ray caster keeps.
+    pub(crate) fn kept(view: &'a View, caster: &RayCaster) -> Self {
+        let mut rays = Self::new(view);
+        if rays.steps.is_none() {
+            rays.table = Some(caster.table(view));
         }
         rays
     }
@@ -52,21 +48,23 @@ impl<'a> Rays<'a> {
     /// Returns the ray through the centre of a pixel, which may be one to the right of the image or below it.
     #[inline]
     pub(crate) fn centre(&self, x: u32, y: u32) -> Option<DVec3> {
-        match &self.table {
-            Some(table) => table.get(x, y).copied().filter(|ray| !ray.is_nan()),
-            None => {
-                let centre = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
-                Some((self.view.camera.intrinsics.normalized_from_pixel(centre)).extend(1.0))
-            }
+        let centre = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        if self.steps.is_some() {
+            return Some((self.view.camera.intrinsics.normalized_from_pixel(centre)).extend(1.0));
+        }
+        let known = self.table.as_ref().and_then(|table| table.direction(x, y));
+        match known {
+            Some(ray) => (!ray.is_nan()).then_some(ray),
+            None => self.through([centre.x, centre.y]),
         }
     }
 
     /// Returns the rays of the pixels to the right of and below a pixel with the given ray.
     #[inline]
     pub(crate) fn next(&self, x: u32, y: u32, ray: DVec3) -> [Option<DVec3>; 2] {
-        match &self.table {
-            Some(_) => [self.centre(x + 1, y), self.centre(x, y + 1)],
-            None => [Some(ray + self.steps[0]), Some(ray + self.steps[1])],
+        match &self.steps {
+            None => [self.centre(x + 1, y), self.centre(x, y + 1)],
+            Some([across, down]) => [Some(ray + *across), Some(ray + *down)],
         }
     }
 

@@ -1,12 +1,15 @@
 use std::sync::OnceLock;
 
+use oaktwin_camera::LensModel;
 use oaktwin_camera::math::DAffine3;
 use oaktwin_image::ZDepth;
 use oaktwin_scene::{Instance, Light, Material, Mesh, Scene, Texture};
 
 use crate::annotate::Semantics;
+use crate::blocks::Blocks;
 use crate::raster::Rasterizer;
 use crate::ray::RayCaster;
+use crate::rays::Rays;
 use crate::shade::{Shader, ShaderAssets};
 use crate::visibility::SpareVisibility;
 use crate::{Backend, Hit, Ray, View, Visibility};
@@ -113,6 +116,14 @@ impl Renderer {
         }
     }
 
+    /// Renders [`visibility`](Self::visibility) in some blocks; pixels elsewhere are arbitrary.
+    pub(crate) fn visibility_in(&self, blocks: &Blocks, view: &View, backend: Backend) -> Visibility {
+        match backend.for_view(view) {
+            Backend::Ray => self.ray_caster().visibility_in(blocks, &self.scene, view),
+            Backend::Auto | Backend::Raster => self.rasterizer().visibility_in(blocks, &self.scene, view),
+        }
+    }
+
     /// Finds the nearest triangle on each ray, both ends included, and its distance in lengths of the ray's direction; of
     /// equally near triangles the first in the scene. `None` for a miss.
     #[must_use]
@@ -151,6 +162,14 @@ impl Renderer {
     pub(crate) fn ray_caster(&self) -> &RayCaster {
         self.ray_caster
             .get_or_init(|| in_own_pool(|| RayCaster::new(&self.scene)))
+    }
+
+    /// Returns the rays of a view.
+    pub(crate) fn rays<'a>(&self, view: &'a View) -> Rays<'a> {
+        match view.camera.lens {
+            LensModel::Pinhole => Rays::new(view),
+            _ => Rays::kept(view, self.ray_caster()),
+        }
     }
 
     fn shader_assets(&self) -> &ShaderAssets {
@@ -302,6 +321,42 @@ mod tests {
                 "{backend:?}"
             );
             assert_ne!(after, render(&Renderer::new(plain.clone()), backend));
+        }
+    }
+
+    #[test]
+    fn some_blocks_are_rendered_like_the_whole_image() {
+        let mut scene = Scene::default();
+        for step in 0..300u16 {
+            let z = 3.0 - 0.005 * f64::from(step);
+            let side = 0.01 * f64::from(step % 17) - 0.1;
+            fixture::placed(
+                &mut scene,
+                "/Rectangle",
+                fixture::rectangle([side * z, (side + 0.02) * z], [-1.0, 1.0], z),
+            );
+        }
+        let view = fixture::view();
+        let renderer = Renderer::new(scene);
+        for backend in [Backend::Ray, Backend::Raster] {
+            let whole = renderer.visibility(&view, backend);
+            let (width, height) = (whole.hits.width(), whole.hits.height());
+            for (across, down) in [(1, 0), (3, 2), (20, 7)] {
+                let mut blocks = Blocks::none(width, height);
+                for (x, y) in [(0, 0), (width - 1, height - 1), (8 * across, 8 * down + 7)] {
+                    blocks.add(x, y);
+                }
+                let part = renderer.visibility_in(&blocks, &view, backend);
+                let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+                let mut compared = 0;
+                for (x, y) in places.filter(|(x, y)| blocks.contains(x / 8, y / 8)) {
+                    compared += 1;
+                    assert_eq!(part.z.0.get(x, y), whole.z.0.get(x, y));
+                    assert_eq!(part.hits.get(x, y), whole.hits.get(x, y));
+                }
+                assert_eq!(compared, 3 * 64);
+                assert_ne!(part.hits, whole.hits);
+            }
         }
     }
 

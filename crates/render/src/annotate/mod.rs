@@ -18,7 +18,6 @@ use rayon::prelude::*;
 
 use self::coverage::Coverage;
 use self::stencil::Stencil;
-use crate::rays::Rays;
 use crate::shade::{Corners, ShadingInput, corners_of};
 use crate::{Backend, Renderer, View, Visibility};
 
@@ -67,7 +66,7 @@ impl Renderer {
             if wants(Annotator::DistanceToImagePlane) || wants(Annotator::DistanceToCamera) {
                 let z = self.depth(view, backend);
                 if wants(Annotator::DistanceToCamera) {
-                    frame.distance_to_camera = Some(range::from_depth(&Rays::new(view), &z));
+                    frame.distance_to_camera = Some(range::from_depth(&self.rays(view), &z));
                 }
                 frame.distance_to_image_plane = wants(Annotator::DistanceToImagePlane).then_some(z);
             }
@@ -89,7 +88,7 @@ impl Renderer {
     /// Returns the pixels that each group of instances covers regardless of occlusion, row by row: the amodal masks of objects.
     #[must_use]
     pub fn silhouettes(&self, view: &View, groups: &[Vec<u32>]) -> Vec<Vec<[u32; 2]>> {
-        let rays = Rays::new(view);
+        let rays = self.rays(view);
         let coverage = Coverage::new(view, &rays);
         let size = view.camera.intrinsics.size;
         groups
@@ -117,14 +116,15 @@ impl Renderer {
         frame: &mut Frame,
     ) -> Vec<Finding> {
         let scene = self.scene();
-        let rays = &Rays::new(view);
+        let rays = &self.rays(view);
         let mut findings = Vec::new();
         if wants(Annotator::Rgb) {
             let corner_view = corners_of(view);
-            let corners = (options.smooth_edges).then(|| Corners {
-                rays: Rays::new(&corner_view),
-                seen: self.visibility(&corner_view, backend),
-            });
+            let corners = Corners {
+                view: &corner_view,
+                render: &|blocks| self.visibility_in(blocks, &corner_view, backend),
+                spare: self.spare_visibility(view, backend),
+            };
             let caster = self.ray_caster();
             let input = ShadingInput {
                 scene,
@@ -133,12 +133,11 @@ impl Renderer {
                 rays,
                 seen,
             };
-            let (rgb, missing) = self.shader().shade(input, corners.as_ref());
+            let (rgb, missing) = self
+                .shader()
+                .shade(input, options.smooth_edges.then_some(&corners));
             frame.rgb = Some(rgb);
             findings = missing;
-            if let Some(Visibility { z, hits }) = corners.map(|corners| corners.seen) {
-                self.spare_visibility(view, backend).keep(Some(z), hits);
-            }
         }
         if wants(Annotator::DistanceToCamera) {
             frame.distance_to_camera = Some(range::from_visibility(scene, view, rays, seen));

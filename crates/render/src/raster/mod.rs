@@ -33,6 +33,7 @@ use self::job::Job;
 use self::small::Scratch;
 use self::tile::Tile;
 use self::visible::Visible;
+use crate::blocks::Blocks;
 use crate::visibility::SpareVisibility;
 use crate::{Hit, View, Visibility};
 
@@ -102,16 +103,27 @@ impl Rasterizer {
     }
 
     pub(crate) fn depth(&self, scene: &Scene, view: &View) -> ZDepth {
-        self.render::<false>(scene, view).0
+        self.render::<false>(scene, view, None).0
     }
 
     pub(crate) fn visibility(&self, scene: &Scene, view: &View) -> Visibility {
-        let (z, hits) = self.render::<true>(scene, view);
+        let (z, hits) = self.render::<true>(scene, view, None);
         Visibility { z, hits }
     }
 
-    /// The second image is empty unless `IDS` is set.
-    fn render<const IDS: bool>(&self, scene: &Scene, view: &View) -> (ZDepth, Image<Hit>) {
+    /// Renders [`visibility`](Self::visibility) in some blocks; pixels elsewhere are arbitrary.
+    pub(crate) fn visibility_in(&self, blocks: &Blocks, scene: &Scene, view: &View) -> Visibility {
+        let (z, hits) = self.render::<true>(scene, view, Some(blocks));
+        Visibility { z, hits }
+    }
+
+    /// Renders some blocks, or all. The second image is empty unless `IDS` is set.
+    fn render<const IDS: bool>(
+        &self,
+        scene: &Scene,
+        view: &View,
+        rendered: Option<&Blocks>,
+    ) -> (ZDepth, Image<Hit>) {
         let frame = Frame::new(scene, view);
         let (width, height) = (frame.width, frame.height);
         let (mut z, mut hits) = if IDS {
@@ -135,7 +147,9 @@ impl Rasterizer {
         jobs.into_par_iter().with_max_len(1).enumerate().for_each_init(
             || (Tile::default(), Scratch::default(), Vec::new()),
             |(tile, scratch, order), (at, ((mut z_rows, id_rows), range))| {
-                tile.start::<IDS>(&frame, at % across, at / across);
+                if !tile.start::<IDS>(&frame, at % across, at / across, rendered) {
+                    return;
+                }
                 sort(
                     &visible,
                     entries.get(range[0]..range[1]).unwrap_or_default(),

@@ -5,6 +5,7 @@ use oaktwin_simd::{I32Lanes, Lanes};
 use super::frame::Frame;
 use super::id::Id;
 use super::job::Job;
+use crate::blocks::{self, Blocks};
 
 /// The number of columns of a tile.
 pub(super) const WIDTH: usize = 128;
@@ -18,7 +19,7 @@ const _: () = assert!(STRIDE == WIDTH + 8 && STRIDE * (HEIGHT + 1) <= SIZE);
 /// A power of two with room for at least one row more than a tile has.
 const SIZE: usize = 16384;
 /// The number of columns and of rows of a block.
-const BLOCK: usize = 8;
+const BLOCK: usize = blocks::BLOCK as usize;
 const BLOCKS_ACROSS: usize = WIDTH / BLOCK;
 const BLOCKS: usize = BLOCKS_ACROSS * (HEIGHT / BLOCK);
 
@@ -35,7 +36,7 @@ pub(super) struct Tile {
     pub(super) inverse_z: Box<[f32; SIZE]>,
     /// The nearest triangle so far; unused if only depth is rendered.
     ids: Box<[i32; SIZE]>,
-    /// A lower bound of 1/z in each block.
+    /// A lower bound of 1/z in each block; infinite where nothing is rendered.
     farthest: [f32; BLOCKS],
     /// Whether a block was drawn on since `farthest` was computed.
     is_stale: [bool; BLOCKS],
@@ -77,13 +78,19 @@ impl Tile {
         self.ids.chunks(STRIDE).map(|row| row.iter().map(|id| Id(*id)))
     }
 
-    /// Clears the tile and moves it to a column and a row.
+    /// Clears the tile and moves it to a column and a row. Returns whether any of its blocks is rendered; all are if none are given.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_possible_wrap,
         reason = "a tile lies inside an image, whose sides are u32"
     )]
-    pub(super) fn start<const IDS: bool>(&mut self, frame: &Frame, column: usize, row: usize) {
+    pub(super) fn start<const IDS: bool>(
+        &mut self,
+        frame: &Frame,
+        column: usize,
+        row: usize,
+        rendered: Option<&Blocks>,
+    ) -> bool {
         self.x = (column * WIDTH) as u32;
         self.y = (row * HEIGHT) as u32;
         self.width = (frame.width - self.x).min(WIDTH as u32) as i32;
@@ -92,8 +99,22 @@ impl Tile {
         if IDS {
             self.ids[..STRIDE * (HEIGHT + 1)].fill(Id::NONE.0);
         }
-        self.farthest = [0.0; BLOCKS];
         self.is_stale = [false; BLOCKS];
+        let Some(rendered) = rendered else {
+            self.farthest = [0.0; BLOCKS];
+            return true;
+        };
+        let (first_column, first_row) = (self.x / blocks::BLOCK, self.y / blocks::BLOCK);
+        for (at, farthest) in self.farthest.iter_mut().enumerate() {
+            let column = first_column + (at % BLOCKS_ACROSS) as u32;
+            let row = first_row + (at / BLOCKS_ACROSS) as u32;
+            *farthest = if rendered.contains(column, row) {
+                0.0
+            } else {
+                f32::INFINITY
+            };
+        }
+        self.farthest.contains(&0.0)
     }
 
     /// Whether a surface with at most this 1/z would be hidden everywhere in the rectangle.

@@ -13,6 +13,8 @@ mod stack;
 mod tile;
 mod vector;
 
+use std::sync::Arc;
+
 use oaktwin_camera::math::{DAffine3, DVec3};
 use oaktwin_image::{Image, ZDepth};
 use oaktwin_scene::{Mesh, Scene};
@@ -23,8 +25,10 @@ use self::instances::Instances;
 use self::mesh_tree::MeshTree;
 use self::single::{Cast, Until};
 pub(crate) use self::stack::Stack;
+pub(crate) use self::tile::RayTable;
 use self::tile::RayTables;
 pub(crate) use self::vector::Vector;
+use crate::blocks::Blocks;
 use crate::visibility::SpareVisibility;
 use crate::{Hit, View, Visibility};
 
@@ -122,16 +126,30 @@ impl RayCaster {
     pub(crate) fn depth(&self, scene: &Scene, view: &View) -> ZDepth {
         let size = view.camera.intrinsics.size;
         let mut z = Image::filled(size.width, size.height, f32::INFINITY);
-        self.render(scene, view, &mut z, None);
+        self.render(scene, view, None, &mut z, None);
         ZDepth(z)
     }
 
     pub(crate) fn visibility(&self, scene: &Scene, view: &View) -> Visibility {
+        self.visible(scene, view, None)
+    }
+
+    /// Renders [`visibility`](Self::visibility) in some blocks; pixels elsewhere are misses.
+    pub(crate) fn visibility_in(&self, blocks: &Blocks, scene: &Scene, view: &View) -> Visibility {
+        self.visible(scene, view, Some(blocks))
+    }
+
+    fn visible(&self, scene: &Scene, view: &View, rendered: Option<&Blocks>) -> Visibility {
         let size = view.camera.intrinsics.size;
         let mut z = self.spare.z.image(size.width, size.height, f32::INFINITY);
         let mut hits = self.spare.hits.image(size.width, size.height, Hit::MISS);
-        self.render(scene, view, &mut z, Some(&mut hits));
+        self.render(scene, view, rendered, &mut z, Some(&mut hits));
         Visibility { z: ZDepth(z), hits }
+    }
+
+    /// Returns the rays of a view.
+    pub(crate) fn table(&self, view: &View) -> Arc<RayTable> {
+        self.tables.get(&view.camera, view.clips_along_axis())
     }
 
     /// Returns the nearest triangle on the ray, both ends included, and its distance in lengths of `direction`; of equally near

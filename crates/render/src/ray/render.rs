@@ -9,6 +9,7 @@ use rayon::prelude::*;
 use super::single::power_of_two_near;
 use super::tile::{Origin, PACKETS, PerRay, RayTable, SIDE, Solve, State, TileRays, Trace, place};
 use super::{Prepared, Ray, RayCaster, Stack};
+use crate::blocks::Blocks;
 use crate::{Hit, View};
 
 /// A row of tiles of an image.
@@ -19,21 +20,23 @@ struct Band<'a> {
 }
 
 impl RayCaster {
-    /// Renders into images of misses.
+    /// Renders some blocks, or all, into images of misses.
     pub(super) fn render(
         &self,
         scene: &Scene,
         view: &View,
+        rendered: Option<&Blocks>,
         z: &mut Image<f32>,
         hits: Option<&mut Image<Hit>>,
     ) {
         let size = view.camera.intrinsics.size;
         let length = (size.width as usize * SIDE as usize).max(1);
-        let rays = self.tables.get(&view.camera, view.clips_along_axis());
+        let rays = self.table(view);
         let frame = FrameOfView {
             caster: self,
             scene: self.prepared(scene),
             view,
+            rendered,
             rays: &rays,
             origin: self.origin(view),
         };
@@ -83,6 +86,7 @@ struct FrameOfView<'a> {
     caster: &'a RayCaster,
     scene: Prepared<'a>,
     view: &'a View,
+    rendered: Option<&'a Blocks>,
     rays: &'a RayTable,
     origin: Origin,
 }
@@ -108,6 +112,12 @@ impl FrameOfView<'_> {
     fn render_band(&self, mut band: Band, workspace: &mut Workspace) {
         let width = self.view.camera.intrinsics.size.width;
         for column in 0..width.div_ceil(SIDE) {
+            if self
+                .rendered
+                .is_some_and(|blocks| !blocks.contains(column, band.row))
+            {
+                continue;
+            }
             let (rays, directions) = self.rays.tile(column, band.row);
             let trace = Trace {
                 scene: &self.scene,

@@ -7,21 +7,25 @@ use rayon::prelude::*;
 
 use super::ShadingContext;
 use super::targets::Target;
+use crate::blocks::Blocks;
 use crate::rays::Rays;
+use crate::visibility::SpareVisibility;
 use crate::{Hit, View, Visibility};
 
-/// The minimum difference from a neighbour, of 255, that is antialiased.
-const MIN_CONTRAST: u8 = 10;
-
-/// The minimum second difference of 1/z over three pixels at an edge, relative to 1/z.
-const MIN_BEND: f32 = 1e-3;
-
-/// The surfaces that the corners of a view's pixels see.
-#[derive(Debug)]
+/// The corners of a view's pixels.
 pub(crate) struct Corners<'a> {
-    /// The rays of the view that [`corners_of`] returns.
-    pub(crate) rays: Rays<'a>,
-    pub(crate) seen: Visibility,
+    /// The view that [`corners_of`] returns.
+    pub(crate) view: &'a View,
+    /// Renders the surfaces that it sees in some blocks.
+    pub(crate) render: &'a dyn Fn(&Blocks) -> Visibility,
+    /// The memory for them.
+    pub(crate) spare: &'a SpareVisibility,
+}
+
+/// The surfaces that corners see, where there are outlines, and the rays of all corners.
+struct SeenCorners<'a> {
+    seen: Visibility,
+    rays: Rays<'a>,
 }
 
 /// Returns a view whose pixel centres are the corners of a view's pixels: it has one column and one row more.
@@ -38,14 +42,6 @@ pub(crate) fn corners_of(view: &View) -> View {
     corners
 }
 
-/// Finds the pixels at outlines, row by row, from the surfaces and sRGB with coverage.
-pub(super) fn outlines_of(seen: &Visibility, rgb: &Image<[u8; 4]>) -> Vec<Vec<u32>> {
-    (0..rgb.height())
-        .into_par_iter()
-        .map(|y| outlines(seen, rgb, y))
-        .collect()
-}
-
 /// At outlines a pixel becomes the mean of its centre's colour and the mean of its four corners' colours; `put` writes it into the
 /// image. Coverage remains that of the centre, as in all other annotations.
 pub(super) fn smooth<T: Send>(
@@ -57,8 +53,15 @@ pub(super) fn smooth<T: Send>(
     image: &mut Image<T>,
     put: impl Fn(&mut T, Vec3) + Sync,
 ) {
+    if outlines.iter().all(Vec::is_empty) {
+        return;
+    }
     let row_length = (image.width() as usize).max(1);
-    let corner_rows = corner_rows(context, corners, seen, colors, outlines);
+    let at_corners = SeenCorners {
+        seen: (corners.render)(&blocks_with(outlines, image.width(), image.height())),
+        rays: Rays::kept(corners.view, context.occlusion.caster),
+    };
+    let corner_rows = corner_rows(context, &at_corners, seen, colors, outlines);
     let rows = image.pixels_mut().par_chunks_mut(row_length);
     rows.zip(outlines)
         .zip(corner_rows.par_windows(2))
@@ -79,13 +82,28 @@ pub(super) fn smooth<T: Send>(
                 }
             }
         });
+    let Visibility { z, hits } = at_corners.seen;
+    corners.spare.keep(Some(z), hits);
+}
+
+/// Returns the blocks with the corners of outlines in an image of a size.
+fn blocks_with(outlines: &[Vec<u32>], width: u32, height: u32) -> Blocks {
+    let mut blocks = Blocks::none(width + 1, height + 1);
+    for (row, y) in outlines.iter().zip(0..) {
+        for &x in row {
+            for [x, y] in [[x, y], [x + 1, y], [x, y + 1], [x + 1, y + 1]] {
+                blocks.add(x, y);
+            }
+        }
+    }
+    blocks
 }
 
 /// Returns the columns and colours of the corners of outlines, row by row: those of an adjacent pixel that sees the same triangle,
 /// else their own.
 fn corner_rows(
     context: &ShadingContext<'_>,
-    corners: &Corners<'_>,
+    corners: &SeenCorners<'_>,
     seen: &Visibility,
     colors: &Image<[f32; 3]>,
     outlines: &[Vec<u32>],
@@ -141,86 +159,4 @@ fn adjacent_color(seen: &Visibility, colors: &Image<[f32; 3]>, hit: Hit, [x, y]:
         .into_iter()
         .find(|[x, y]| seen.hits.get(*x, *y) == Some(&hit))
         .and_then(|[x, y]| colors.get(x, y).copied().map(Vec3::from))
-}
-
-/// A row of colours and visible surfaces.
-#[derive(Clone, Copy)]
-struct Row<'a> {
-    rgb: &'a [[u8; 4]],
-    hits: &'a [Hit],
-    depths: &'a [f32],
-}
-
-impl<'a> Row<'a> {
-    fn new(seen: &'a Visibility, rgb: &'a Image<[u8; 4]>, y: u32) -> Option<Self> {
-        let width = rgb.width() as usize;
-        let first = y as usize * width;
-        let range = first..first + width;
-        Some(Self {
-            rgb: rgb.pixels().get(range.clone())?,
-            hits: seen.hits.pixels().get(range.clone())?,
-            depths: seen.z.0.pixels().get(range)?,
-        })
-    }
-
-    #[inline]
-    fn pixel(&self, x: usize) -> Option<Pixel> {
-        let (hit, z) = (self.hits.get(x)?, *self.depths.get(x)?);
-        Some(Pixel {
-            instance: hit.instance,
-            z,
-        })
-    }
-}
-
-#[derive(Clone, Copy)]
-struct Pixel {
-    instance: u32,
-    z: f32,
-}
-
-/// Finds the pixels of a row at outlines and creases with enough contrast.
-fn outlines(seen: &Visibility, rgb: &Image<[u8; 4]>, y: u32) -> Vec<u32> {
-    let Some(row) = Row::new(seen, rgb, y) else {
-        return Vec::new();
-    };
-    let above = y.checked_sub(1).and_then(|y| Row::new(seen, rgb, y));
-    let below = y.checked_add(1).and_then(|y| Row::new(seen, rgb, y));
-    (0..rgb.width())
-        .filter(|x| {
-            let x = *x as usize;
-            let Some(pixel) = row.pixel(x) else {
-                return false;
-            };
-            // Colours are compared last because there are few edges.
-            let differs = |row: Option<Row<'_>>, other: usize, mine: Row<'_>| {
-                let other = row.and_then(|row| row.rgb.get(other));
-                (mine.rgb.get(x).zip(other)).is_some_and(|(a, b)| contrast(*a, *b) >= MIN_CONTRAST)
-            };
-            let (left, right) = (x.wrapping_sub(1), x + 1);
-            (pixel.is_edge_between(row.pixel(left), row.pixel(right))
-                && (differs(Some(row), left, row) || differs(Some(row), right, row)))
-                || (pixel.is_edge_between(
-                    above.and_then(|row| row.pixel(x)),
-                    below.and_then(|row| row.pixel(x)),
-                ) && (differs(above, x, row) || differs(below, x, row)))
-        })
-        .collect()
-}
-
-impl Pixel {
-    #[inline]
-    fn is_edge_between(&self, before: Option<Self>, after: Option<Self>) -> bool {
-        let is_other = |other: Self| other.instance != self.instance;
-        let bends = before.zip(after).is_some_and(|(a, b)| {
-            let product = a.z * b.z;
-            (self.z * (a.z + b.z) - 2.0 * product).abs() > MIN_BEND * product
-        });
-        bends || before.is_some_and(is_other) || after.is_some_and(is_other)
-    }
-}
-
-#[inline]
-fn contrast(a: [u8; 4], b: [u8; 4]) -> u8 {
-    (a.iter().zip(b)).map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
 }

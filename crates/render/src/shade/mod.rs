@@ -13,6 +13,7 @@ mod filter;
 mod harmonics;
 mod lamp;
 mod occlusion;
+mod outlines;
 mod paint;
 mod pattern;
 mod pyramid;
@@ -170,7 +171,7 @@ impl Shader {
             let mut rgb = Image::filled(width, height, [0; 4]);
             film::develop(context.film, &colors, input.seen, &mut rgb);
             if let Some(corners) = corners {
-                let outlines = edges::outlines_of(input.seen, &rgb);
+                let outlines = outlines::outlines_of(input.seen, &rgb, context.level);
                 let encoder = Encoder::new();
                 edges::smooth(
                     context,
@@ -205,7 +206,7 @@ impl Shader {
             if let Some(corners) = corners {
                 let mut rgb = context.spare.bytes.image(colors.width(), colors.height(), [0; 4]);
                 film::develop(context.film, &colors, input.seen, &mut rgb);
-                let outlines = edges::outlines_of(input.seen, &rgb);
+                let outlines = outlines::outlines_of(input.seen, &rgb, context.level);
                 context.spare.bytes.keep(rgb);
                 edges::smooth(
                     context,

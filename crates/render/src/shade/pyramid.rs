@@ -68,9 +68,48 @@ impl Pyramid {
 
 /// Returns an image of half the size, at least one pixel, by averaging in linear light.
 fn halved(image: &Image<[u8; 4]>, linear: &[f32; 256], is_srgb: bool) -> Image<[u8; 4]> {
-    let encoder = Encoder::new();
     let (width, height) = (image.width().div_ceil(2), image.height().div_ceil(2));
     let mut half = Image::filled(width, height, [0, 0, 0, 255]);
+    let encoder = Encoder::new();
+    let encode = |color: [f32; 3]| {
+        let [r, g, b] = color.map(|value| encoded(value, is_srgb, encoder));
+        [r, g, b, 255]
+    };
+    if image.width().is_multiple_of(2) && image.height().is_multiple_of(2) {
+        halve_squares(image, linear, &mut half, encode);
+    } else {
+        halve_areas(image, linear, &mut half, encode);
+    }
+    half
+}
+
+/// Averages squares of four pixels.
+fn halve_squares(
+    image: &Image<[u8; 4]>,
+    linear: &[f32; 256],
+    half: &mut Image<[u8; 4]>,
+    encode: impl Fn([f32; 3]) -> [u8; 4] + Sync,
+) {
+    let row_length = (half.width() as usize).max(1);
+    let (pairs, _) = image.pixels().as_chunks::<2>();
+    let rows = half.pixels_mut().par_chunks_mut(row_length).with_min_len(16);
+    rows.zip(pairs.par_chunks(2 * row_length))
+        .for_each(|(row, pairs)| {
+            let (above, below) = pairs.split_at(row_length);
+            for ((pixel, above), below) in row.iter_mut().zip(above).zip(below) {
+                *pixel = encode(mean_of_square([*above, *below], linear));
+            }
+        });
+}
+
+/// Averages the areas that the pixels of an image of half the size cover.
+fn halve_areas(
+    image: &Image<[u8; 4]>,
+    linear: &[f32; 256],
+    half: &mut Image<[u8; 4]>,
+    encode: impl Fn([f32; 3]) -> [u8; 4] + Sync,
+) {
+    let (width, height) = (half.width(), half.height());
     let columns: Vec<[(u32, f32); 3]> = (0..width).map(|x| covered(x, width, image.width())).collect();
     let row_length = (width as usize).max(1);
     let rows = half.pixels_mut().par_chunks_mut(row_length).with_min_len(16);
@@ -90,11 +129,19 @@ fn halved(image: &Image<[u8; 4]>, linear: &[f32; 256], is_srgb: bool) -> Image<[
                     }
                 }
             }
-            let [r, g, b] = sum.map(|value| encoded(value, is_srgb, encoder));
-            *pixel = [r, g, b, 255];
+            *pixel = encode(sum);
         }
     });
-    half
+}
+
+/// Returns the mean of two rows of two pixels.
+#[inline]
+fn mean_of_square(square: [[[u8; 4]; 2]; 2], linear: &[f32; 256]) -> [f32; 3] {
+    let [[a, b], [c, d]] = square;
+    std::array::from_fn(|channel| {
+        let [a, b, c, d] = [a, b, c, d].map(|pixel| linear[usize::from(pixel[channel])] * 0.25);
+        a + b + c + d
+    })
 }
 
 #[expect(
@@ -123,4 +170,25 @@ fn covered(at: u32, coarse: u32, fine: u32) -> [(u32, f32); 3] {
         let share = to.saturating_sub(from) as f32 / fine as f32;
         (u32::try_from(pixel.min(fine - 1)).unwrap_or(u32::MAX), share)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn squares_are_averaged_like_areas() {
+        let pixels = (0..64 * 32u32).map(|i| i.wrapping_mul(0x9e37_79b1).rotate_left(9).to_le_bytes());
+        let image = Image::new(64, 32, pixels.collect()).unwrap();
+        for (linear, is_srgb) in [(linear_from_srgb(), true), (linear_from_data(), false)] {
+            let encode = |color: [f32; 3]| {
+                let [r, g, b] = color.map(|value| encoded(value, is_srgb, Encoder::new()));
+                [r, g, b, 255]
+            };
+            let (mut squares, mut areas) = (Image::filled(32, 16, [0; 4]), Image::filled(32, 16, [0; 4]));
+            halve_squares(&image, linear, &mut squares, encode);
+            halve_areas(&image, linear, &mut areas, encode);
+            assert_eq!(squares, areas);
+        }
+    }
 }

@@ -1,7 +1,9 @@
 use oaktwin_camera::math::{DMat3, DVec3};
 
+use crate::blocks::BLOCK;
+
 /// The width and height of a tile, px.
-pub(crate) const SIDE: u32 = 8;
+pub(crate) const SIDE: u32 = BLOCK;
 /// The number of packets in a tile; each has eight rays, four wide and two high.
 pub(crate) const PACKETS: usize = 8;
 

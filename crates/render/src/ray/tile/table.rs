@@ -82,6 +82,22 @@ impl RayTable {
             }
         }
     }
+
+    /// Returns the direction of a pixel in the camera frame, NaN where there is no ray; `None` outside the image and for ideal
+    /// pinholes.
+    #[inline]
+    pub(crate) fn direction(&self, x: u32, y: u32) -> Option<DVec3> {
+        let size = self.camera.intrinsics.size;
+        match &self.rays {
+            Rays::Tiles(tiles) if x < size.width && y < size.height => {
+                let columns = size.width.div_ceil(SIDE) as usize;
+                let (_, directions) = tiles.get((y / SIDE) as usize * columns + (x / SIDE) as usize)?;
+                let (packet, lane) = place((x % SIDE) as usize, (y % SIDE) as usize);
+                Some(directions[packet][lane])
+            }
+            _ => None,
+        }
+    }
 }
 
 /// Returns the directions of a tile's pixels; NaN outside the image.
