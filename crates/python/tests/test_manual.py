@@ -80,7 +80,7 @@ def public():
                 continue
             yield f"{module.__name__}.{name}", item
             if inspect.isclass(item) and not issubclass(item, Exception):
-                for member in vars(item):
+                for member in sorted(vars(item)):
                     if not member.startswith("_"):
                         yield f"{module.__name__}.{name}.{member}", getattr(item, member)
 
