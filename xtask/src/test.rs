@@ -17,7 +17,8 @@ const TEST_DATA: &str = "OAKTWIN_TEST_DATA";
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// Formatter, clippy and the Rust tests only: under 3 minutes from a warm target
+    /// Formatter, clippy and the Rust tests only, without those of every model and option (`exhaustive_…`) and with fewer random
+    /// cases: under 3 minutes on two cores from a warm target
     #[arg(long, conflicts_with_all = ["all", "peers", "portable"])]
     fast: bool,
     /// Also run the slow tests (`slow_…` in Rust, `slow` in Python), --peers, --portable and `PyTorch`
@@ -119,8 +120,8 @@ fn rust_steps(report: &mut Report, args: &Args) {
     }
 }
 
-/// Returns the command for all Rust tests but the slow ones. Tests that need the public test data run, and have to find
-/// it, if [`TEST_DATA`] is set; otherwise they count as skipped.
+/// Returns the command for all Rust tests but the slow ones, and the exhaustive ones if they have to be fast. Tests that need
+/// the public test data run, and have to find it, if [`TEST_DATA`] is set; otherwise they count as skipped.
 fn rust_tests(args: &Args, features: &[&str]) -> Command {
     let mut test = workspace::cargo();
     test.args(["test", "--workspace", "--no-fail-fast"]);
@@ -128,9 +129,15 @@ fn rust_tests(args: &Args, features: &[&str]) -> Command {
     if args.fast {
         // Each documentation test is a program of its own to compile.
         test.arg("--tests");
+        // A quarter of the default.
+        test.env("PROPTEST_CASES", "64");
     }
+    test.arg("--");
     if std::env::var_os(TEST_DATA).is_some() {
-        test.args(["--", "--include-ignored", "--skip", "slow_"]);
+        test.args(["--include-ignored", "--skip", "slow_"]);
+    }
+    if args.fast {
+        test.args(["--skip", "exhaustive_"]);
     }
     test
 }

@@ -85,7 +85,7 @@ fn check(twin: &Twin, lens: LensChoice, name: &str) {
 }
 
 #[test]
-fn every_model_and_lens() {
+fn exhaustive_models_and_lenses() {
     let catalog = Catalog::builtin();
     let mut lenses = 0;
     for device in catalog.devices() {

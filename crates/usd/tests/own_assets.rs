@@ -88,7 +88,7 @@ fn problems(report: &Report) -> Vec<String> {
 }
 
 #[test]
-fn assets_with_all_options_have_notes_at_most() {
+fn exhaustive_options_of_assets_have_notes_at_most() {
     let folder = tempfile::tempdir().unwrap();
     let catalog = Catalog::builtin();
     let mut checked = 0;

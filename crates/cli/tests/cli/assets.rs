@@ -55,7 +55,7 @@ fn writes_a_single_asset_to_a_file_or_folder() {
 
 /// `check` reports neither warnings nor errors for any asset that the program writes.
 #[test]
-fn check_accepts_assets_with_every_option() {
+fn exhaustive_options_of_assets_are_accepted_by_check() {
     let program = Program::new();
     let options: [&[&str]; 8] = [
         &[],

@@ -7,7 +7,7 @@ use crate::program::Program;
 const FORMATS: [&str; 5] = ["urdf", "sdf", "mjcf", "webots", "blender"];
 
 #[test]
-fn every_format_of_every_model() {
+fn exhaustive_formats_of_models() {
     let program = Program::new();
     for format in FORMATS {
         for device in Catalog::builtin().devices() {

@@ -8,7 +8,7 @@ mod bad_input;
 #[cfg(feature = "bridge")]
 mod bridge;
 mod coverage;
-mod every_model;
+mod exhaustive_models;
 mod export;
 mod fit;
 mod generate;
