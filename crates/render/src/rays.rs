@@ -74,3 +74,27 @@ impl<'a> Rays<'a> {
         Some(if self.along_axis { ray / ray.z } else { ray })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use oaktwin_scene::Scene;
+
+    use super::*;
+    use crate::fixture;
+
+    #[test]
+    fn kept_rays_are_the_computed_ones() {
+        let caster = RayCaster::new(&Scene::default());
+        for view in [fixture::view(), fixture::fisheye()] {
+            let (kept, computed) = (Rays::kept(&view, &caster), Rays::new(&view));
+            let size = view.camera.intrinsics.size;
+            // One column and one row more than the image has.
+            for (x, y) in (0..=size.height).flat_map(|y| (0..=size.width).map(move |x| (x, y))) {
+                assert_eq!(kept.centre(x, y), computed.centre(x, y));
+                if let Some(ray) = kept.centre(x, y) {
+                    assert_eq!(kept.next(x, y, ray), computed.next(x, y, ray));
+                }
+            }
+        }
+    }
+}

@@ -1,5 +1,7 @@
 //! Rendering of a view, tile by tile.
 
+use std::sync::Arc;
+
 use oaktwin_camera::math::DVec3;
 use oaktwin_image::Image;
 use oaktwin_scene::Scene;
@@ -31,7 +33,10 @@ impl RayCaster {
     ) {
         let size = view.camera.intrinsics.size;
         let length = (size.width as usize * SIDE as usize).max(1);
-        let rays = self.table(view);
+        let rays = match rendered {
+            Some(_) => Arc::new(RayTable::sparse(view.camera, view.clips_along_axis())),
+            None => self.table(view),
+        };
         let frame = FrameOfView {
             caster: self,
             scene: self.prepared(scene),

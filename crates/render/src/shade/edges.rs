@@ -59,7 +59,7 @@ pub(super) fn smooth<T: Send>(
     let row_length = (image.width() as usize).max(1);
     let at_corners = SeenCorners {
         seen: (corners.render)(&blocks_with(outlines, image.width(), image.height())),
-        rays: Rays::kept(corners.view, context.occlusion.caster),
+        rays: Rays::new(corners.view),
     };
     let corner_rows = corner_rows(context, &at_corners, seen, colors, outlines);
     let rows = image.pixels_mut().par_chunks_mut(row_length);

@@ -25,9 +25,23 @@ enum Rays {
     Grid { x: Vec<f64>, y: Vec<f64> },
     /// Other lenses: the rays of each tile.
     Tiles(Vec<(TileRays, PerRay<DVec3>)>),
+    /// Other lenses: each tile is computed when it is needed.
+    Lens,
 }
 
 impl RayTable {
+    /// Creates rays of which few tiles are needed, once.
+    pub(crate) fn sparse(camera: Camera, is_flat: bool) -> Self {
+        if camera.lens == LensModel::Pinhole {
+            return Self::new(camera, is_flat);
+        }
+        Self {
+            camera,
+            is_flat,
+            rays: Rays::Lens,
+        }
+    }
+
     fn new(camera: Camera, is_flat: bool) -> Self {
         let size = camera.intrinsics.size;
         let normalized = |x: u32, y: u32| {
@@ -40,19 +54,10 @@ impl RayTable {
                 y: (0..size.height).map(|y| normalized(0, y).y).collect(),
             }
         } else {
-            let unproject = |x: u32, y: u32| {
-                let pixel = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
-                let ray = camera.unproject(pixel)?;
-                Some(if is_flat { ray / ray.z } else { ray })
-            };
             let (columns, rows) = (size.width.div_ceil(SIDE), size.height.div_ceil(SIDE));
-            let tiles = over(columns, rows, |column, row| {
-                let directions = in_tile(column, row, (size.width, size.height), |x, y| {
-                    unproject(x, y).unwrap_or(DVec3::NAN)
-                });
-                (TileRays::new(&directions, is_flat), directions)
-            });
-            Rays::Tiles(tiles)
+            Rays::Tiles(over(columns, rows, |column, row| {
+                through_lens(&camera, is_flat, column, row)
+            }))
         };
         Self {
             camera,
@@ -80,11 +85,14 @@ impl RayTable {
                 let (rays, directions) = &tiles[row as usize * columns + column as usize];
                 (Cow::Borrowed(rays), Cow::Borrowed(directions))
             }
+            Rays::Lens => {
+                let (rays, directions) = through_lens(&self.camera, self.is_flat, column, row);
+                (Cow::Owned(rays), Cow::Owned(directions))
+            }
         }
     }
 
-    /// Returns the direction of a pixel in the camera frame, NaN where there is no ray; `None` outside the image and for ideal
-    /// pinholes.
+    /// Returns the direction of a pixel in the camera frame, NaN where there is no ray; `None` if it is not in the table.
     #[inline]
     pub(crate) fn direction(&self, x: u32, y: u32) -> Option<DVec3> {
         let size = self.camera.intrinsics.size;
@@ -98,6 +106,17 @@ impl RayTable {
             _ => None,
         }
     }
+}
+
+/// Computes the rays of a tile, whose directions are NaN where the lens has none.
+fn through_lens(camera: &Camera, is_flat: bool, column: u32, row: u32) -> (TileRays, PerRay<DVec3>) {
+    let size = camera.intrinsics.size;
+    let directions = in_tile(column, row, (size.width, size.height), |x, y| {
+        let pixel = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        let ray = camera.unproject(pixel).unwrap_or(DVec3::NAN);
+        if is_flat { ray / ray.z } else { ray }
+    });
+    (TileRays::new(&directions, is_flat), directions)
 }
 
 /// Returns the directions of a tile's pixels; NaN outside the image.
