@@ -1,7 +1,7 @@
 use oaktwin_diagnostic::Finding;
 use oaktwin_image::{Image, ZDepth};
 
-use crate::shade::{Beam, Corners, ShadingInput, corners_of};
+use crate::shade::{Beam, ShadingInput};
 use crate::{Backend, Renderer, View};
 
 /// Linear luminance on a sensor; 1 is a white diffuse surface in the scene's typical light.
@@ -27,13 +27,7 @@ impl Renderer {
         beam: Option<&Beam<'_>>,
     ) -> (Luminance, Vec<Finding>) {
         let seen = self.visibility(view, backend);
-        let corner_view = corners_of(view);
-        let spare = self.spare_visibility(view, backend);
-        let corners = Corners {
-            view: &corner_view,
-            render: &|blocks| self.visibility_in(blocks, &corner_view, backend),
-            spare,
-        };
+        let corners = self.corners(view, backend);
         let input = ShadingInput {
             scene: self.scene(),
             caster: self.ray_caster(),
@@ -42,7 +36,7 @@ impl Renderer {
             seen: &seen,
         };
         let (parts, findings) = self.shader().luminance(input, Some(&corners), beam);
-        spare.keep(None, seen.hits);
+        self.spare_visibility(view, backend).keep(None, seen.hits);
         let found = Luminance {
             scene: parts.scene,
             beam: parts.beam,

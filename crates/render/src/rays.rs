@@ -4,7 +4,7 @@ use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{LensModel, PixelPoint, Usd};
 
 use crate::View;
-use crate::ray::{RayCaster, RayTable};
+use crate::ray::{RayTable, ray_through};
 
 /// The rays of a view's pixels in the camera frame: with z = 1 where the view is clipped along the optical axis, else of
 /// length 1. A point at `t` times the ray is clipped by `t`, which is the z-depth for a pinhole.
@@ -31,11 +31,11 @@ impl<'a> Rays<'a> {
         }
     }
 
-    /// Creates the rays of a view. Those of a lens with distortion are the ones that the ray caster keeps.
-    pub(crate) fn kept(view: &'a View, caster: &RayCaster) -> Self {
+    /// Creates the rays of a view. Those of a lens with distortion are taken from `table`.
+    pub(crate) fn with_table(view: &'a View, table: impl FnOnce() -> Arc<RayTable>) -> Self {
         let mut rays = Self::new(view);
         if rays.steps.is_none() {
-            rays.table = Some(caster.table(view));
+            rays.table = Some(table());
         }
         rays
     }
@@ -69,9 +69,8 @@ impl<'a> Rays<'a> {
     }
 
     /// Returns the ray through a point of the image in pixels; the centre of the first pixel is at 0.5.
-    pub(crate) fn through(&self, [x, y]: [f64; 2]) -> Option<DVec3> {
-        let ray = self.view.camera.unproject(PixelPoint::<Usd>::new(x, y))?;
-        Some(if self.along_axis { ray / ray.z } else { ray })
+    pub(crate) fn through(&self, at: [f64; 2]) -> Option<DVec3> {
+        ray_through(&self.view.camera, self.along_axis, at)
     }
 }
 
@@ -81,12 +80,13 @@ mod tests {
 
     use super::*;
     use crate::fixture;
+    use crate::ray::RayCaster;
 
     #[test]
-    fn kept_rays_are_the_computed_ones() {
+    fn rays_of_a_table_are_the_computed_ones() {
         let caster = RayCaster::new(&Scene::default());
         for view in [fixture::view(), fixture::fisheye()] {
-            let (kept, computed) = (Rays::kept(&view, &caster), Rays::new(&view));
+            let (kept, computed) = (Rays::with_table(&view, || caster.table(&view)), Rays::new(&view));
             let size = view.camera.intrinsics.size;
             // One column and one row more than the image has.
             for (x, y) in (0..=size.height).flat_map(|y| (0..=size.width).map(move |x| (x, y))) {

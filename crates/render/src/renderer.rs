@@ -1,6 +1,5 @@
 use std::sync::OnceLock;
 
-use oaktwin_camera::LensModel;
 use oaktwin_camera::math::DAffine3;
 use oaktwin_image::ZDepth;
 use oaktwin_scene::{Instance, Light, Material, Mesh, Scene, Texture};
@@ -10,7 +9,7 @@ use crate::blocks::Blocks;
 use crate::raster::Rasterizer;
 use crate::ray::RayCaster;
 use crate::rays::Rays;
-use crate::shade::{Shader, ShaderAssets};
+use crate::shade::{Corners, Shader, ShaderAssets, corners_of};
 use crate::visibility::SpareVisibility;
 use crate::{Backend, Hit, Ray, View, Visibility};
 
@@ -166,9 +165,16 @@ impl Renderer {
 
     /// Returns the rays of a view.
     pub(crate) fn rays<'a>(&self, view: &'a View) -> Rays<'a> {
-        match view.camera.lens {
-            LensModel::Pinhole => Rays::new(view),
-            _ => Rays::kept(view, self.ray_caster()),
+        Rays::with_table(view, || self.ray_caster().table(view))
+    }
+
+    /// Returns the corners of a view's pixels.
+    pub(crate) fn corners(&self, view: &View, backend: Backend) -> Corners<'_> {
+        let view = corners_of(view);
+        Corners {
+            view,
+            render: Box::new(move |blocks| self.visibility_in(blocks, &view, backend)),
+            spare: self.spare_visibility(&view, backend),
         }
     }
 

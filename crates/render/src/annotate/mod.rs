@@ -18,7 +18,7 @@ use rayon::prelude::*;
 
 use self::coverage::Coverage;
 use self::stencil::Stencil;
-use crate::shade::{Corners, ShadingInput, corners_of};
+use crate::shade::ShadingInput;
 use crate::{Backend, Renderer, View, Visibility};
 
 pub(crate) use semantics::Semantics;
@@ -119,12 +119,7 @@ impl Renderer {
         let rays = &self.rays(view);
         let mut findings = Vec::new();
         if wants(Annotator::Rgb) {
-            let corner_view = corners_of(view);
-            let corners = Corners {
-                view: &corner_view,
-                render: &|blocks| self.visibility_in(blocks, &corner_view, backend),
-                spare: self.spare_visibility(view, backend),
-            };
+            let corners = (options.smooth_edges).then(|| self.corners(view, backend));
             let caster = self.ray_caster();
             let input = ShadingInput {
                 scene,
@@ -133,9 +128,7 @@ impl Renderer {
                 rays,
                 seen,
             };
-            let (rgb, missing) = self
-                .shader()
-                .shade(input, options.smooth_edges.then_some(&corners));
+            let (rgb, missing) = self.shader().shade(input, corners.as_ref());
             frame.rgb = Some(rgb);
             findings = missing;
         }

@@ -95,26 +95,22 @@ impl Tile {
         self.y = (row * HEIGHT) as u32;
         self.width = (frame.width - self.x).min(WIDTH as u32) as i32;
         self.height = (frame.height - self.y).min(HEIGHT as u32) as i32;
+        let (first_column, first_row) = (self.x / blocks::BLOCK, self.y / blocks::BLOCK);
+        for (at, farthest) in self.farthest.iter_mut().enumerate() {
+            let column = first_column + (at % BLOCKS_ACROSS) as u32;
+            let row = first_row + (at / BLOCKS_ACROSS) as u32;
+            let is_rendered = rendered.is_none_or(|blocks| blocks.contains(column, row));
+            *farthest = if is_rendered { 0.0 } else { f32::INFINITY };
+        }
+        if !self.farthest.contains(&0.0) {
+            return false;
+        }
         self.inverse_z[..STRIDE * (HEIGHT + 1)].fill(0.0);
         if IDS {
             self.ids[..STRIDE * (HEIGHT + 1)].fill(Id::NONE.0);
         }
         self.is_stale = [false; BLOCKS];
-        let Some(rendered) = rendered else {
-            self.farthest = [0.0; BLOCKS];
-            return true;
-        };
-        let (first_column, first_row) = (self.x / blocks::BLOCK, self.y / blocks::BLOCK);
-        for (at, farthest) in self.farthest.iter_mut().enumerate() {
-            let column = first_column + (at % BLOCKS_ACROSS) as u32;
-            let row = first_row + (at / BLOCKS_ACROSS) as u32;
-            *farthest = if rendered.contains(column, row) {
-                0.0
-            } else {
-                f32::INFINITY
-            };
-        }
-        self.farthest.contains(&0.0)
+        true
     }
 
     /// Whether a surface with at most this 1/z would be hidden everywhere in the rectangle.

@@ -15,9 +15,9 @@ use crate::{Hit, View, Visibility};
 /// The corners of a view's pixels.
 pub(crate) struct Corners<'a> {
     /// The view that [`corners_of`] returns.
-    pub(crate) view: &'a View,
+    pub(crate) view: View,
     /// Renders the surfaces that it sees in some blocks.
-    pub(crate) render: &'a dyn Fn(&Blocks) -> Visibility,
+    pub(crate) render: Box<dyn Fn(&Blocks) -> Visibility + 'a>,
     /// The memory for them.
     pub(crate) spare: &'a SpareVisibility,
 }
@@ -59,7 +59,7 @@ pub(super) fn smooth<T: Send>(
     let row_length = (image.width() as usize).max(1);
     let at_corners = SeenCorners {
         seen: (corners.render)(&blocks_with(outlines, image.width(), image.height())),
-        rays: Rays::new(corners.view),
+        rays: Rays::new(&corners.view),
     };
     let corner_rows = corner_rows(context, &at_corners, seen, colors, outlines);
     let rows = image.pixels_mut().par_chunks_mut(row_length);

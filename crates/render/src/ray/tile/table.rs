@@ -92,7 +92,8 @@ impl RayTable {
         }
     }
 
-    /// Returns the direction of a pixel in the camera frame, NaN where there is no ray; `None` if it is not in the table.
+    /// Returns the direction of the ray through the centre of a pixel, in the camera frame. Its components are NaN where the lens
+    /// has no ray. Returns `None` for a pixel outside the image, and for tables that do not store directions.
     #[inline]
     pub(crate) fn direction(&self, x: u32, y: u32) -> Option<DVec3> {
         let size = self.camera.intrinsics.size;
@@ -112,11 +113,17 @@ impl RayTable {
 fn through_lens(camera: &Camera, is_flat: bool, column: u32, row: u32) -> (TileRays, PerRay<DVec3>) {
     let size = camera.intrinsics.size;
     let directions = in_tile(column, row, (size.width, size.height), |x, y| {
-        let pixel = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
-        let ray = camera.unproject(pixel).unwrap_or(DVec3::NAN);
-        if is_flat { ray / ray.z } else { ray }
+        let centre = [f64::from(x) + 0.5, f64::from(y) + 0.5];
+        ray_through(camera, is_flat, centre).unwrap_or(DVec3::NAN)
     });
     (TileRays::new(&directions, is_flat), directions)
+}
+
+/// Returns the ray through a point of the image in pixels, where the centre of the first pixel is at 0.5; `None` where the lens
+/// has no ray. It has z = 1 if `is_flat`, else unit length.
+pub(crate) fn ray_through(camera: &Camera, is_flat: bool, [x, y]: [f64; 2]) -> Option<DVec3> {
+    let ray = camera.unproject(PixelPoint::<Usd>::new(x, y))?;
+    Some(if is_flat { ray / ray.z } else { ray })
 }
 
 /// Returns the directions of a tile's pixels; NaN outside the image.
