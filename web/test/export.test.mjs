@@ -20,8 +20,11 @@ async function exported(page, name) {
 async function shown(page, name) {
   await page.getByTestId("export").click();
   await page.getByRole("menuitem", { name }).click();
+  const dialog = page.getByRole("dialog");
+  await dialog.waitFor();
   const text = await page.getByTestId("snippet").textContent();
   await page.keyboard.press("Escape");
+  await dialog.waitFor({ state: "detached" });
   return text;
 }
 

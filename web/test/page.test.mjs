@@ -181,10 +181,18 @@ test("the theme can be chosen and is remembered", { skip }, async () => {
 
 test("the page can be used by keyboard", { skip }, async () => {
   const { page, context, errors } = await open(browser);
+  await page.evaluate(() => {
+    const observer = new MutationObserver(() => {
+      const dialog = document.querySelector("dialog");
+      if (dialog) window.wasOpenAtOnce ??= dialog.open;
+    });
+    observer.observe(document.body, { childList: true, subtree: true });
+  });
   await page.keyboard.press("?");
-  assert.equal(await page.getByRole("dialog").count(), 1);
+  await page.getByRole("dialog").waitFor();
+  assert.equal(await page.evaluate(() => window.wasOpenAtOnce), true, "keys reach the dialogue as soon as it appears");
   await page.keyboard.press("Escape");
-  assert.equal(await page.getByRole("dialog").count(), 0);
+  await page.getByRole("dialog").waitFor({ state: "detached" });
   const position = page.getByTestId("position-x");
   const before = await position.inputValue();
   await page.getByTestId("view").focus();
