@@ -44,15 +44,21 @@ const AREA_OPACITY: f64 = 0.30;
 type Area<'a, DB> = DrawingArea<DB, Shift>;
 type Chart<'a, DB> = ChartContext<'a, DB, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
-/// Draws figures one below the other. A pixel is `scale` units of the backend.
+/// Draws figures one below the other. A pixel is `scale` units of the backend; text may be `text_percent` of its width in the
+/// program's own font.
 pub(super) fn draw<DB: DrawingBackend>(
     area: &Area<'_, DB>,
     figures: &[Figure],
     scale: u32,
+    text_percent: u32,
 ) -> Result<(), FigureError> {
     area.fill(&WHITE).map_err(failed)?;
     for (figure, area) in figures.iter().zip(area.split_evenly((figures.len().max(1), 1))) {
-        let page = Page { area: &area, scale };
+        let page = Page {
+            area: &area,
+            scale,
+            text_percent,
+        };
         page.draw(figure)?;
     }
     area.present().map_err(failed)
@@ -65,6 +71,7 @@ fn failed(error: impl std::fmt::Display) -> FigureError {
 struct Page<'a, DB: DrawingBackend> {
     area: &'a Area<'a, DB>,
     scale: u32,
+    text_percent: u32,
 }
 
 impl<DB: DrawingBackend> Page<'_, DB> {
@@ -186,7 +193,8 @@ impl<DB: DrawingBackend> Page<'_, DB> {
                 .area
                 .estimate_text_size(&layer.label, &style)
                 .map_err(failed)?;
-            let length = SAMPLE + GAP + length.div_ceil(self.scale) + SPACE;
+            let length = (length * self.text_percent).div_ceil(100 * self.scale);
+            let length = SAMPLE + GAP + length + SPACE;
             match rows.last_mut() {
                 Some(row) if used + length <= available => row.push((layer, used)),
                 _ => {
