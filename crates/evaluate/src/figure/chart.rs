@@ -44,8 +44,8 @@ const AREA_OPACITY: f64 = 0.30;
 type Area<'a, DB> = DrawingArea<DB, Shift>;
 type Chart<'a, DB> = ChartContext<'a, DB, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
-/// Draws figures one below the other. A pixel is `scale` units of the backend; text may be `text_percent` of its width in the
-/// program's own font.
+/// Draws figures one below the other. A pixel is `scale` units of the backend. Legends leave `text_percent` of the width that
+/// their text has in the program's own font.
 pub(super) fn draw<DB: DrawingBackend>(
     area: &Area<'_, DB>,
     figures: &[Figure],
