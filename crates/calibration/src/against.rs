@@ -1,6 +1,6 @@
+use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 use oaktwin_camera::ImageSize;
 use oaktwin_catalog::{Catalog, Role, Twin, TwinCamera};
-use oaktwin_diagnostic::{Finding, Level, message, opt};
 
 use crate::check::{RESOLUTION, baseline_finding};
 use crate::{Calibration, CameraCalibration, Socket};

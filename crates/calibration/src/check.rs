@@ -1,7 +1,7 @@
 //! Checks of a calibration's content.
 
+use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 use oaktwin_camera::{OpenCv, PixelPoint, RigidTransform};
-use oaktwin_diagnostic::{Finding, Level, message, opt};
 
 use crate::model::{Calibration, CameraCalibration, Link};
 use crate::reader::Reader;

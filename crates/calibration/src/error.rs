@@ -1,6 +1,6 @@
 use std::fmt;
 
-use oaktwin_diagnostic::Finding;
+use oaktwin_base::diagnostic::Finding;
 
 use crate::Socket;
 

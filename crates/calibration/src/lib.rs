@@ -1,5 +1,5 @@
 //! Calibrations of OAK cameras: `DepthAI`'s JSON, lossless ([`raw`]) and checked ([`Calibration`]), applied to a device of the
-//! catalog ([`twin()`]), and exported ([`export`]).
+//! catalog ([`twin()`]), exported ([`export`]), and drawn at random ([`population`]).
 //!
 //! Lengths are in metres, in the files in centimetres. Camera frames are OpenCV's (x right, y down, z forward).
 
@@ -10,6 +10,7 @@ pub mod export;
 mod extrinsics;
 mod model;
 mod nominal;
+pub mod population;
 pub mod raw;
 mod read;
 mod reader;

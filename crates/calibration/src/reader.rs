@@ -1,5 +1,5 @@
+use oaktwin_base::diagnostic::{Finding, Level, Message};
 use oaktwin_camera::math::{DMat3, DVec3};
-use oaktwin_diagnostic::{Finding, Level, Message};
 
 use crate::raw::{Node, Value};
 

@@ -1,6 +1,6 @@
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::DMat3;
-use oaktwin_diagnostic::Finding;
 use serde::Serialize;
 
 use crate::rectify::rectifying_rotations;

@@ -1,7 +1,7 @@
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Axes, RigidTransform};
 use oaktwin_catalog::{Origin, Role, Twin, TwinCamera};
-use oaktwin_diagnostic::{Finding, Level};
 
 use crate::against::{calibrated, pair_of, socket_of};
 use crate::rectify::rectifying_rotations;

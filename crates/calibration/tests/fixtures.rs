@@ -10,13 +10,13 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_calibration::{
     Calibration, CalibrationError, Raw, Socket, check_against, force, nominal_calibration, twin,
 };
 use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_camera::{Axes, ImageSize, LensModel, OpenCv};
 use oaktwin_catalog::{Catalog, Origin, Role, Twin};
-use oaktwin_diagnostic::{Finding, Level};
 
 const GOOD: [(&str, &str); 5] = [
     ("example-oak-d-pro-poe.json", "OAK-D Pro PoE"),

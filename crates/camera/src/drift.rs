@@ -1,7 +1,7 @@
 //! The change of a stereo pair since its calibration.
 
 use glam::{DMat3, DVec3};
-use oaktwin_parameter::{ParameterError, Platform, Table, parameters, settings};
+use oaktwin_base::parameter::{ParameterError, Platform, Table, parameters, settings};
 
 use crate::{BaselineAxis, Intrinsics, OpenCv, PixelPoint, RigidTransform, StereoGeometry};
 

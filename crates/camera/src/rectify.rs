@@ -1,7 +1,7 @@
 //! Stereo rectification after Bouguet, as `cv2.stereoRectify` computes it.
 
 use glam::{DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
-use oaktwin_parameter::{Platform, choice};
+use oaktwin_base::parameter::{Platform, choice};
 
 use crate::{
     Camera, ImageSize, Intrinsics, LensModel, OpenCv, OpenCvLens, OpenCvPinhole, PixelPoint, RigidTransform,

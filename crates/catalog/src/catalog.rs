@@ -1,7 +1,7 @@
 use std::path::Path;
 use std::sync::LazyLock;
 
-use oaktwin_diagnostic::{fold_name, nearest};
+use oaktwin_base::diagnostic::{fold_name, nearest};
 use serde::Serialize;
 
 use crate::document::Document;

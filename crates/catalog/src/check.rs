@@ -4,8 +4,8 @@ mod depth;
 mod inertial;
 mod values;
 
+use oaktwin_base::diagnostic::{fold_name, nearest};
 use oaktwin_camera::math::DVec3;
-use oaktwin_diagnostic::{fold_name, nearest};
 
 use crate::document::Document;
 use crate::{Camera, Catalog, CatalogError, DepthSensor, Device, Role, Sensor, Sources};

@@ -1,5 +1,5 @@
-use oaktwin_diagnostic::{fold_name, suggest};
-use oaktwin_parameter::choice;
+use oaktwin_base::diagnostic::{fold_name, suggest};
+use oaktwin_base::parameter::choice;
 use thiserror::Error;
 
 use crate::{Catalog, DepthKind, Device};

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use oaktwin_diagnostic::nearest;
+use oaktwin_base::diagnostic::nearest;
 use serde::de::DeserializeOwned;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer};

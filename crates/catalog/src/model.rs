@@ -11,8 +11,8 @@ pub use inertial::{Accelerometer, Gyroscope, InertialPart, Magnetometer};
 use std::collections::BTreeMap;
 use std::fmt;
 
+use oaktwin_base::parameter::Choice;
 use oaktwin_camera::ImageSize;
-use oaktwin_parameter::Choice;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,5 +1,5 @@
+use oaktwin_base::parameter::choice;
 use oaktwin_camera::Camera as Optics;
-use oaktwin_parameter::choice;
 
 use crate::{Origin, Twin, TwinCamera};
 

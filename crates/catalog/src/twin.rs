@@ -1,11 +1,11 @@
+use oaktwin_base::diagnostic::fold_name;
+use oaktwin_base::parameter::Platform;
+use oaktwin_base::parameter::nvidia::Attributes;
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{
     Camera as Optics, Intrinsics, LensModel, OpenCvFisheye, PixelPoint, RectifiedIntrinsics, RigidTransform,
     Usd, stereo_rectify_to,
 };
-use oaktwin_diagnostic::fold_name;
-use oaktwin_parameter::Platform;
-use oaktwin_parameter::nvidia::Attributes;
 
 use crate::{Camera, DepthSensor, Device, Role};
 

@@ -1,7 +1,7 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use oaktwin_diagnostic::Message;
+use oaktwin_base::diagnostic::Message;
 use oaktwin_files::{FileError, OutputFiles};
 use oaktwin_image::npy::{self, Element};
 use oaktwin_image::{CodecError, Image};

@@ -1,10 +1,10 @@
 use std::fmt;
 use std::path::PathBuf;
 
+use oaktwin_base::parameter::choice;
 use oaktwin_camera::RigidTransform;
 use oaktwin_image::annotation::Frame;
 use oaktwin_image::{CodecError, Image};
-use oaktwin_parameter::choice;
 
 use crate::{CameraParams, Object, StereoImages, View};
 

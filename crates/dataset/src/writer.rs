@@ -1,6 +1,6 @@
 use std::error::Error;
 
-use oaktwin_diagnostic::Finding;
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_files::{FileError, OutputFiles};
 use serde_json::Value;
 

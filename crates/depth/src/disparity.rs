@@ -1,7 +1,7 @@
 //! Fixed-point disparities and their conversion to depth.
 
+use oaktwin_base::parameter::{Kind, Value, View, choice};
 use oaktwin_camera::StereoGeometry;
-use oaktwin_parameter::{Kind, Value, View, choice};
 use oaktwin_simd::{self as simd, Kernel};
 
 /// The fractional bits of a disparity.

@@ -2,8 +2,8 @@ use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::Intrinsics;
-use oaktwin_diagnostic::Finding;
 use oaktwin_image::ZDepth;
 use oaktwin_image::annotation::Annotator;
 

@@ -1,4 +1,4 @@
-pub use oaktwin_parameter::ParameterError;
+pub use oaktwin_base::parameter::ParameterError;
 
 /// An image whose size differs from the depth image's.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

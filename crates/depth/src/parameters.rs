@@ -1,7 +1,7 @@
 //! The parameters of everything in this crate, as lists for help, schemas and manuals.
 
-use oaktwin_diagnostic::suggest;
-pub use oaktwin_parameter::{
+use oaktwin_base::diagnostic::suggest;
+pub use oaktwin_base::parameter::{
     About, Choice, Group, Kind, Listing, ParameterError, Platform, Source, choice, choose,
 };
 
@@ -60,10 +60,10 @@ pub const ENGINES: usize = 4;
 /// # Errors
 /// Returns an error that suggests the nearest names if there is no such group.
 pub fn group(name: &str) -> Result<&'static Group, ParameterError> {
-    let folded = oaktwin_diagnostic::fold_name(name);
+    let folded = oaktwin_base::diagnostic::fold_name(name);
     let found = GROUPS
         .iter()
-        .find(|group| oaktwin_diagnostic::fold_name(group.name) == folded);
+        .find(|group| oaktwin_base::diagnostic::fold_name(group.name) == folded);
     found.ok_or_else(|| {
         let remedy = suggest(name, GROUPS.iter().map(|group| group.name));
         ParameterError::new(name, "unknown group of parameters", remedy)

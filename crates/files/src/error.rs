@@ -1,8 +1,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use oaktwin_diagnostic::Message;
-use oaktwin_image::CodecError;
+use oaktwin_base::diagnostic::Message;
 
 /// A file that cannot be read or written: `FILE: what is wrong; what to do`.
 #[derive(Debug, thiserror::Error)]
@@ -24,13 +23,6 @@ impl FileError {
             message: message.into(),
             remedy: remedy.into(),
         }
-    }
-
-    /// Returns the error for a file whose contents cannot be decoded or encoded.
-    #[must_use]
-    pub fn codec(path: &Path, error: &CodecError) -> Self {
-        let message = format!("{}: {}: {}", error.format, error.place, error.problem);
-        Self::new(path, message, &error.remedy)
     }
 
     /// Returns the error for a failed read of `path`.

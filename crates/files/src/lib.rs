@@ -1,7 +1,8 @@
-//! Bounded reads and atomic writes of the files that a user names.
+//! Bounded reads and atomic writes of the files that a user names, and the [memory] that the process may use.
 
 mod atomic;
 mod error;
+pub mod memory;
 mod named;
 mod output;
 mod temporary;

@@ -2,10 +2,10 @@
 
 use std::sync::LazyLock;
 
+use oaktwin_base::diagnostic::Level;
 use oaktwin_calibration::export::{Format, export};
 use oaktwin_calibration::{Calibration, EXAMPLE, Raw, check_against, nominal_calibration, summary, twin};
 use oaktwin_catalog::{Catalog, Twin};
-use oaktwin_diagnostic::Level;
 use serde_json::Value;
 
 use crate::json;

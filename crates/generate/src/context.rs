@@ -1,14 +1,14 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+use oaktwin_base::diagnostic::{Finding, Message};
+use oaktwin_calibration::population::Population;
 use oaktwin_catalog::Catalog;
 use oaktwin_dataset::{FormatKind, Needs};
-use oaktwin_diagnostic::{Finding, Message};
 use oaktwin_image::annotation::Annotator;
 use oaktwin_pipeline::render::annotator;
 use oaktwin_pipeline::render::trajectory::{self, TimedPose};
 use oaktwin_pipeline::unit;
-use oaktwin_population::Population;
 
 use crate::GenerateError;
 use crate::inertial::Inertial;

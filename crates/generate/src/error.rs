@@ -1,11 +1,11 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use oaktwin_base::diagnostic::Message;
 use oaktwin_catalog::UnknownModel;
 use oaktwin_dataset::WriteError;
-use oaktwin_diagnostic::Message;
 use oaktwin_files::FileError;
-use oaktwin_memory::Shortage;
+use oaktwin_files::memory::Shortage;
 use oaktwin_pipeline::pair::PairError;
 use oaktwin_pipeline::render::{CameraError, DepthSensorError, SceneFileError, UnknownAnnotator};
 use oaktwin_pipeline::sensor::ParameterError;

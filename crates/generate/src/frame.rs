@@ -1,10 +1,10 @@
 //! One frame: everything that is drawn for it, rendered and measured.
 
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::RigidTransform;
 use oaktwin_catalog::{DepthKind, Twin};
 use oaktwin_dataset::Shot;
 use oaktwin_depth::filter::Filter;
-use oaktwin_diagnostic::Finding;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_pipeline::pair::{PairCameras, PairOptions};
 use oaktwin_pipeline::render::{

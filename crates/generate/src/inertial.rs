@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use oaktwin_base::diagnostic::Message;
 use oaktwin_catalog::{Catalog, InertialPart};
-use oaktwin_diagnostic::Message;
 use oaktwin_pipeline::imu::inertial_part;
 
 use crate::recipe::{ImuRule, Recipe};

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_catalog::InertialPart;
 use oaktwin_dataset::{WriteError, euroc};
-use oaktwin_diagnostic::Finding;
 use oaktwin_files::OutputFiles;
 use oaktwin_pipeline::imu::{ImuOptions, ImuSimulation, motion};
 use oaktwin_pipeline::render::trajectory::TimedPose;

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::path::Path;
 
+use oaktwin_base::parameter::Table;
 use oaktwin_camera::StereoDrift;
 use oaktwin_dataset::WriteError;
 use oaktwin_files::OutputFiles;
-use oaktwin_parameter::Table;
 use serde::{Deserialize, Serialize};
 
 use crate::context::Context;

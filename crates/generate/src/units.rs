@@ -1,5 +1,5 @@
+use oaktwin_calibration::population::Population;
 use oaktwin_catalog::Twin;
-use oaktwin_population::Population;
 
 /// The units of a model.
 #[derive(Debug)]

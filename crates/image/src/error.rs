@@ -1,7 +1,9 @@
 use std::borrow::Cow;
+use std::path::Path;
 
-use oaktwin_diagnostic::Message;
-use oaktwin_memory::Shortage;
+use oaktwin_base::diagnostic::Message;
+use oaktwin_files::FileError;
+use oaktwin_files::memory::Shortage;
 
 /// An error of a codec: invalid bytes, or an image that the format does not support. Callers add the file name.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -30,6 +32,13 @@ impl CodecError {
             problem: problem.into(),
             remedy: remedy.into(),
         }
+    }
+
+    /// Returns the error for the file that has these bytes.
+    #[must_use]
+    pub fn in_file(&self, path: &Path) -> FileError {
+        let message = format!("{}: {}: {}", self.format, self.place, self.problem);
+        FileError::new(path, message, &self.remedy)
     }
 
     /// Returns the error for an image that needs more memory than there is.

@@ -1,6 +1,6 @@
 //! Limits on the memory for decoding an image file.
 
-use oaktwin_memory as memory;
+use oaktwin_files::memory;
 
 use crate::CodecError;
 

@@ -5,7 +5,7 @@
 
 use ::png::{BitDepth, ColorType, Compression, Decoder, Encoder, Filter, Limits, Transformations};
 
-use oaktwin_memory as memory;
+use oaktwin_files::memory;
 
 use crate::bytes::Scalar;
 use crate::{CodecError, Image};

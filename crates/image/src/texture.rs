@@ -6,7 +6,7 @@ use std::io::Cursor;
 
 use ::image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 
-use oaktwin_memory::{self as memory, Shortage};
+use oaktwin_files::memory::{self as memory, Shortage};
 
 pub use crate::reduced::Average;
 use crate::srgb::{linear_from_srgb, srgb_from_linear};

@@ -23,19 +23,19 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub use oaktwin_base::{diagnostic, parameter};
 pub use oaktwin_calibration as calibration;
+pub use oaktwin_calibration::population;
 pub use oaktwin_camera as camera;
 pub use oaktwin_catalog as catalog;
 pub use oaktwin_dataset as dataset;
 pub use oaktwin_depth as depth;
-pub use oaktwin_diagnostic as diagnostic;
 pub use oaktwin_evaluate::{accuracy, coverage, figure, fit, measure};
 pub use oaktwin_files as files;
+pub use oaktwin_files::memory;
 pub use oaktwin_generate as generate;
 pub use oaktwin_image as image;
-pub use oaktwin_memory as memory;
 pub use oaktwin_pipeline::{imu, pair, progress, recording, render, report, sense, sensor, stereo, unit};
-pub use oaktwin_population as population;
 pub use oaktwin_robot as robot;
 pub use oaktwin_scene as scene;
 pub use oaktwin_usd as usd;

@@ -24,7 +24,7 @@ pub(crate) fn files() -> std::io::Result<Vec<(PathBuf, String)>> {
     let mut files = python::files(&root)?;
     files.push((root.join("docs/manual/reference/parameters.md"), page()));
     files.push((
-        root.join("crates/parameter/schema/parameters.schema.json"),
+        root.join("crates/base/schema/parameters.schema.json"),
         format!("{:#}\n", schema()),
     ));
     Ok(files)

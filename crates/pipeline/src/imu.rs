@@ -10,6 +10,7 @@
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
+use oaktwin_base::diagnostic::{Finding, Level, Message, message, nearest, opt};
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::DVec3;
 use oaktwin_catalog::{Catalog, Device, InertialPart, Twin};
@@ -17,7 +18,6 @@ pub use oaktwin_dataset::ImuSample;
 use oaktwin_dataset::euroc;
 use oaktwin_dataset::recording::{RecordedImu, RecordingError, Time};
 use oaktwin_depth::random::{Stage, Stream, standard_normal};
-use oaktwin_diagnostic::{Finding, Level, Message, message, nearest, opt};
 use oaktwin_files::{AtomicFile, FileError, WrittenFile};
 use oaktwin_imu::{Channel, ChannelNoise, Draws};
 pub use oaktwin_imu::{Motion, MotionError};

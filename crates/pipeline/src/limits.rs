@@ -4,8 +4,8 @@ use std::path::Path;
 
 use oaktwin_camera::ImageSize;
 use oaktwin_files::FileError;
+use oaktwin_files::memory;
 use oaktwin_image::annotation::{AnnotationKind, Annotator};
-use oaktwin_memory as memory;
 
 /// The maximum number of pixels of an image.
 pub const MAX_PIXELS: u64 = 1 << 31;

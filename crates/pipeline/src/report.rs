@@ -5,11 +5,11 @@ mod depth;
 
 use serde::Serialize;
 
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::math::DVec3;
 use oaktwin_catalog::{
     Accuracy, Body, Catalog, Evidence, Imu, Note, Origin, Role, Sensor, Source, Sources, Twin,
 };
-use oaktwin_diagnostic::Finding;
 use oaktwin_usd::asset::LensChoice;
 
 pub use camera::{CameraReport, OffsetsReport, PixelReport, UsdReport};

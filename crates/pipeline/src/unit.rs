@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_calibration::raw::MAX_BYTES;
 use oaktwin_calibration::{self as calibration, Calibration, CalibrationError, Raw};
 use oaktwin_catalog::{Catalog, Device, Twin};
-use oaktwin_diagnostic::{Finding, Level};
 use oaktwin_files::{self as files, FileError};
 
 /// An error that prevents a unit's twin from being created.

@@ -1,4 +1,4 @@
-use oaktwin_diagnostic::Finding;
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_image::{Image, ZDepth};
 
 use crate::shade::{Beam, ShadingInput};

@@ -1,9 +1,9 @@
 use std::collections::BTreeMap;
 
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_camera::{Intrinsics, LensModel, RigidTransform, Usd};
 use oaktwin_catalog::{Catalog, DepthKind, InertialPart, Twin, TwinCamera};
-use oaktwin_diagnostic::{Finding, Level};
 use oaktwin_imu::ChannelNoise;
 use oaktwin_usd::body;
 

@@ -1,4 +1,4 @@
-use oaktwin_diagnostic::{message, opt};
+use oaktwin_base::diagnostic::{message, opt};
 
 /// The reason why a description cannot be written.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -16,10 +16,10 @@ mod xml;
 
 use std::path::{Path, PathBuf};
 
+use oaktwin_base::diagnostic::Finding;
+use oaktwin_base::parameter::choice;
 use oaktwin_catalog::{Catalog, Twin};
-use oaktwin_diagnostic::Finding;
 use oaktwin_files::{self as files, FileError};
-use oaktwin_parameter::choice;
 
 pub use description::{CameraFrame, DepthFrame, Description, Housing, ImuFrame, Visual};
 pub use error::RobotError;

@@ -1,7 +1,7 @@
+use oaktwin_base::parameter::choice;
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_catalog::Body;
-use oaktwin_parameter::choice;
 
 use crate::RobotError;
 

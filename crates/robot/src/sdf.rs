@@ -3,9 +3,9 @@
 //! A principal point counts from the border of the image, so the centre of the first pixel is at 0.5. Depth has no noise: Gazebo's is
 //! constant over distance, unlike that of a stereo camera.
 
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DMat3, DVec3};
-use oaktwin_diagnostic::{Finding, Level};
 use oaktwin_imu::ChannelNoise;
 
 use crate::description::{

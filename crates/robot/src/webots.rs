@@ -4,9 +4,9 @@
 
 use std::fmt::Write;
 
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::DQuat;
-use oaktwin_diagnostic::{Finding, Level};
 
 use crate::description::{CameraFrame, Description, Visual};
 use crate::xml::{number, numbers};

@@ -17,8 +17,8 @@ pub mod polygon;
 pub mod shape;
 mod turn;
 
+use oaktwin_base::parameter::choice;
 use oaktwin_camera::math::{DAffine3, DVec3};
-use oaktwin_parameter::choice;
 
 pub use attribute::Attribute;
 pub use bounds::Bounds;

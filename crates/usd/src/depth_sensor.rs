@@ -1,7 +1,7 @@
 //! The depth sensor of a stage: the authored attributes of NVIDIA's schemas on a render product or its camera.
 
-use oaktwin_parameter::nvidia::Attributes;
-use oaktwin_parameter::{Kind, Table};
+use oaktwin_base::parameter::nvidia::Attributes;
+use oaktwin_base::parameter::{Kind, Table};
 
 use crate::asset::IsaacVersion;
 pub use crate::nvidia::OUTLIER_REMOVAL;

@@ -1,10 +1,10 @@
 //! Converts the attributes of a camera prim to intrinsics and a lens for a given image size.
 
+use oaktwin_base::diagnostic::{Finding, Level};
+use oaktwin_base::parameter::choice;
 use oaktwin_camera::{
     Camera, ImageSize, Intrinsics, LensModel, OpenCvFisheye, OpenCvPinhole, PixelPoint, Usd,
 };
-use oaktwin_diagnostic::{Finding, Level};
-use oaktwin_parameter::choice;
 
 use crate::lens::{self, Lens, MODEL};
 use crate::nvidia::{CAMERA_SCHEMA, PRODUCT_SCHEMA};

@@ -1,11 +1,11 @@
 //! All assets that this crate writes pass its linter.
 #![expect(clippy::unwrap_used, reason = "a test")]
 
+use oaktwin_base::diagnostic::Level;
 use oaktwin_camera::{
     ApertureOffsets, Intrinsics, LensModel, OpenCv, OpenCvFisheye, OpenCvPinhole, PixelPoint,
 };
 use oaktwin_catalog::{Catalog, Origin, Twin};
-use oaktwin_diagnostic::Level;
 
 use oaktwin_usd::asset::{
     AssetOptions, Format, IsaacVersion, LensChoice, OverrideBase, PrimNames, Target, asset, overrides,

@@ -39,7 +39,7 @@ fn open(path: &Path) -> StageScene {
 }
 
 fn codes(read: &StageScene) -> Vec<(&str, &str)> {
-    let of = |finding: &oaktwin_diagnostic::Finding| finding.code;
+    let of = |finding: &oaktwin_base::diagnostic::Finding| finding.code;
     read.findings
         .iter()
         .map(|finding| (of(finding), finding.place.as_str()))

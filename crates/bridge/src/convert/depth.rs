@@ -1,7 +1,7 @@
 use oaktwin::camera::ImageSize;
 use oaktwin::image::{Image, millimetres};
 use oaktwin::sense::DepthUnit;
-use oaktwin_parameter::choice;
+use oaktwin_base::parameter::choice;
 
 use super::rows::pixels;
 use super::{MessageError, check_header};

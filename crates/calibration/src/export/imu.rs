@@ -1,7 +1,7 @@
 use std::fmt::Write as _;
 
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_catalog::InertialPart;
-use oaktwin_diagnostic::{Finding, Level};
 
 use super::Export;
 

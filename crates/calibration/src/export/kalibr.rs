@@ -1,7 +1,7 @@
 use std::fmt::Write as _;
 
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::{LensModel, OpenCv, OpenCvLens};
-use oaktwin_diagnostic::{Finding, Level};
 
 use super::simplify::{equidistant, error_px, radial_tangential};
 use super::text::list;

@@ -10,8 +10,8 @@ mod ros;
 mod simplify;
 mod text;
 
-use oaktwin_diagnostic::{Finding, Level, fold_name};
-use oaktwin_parameter::choice;
+use oaktwin_base::diagnostic::{Finding, Level, fold_name};
+use oaktwin_base::parameter::choice;
 
 pub use imu::kalibr_imu;
 

@@ -1,6 +1,6 @@
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::math::DMat3;
 use oaktwin_camera::{Camera, LensModel, OpenCvLens, OpenCvPinhole};
-use oaktwin_diagnostic::{Finding, Level};
 
 use super::simplify::error_px;
 use super::text::{list, rows};

@@ -1,4 +1,4 @@
-use oaktwin_diagnostic::Finding;
+use oaktwin_base::diagnostic::Finding;
 
 use crate::model::{Board, Calibration};
 use crate::raw::Raw;
@@ -35,7 +35,7 @@ const TOP_KEYS: [&str; 21] = [
 
 impl Calibration {
     /// Reads and checks a document. Among the findings, a baseline that differs much from the board's design is an
-    /// [error](oaktwin_diagnostic::Level::Error), which [`crate::force`] downgrades to a warning.
+    /// [error](oaktwin_base::diagnostic::Level::Error), which [`crate::force`] downgrades to a warning.
     ///
     /// # Errors
     /// Returns [`CalibrationError::Invalid`] with all errors of the document.

@@ -1,7 +1,7 @@
 //! Checks of depth sensors and their accuracy.
 
-use oaktwin_parameter::Table;
-use oaktwin_parameter::nvidia::Attributes;
+use oaktwin_base::parameter::Table;
+use oaktwin_base::parameter::nvidia::Attributes;
 
 use super::values::{ascending, positive};
 use super::{Checked, sources};

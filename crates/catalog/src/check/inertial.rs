@@ -1,8 +1,8 @@
 //! Checks of inertial parts and of their mounting.
 
+use oaktwin_base::diagnostic::nearest;
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DMat3, DVec3};
-use oaktwin_diagnostic::nearest;
 
 use super::values::{not_negative, positive, text};
 use super::{Checked, evidence, sources};

@@ -1,6 +1,6 @@
 //! Checks of single values.
 
-use oaktwin_diagnostic::fold_name;
+use oaktwin_base::diagnostic::fold_name;
 
 use super::Checked;
 use crate::document::Document;

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use oaktwin_parameter::Choice;
-use oaktwin_parameter::nvidia::Attributes;
+use oaktwin_base::parameter::Choice;
+use oaktwin_base::parameter::nvidia::Attributes;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -2,8 +2,8 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::RigidTransform;
-use oaktwin_diagnostic::Finding;
 use oaktwin_files::OutputFiles;
 use oaktwin_image::{Image, png};
 use serde_json::{Map, Value, json};

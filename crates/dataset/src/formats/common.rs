@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 use oaktwin_camera::math::{DMat3, DQuat};
 use oaktwin_camera::{Intrinsics, LensModel, OpenCv, RigidTransform};
-use oaktwin_diagnostic::{Finding, Level, message, opt};
 use oaktwin_files::{AtomicFile, OutputFiles};
 use oaktwin_image::annotation::Reasons;
 use oaktwin_image::{Image, png};

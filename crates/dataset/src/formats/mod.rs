@@ -11,7 +11,7 @@ mod stereo;
 mod tum;
 mod webdataset;
 
-use oaktwin_diagnostic::suggest;
+use oaktwin_base::diagnostic::suggest;
 
 use crate::{BasicWriter, Format, Options};
 

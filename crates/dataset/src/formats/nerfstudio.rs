@@ -1,8 +1,8 @@
 use std::path::PathBuf;
 
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_camera::{RigidTransform, Usd};
-use oaktwin_diagnostic::Finding;
 use oaktwin_files::OutputFiles;
 use serde_json::{Value, json};
 

@@ -1,7 +1,7 @@
 //! Stereo pairs with exact disparity: Middlebury's layout, KITTI's, and that of Scene Flow.
 
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::OpenCv;
-use oaktwin_diagnostic::Finding;
 use oaktwin_files::OutputFiles;
 use oaktwin_image::{Image, pfm, png};
 use serde_json::{Value, json};

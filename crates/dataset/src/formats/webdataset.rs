@@ -2,7 +2,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use oaktwin_diagnostic::Finding;
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_files::{FileError, OutputFiles};
 use rayon::prelude::*;
 use serde_json::{Value, json};

@@ -20,10 +20,10 @@ mod tests;
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
+use oaktwin_base::parameter::choice;
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Camera, LensModel, PixelPoint, RigidTransform, Usd};
 use oaktwin_image::{Image, ImageView, ZDepth};
-use oaktwin_parameter::choice;
 use rayon::prelude::*;
 
 use crate::ShotError;

@@ -10,7 +10,7 @@ mod time_of_flight;
 
 use std::sync::Arc;
 
-use oaktwin_diagnostic::{fold_name, suggest};
+use oaktwin_base::diagnostic::{fold_name, suggest};
 
 use crate::{Engine, EngineKind, ParameterError, Setup, Technology};
 

@@ -1,7 +1,7 @@
 use std::sync::Arc;
 
+use oaktwin_base::diagnostic::{Finding, Level, fold_name};
 use oaktwin_camera::Intrinsics;
-use oaktwin_diagnostic::{Finding, Level, fold_name};
 use oaktwin_image::ImageView;
 use oaktwin_image::annotation::Annotator;
 

@@ -1,5 +1,5 @@
+use oaktwin_base::parameter::parameters;
 use oaktwin_image::{Image, ImageView};
-use oaktwin_parameter::parameters;
 
 use super::Pixel;
 

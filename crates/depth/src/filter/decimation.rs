@@ -1,6 +1,6 @@
+use oaktwin_base::parameter::{Numbered, choice, parameters};
 use oaktwin_camera::{ImageSize, Intrinsics, OpenCv, PixelPoint};
 use oaktwin_image::Image;
-use oaktwin_parameter::{Numbered, choice, parameters};
 use oaktwin_simd::{Level, saturating_trunc};
 use rayon::prelude::*;
 

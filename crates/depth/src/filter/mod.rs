@@ -32,7 +32,7 @@ pub use temporal::{PersistencyMode, Temporal};
 pub use text::{NAMES, parse};
 pub use threshold::Threshold;
 
-use oaktwin_parameter::Platform;
+use oaktwin_base::parameter::Platform;
 
 #[cfg(test)]
 mod tests;

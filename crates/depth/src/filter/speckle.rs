@@ -1,5 +1,5 @@
+use oaktwin_base::parameter::parameters;
 use oaktwin_image::Image;
-use oaktwin_parameter::parameters;
 use oaktwin_simd::Level;
 use rayon::prelude::*;
 

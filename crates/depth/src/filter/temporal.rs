@@ -1,5 +1,5 @@
+use oaktwin_base::parameter::{Numbered, choice, parameters};
 use oaktwin_image::Image;
-use oaktwin_parameter::{Numbered, choice, parameters};
 use oaktwin_simd::{Level, Weight};
 use rayon::prelude::*;
 

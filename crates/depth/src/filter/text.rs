@@ -1,8 +1,8 @@
 use std::fmt;
 use std::str::FromStr;
 
-use oaktwin_diagnostic::{fold_name, suggest};
-use oaktwin_parameter::{Platform, Table};
+use oaktwin_base::diagnostic::{fold_name, suggest};
+use oaktwin_base::parameter::{Platform, Table};
 
 use super::{Brightness, Decimation, Filter, MedianSettings, Spatial, Speckle, Temporal, Threshold};
 use crate::ParameterError;
@@ -44,7 +44,7 @@ pub fn parse(text: &str) -> Result<Filter, ParameterError> {
             ));
         }
     };
-    for setting in oaktwin_parameter::settings(settings) {
+    for setting in oaktwin_base::parameter::settings(settings) {
         let (key, value) = setting.map_err(|setting| {
             let what = format!("setting '{setting}' has no value");
             ParameterError::new(text, what, format!("write {setting}=VALUE"))

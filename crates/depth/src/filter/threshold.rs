@@ -1,5 +1,5 @@
+use oaktwin_base::parameter::{ParameterError, parameters};
 use oaktwin_image::Image;
-use oaktwin_parameter::{ParameterError, parameters};
 
 use super::Pixel;
 

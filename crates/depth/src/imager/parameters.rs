@@ -1,4 +1,4 @@
-use oaktwin_parameter::{Platform, choice, parameters};
+use oaktwin_base::parameter::{Platform, choice, parameters};
 
 choice! {
     /// The number of bits of a recorded value.

@@ -3,11 +3,11 @@
 mod stereo;
 mod time_of_flight;
 
-pub use oaktwin_parameter::Platform;
+pub use oaktwin_base::parameter::Platform;
 pub use stereo::{FilterStage, Preset, StereoConfig};
 pub use time_of_flight::{TIME_OF_FLIGHT_PRESETS, TimeOfFlightConfig, time_of_flight_filters};
 
-use oaktwin_diagnostic::{fold_name, suggest};
+use oaktwin_base::diagnostic::{fold_name, suggest};
 
 /// An unknown preset: `preset: what is wrong; what to do`.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

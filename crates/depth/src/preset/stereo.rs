@@ -1,4 +1,4 @@
-use oaktwin_parameter::Platform;
+use oaktwin_base::parameter::Platform;
 
 use super::{PresetError, TIME_OF_FLIGHT_PRESETS, is_named};
 use crate::filter::{

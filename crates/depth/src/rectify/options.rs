@@ -1,7 +1,7 @@
 use oaktwin_camera::{Camera, RectifiedIntrinsics};
 
 use crate::preset::Platform;
-use oaktwin_parameter::choice;
+use oaktwin_base::parameter::choice;
 
 choice! {
     /// The method that maps rectified pixels to raw ones.

@@ -1,6 +1,6 @@
 use std::fmt;
 
-use oaktwin_parameter::{Platform, choice, parameters};
+use oaktwin_base::parameter::{Platform, choice, parameters};
 
 choice! {
     /// The source of the reported depth.

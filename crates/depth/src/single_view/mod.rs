@@ -68,7 +68,7 @@ pub use assumptions::{
     LumaRounding, MaxDisparity, MaxDisparityUnit, OutlierNeighbourhood, Quantizer, RangeCut, SigmaUnit,
     TargetRounding,
 };
-pub use oaktwin_parameter::nvidia::{Attributes as Parameters, MAX_OUTLIER_RANGE_PX, OutputMode};
+pub use oaktwin_base::parameter::nvidia::{Attributes as Parameters, MAX_OUTLIER_RANGE_PX, OutputMode};
 pub use output::{Output, Wanted};
 
 use crate::batch::Batch;

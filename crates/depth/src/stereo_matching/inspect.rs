@@ -6,7 +6,7 @@ mod points;
 use std::array::from_fn;
 use std::borrow::Cow;
 
-use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
+use oaktwin_base::diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_simd::run;
 
 use super::pair::{Luminance, Pair};

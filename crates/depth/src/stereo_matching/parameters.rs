@@ -1,5 +1,5 @@
+use oaktwin_base::parameter::{Hexadecimal, Kind, ParameterError, Platform, Value, View, choice, parameters};
 use oaktwin_camera::StereoGeometry;
-use oaktwin_parameter::{Hexadecimal, Kind, ParameterError, Platform, Value, View, choice, parameters};
 
 use crate::disparity::{DepthRounding, Fixed, FractionalBits, Subpixel, SubpixelSwitch};
 
@@ -369,7 +369,7 @@ pub(super) const MAX_PENALTY: u32 = 7680;
 /// The platform without which a parameter has no effect; `None` if it has an effect on both, or does not exist.
 #[must_use]
 pub fn platform_of(name: &str) -> Option<Platform> {
-    <Parameters as oaktwin_parameter::Table>::row(name)
+    <Parameters as oaktwin_base::parameter::Table>::row(name)
         .ok()?
         .about
         .platform

@@ -1,5 +1,5 @@
+use oaktwin_base::parameter::{Platform, parameters};
 use oaktwin_camera::StereoGeometry;
-use oaktwin_parameter::{Platform, parameters};
 
 use crate::disparity::{DepthRounding, Fixed, FractionalBits, Subpixel, SubpixelSwitch};
 use crate::random::{Stage, Stream, standard_normal};

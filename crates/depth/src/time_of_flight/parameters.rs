@@ -1,4 +1,4 @@
-use oaktwin_parameter::{Kind, ParameterError, Platform, Value, View, parameters};
+use oaktwin_base::parameter::{Kind, ParameterError, Platform, Value, View, parameters};
 
 use crate::random::{Stage, Stream, standard_normal};
 

@@ -12,8 +12,8 @@ use super::{
     AccuracyError, Bands, ComparedPoint, Comparison, Devices, Measurement, Options, Report, Row, Verdict,
     distances,
 };
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_catalog::{Twin, TwinDepthSensor};
-use oaktwin_diagnostic::Finding;
 use oaktwin_pipeline::progress::{Progress, Watch};
 use oaktwin_pipeline::sensor::{default_engine, depth_sensor};
 

@@ -6,13 +6,13 @@ use super::stereo_camera::StereoCamera;
 use super::test_rig::{TestRig, Unit};
 use super::{AccuracyError, DEVICES, Devices, MATCHING_DEVICES, Options};
 use crate::measure::Region;
+use oaktwin_base::diagnostic::Finding;
+use oaktwin_base::parameter::Table;
+use oaktwin_calibration::population::Population;
 use oaktwin_camera::{Intrinsics, StereoDrift};
 use oaktwin_catalog::{Origin, Twin, TwinDepthSensor};
 use oaktwin_depth::random::{Numbers, Stage, Stream};
-use oaktwin_diagnostic::Finding;
-use oaktwin_parameter::Table;
 use oaktwin_pipeline::sensor::{EngineInput, ParameterError, SensorOptions, sensor};
-use oaktwin_population::Population;
 
 /// The units to measure, in front of the board.
 #[derive(Debug)]

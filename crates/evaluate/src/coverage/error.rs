@@ -1,4 +1,4 @@
-use oaktwin_diagnostic::Message;
+use oaktwin_base::diagnostic::Message;
 use oaktwin_pipeline::pair::PairError;
 use oaktwin_pipeline::render::{CameraError, DepthSensorError};
 use oaktwin_pipeline::sensor::ParameterError;

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::{PixelPoint, Usd};
-use oaktwin_diagnostic::Finding;
 use oaktwin_image::ZDepth;
 use oaktwin_image::annotation::{Annotator, Reasons};
 use oaktwin_pipeline::render::{AnnotateOptions, Backend, Renderer, View, scene_annotators, sense_frame};

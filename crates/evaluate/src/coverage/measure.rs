@@ -1,6 +1,6 @@
 use std::collections::BTreeMap;
 
-use oaktwin_diagnostic::{Finding, message, opt};
+use oaktwin_base::diagnostic::{Finding, message, opt};
 use oaktwin_pipeline::progress::{Progress, Watch};
 use oaktwin_pipeline::render::Renderer;
 use oaktwin_scene::Scene;

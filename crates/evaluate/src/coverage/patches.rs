@@ -1,7 +1,7 @@
 //! The outcome of a candidate on the whole surface of a region, patch by patch.
 
+use oaktwin_base::diagnostic::{message, opt};
 use oaktwin_camera::math::DVec3;
-use oaktwin_diagnostic::{message, opt};
 use oaktwin_pipeline::render::Renderer;
 
 use super::look::look;

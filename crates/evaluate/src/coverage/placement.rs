@@ -1,8 +1,8 @@
 //! Poses of an OAK: given ones, and sweeps of their height and tilt.
 
+use oaktwin_base::diagnostic::{message, opt};
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::DVec3;
-use oaktwin_diagnostic::{message, opt};
 use oaktwin_pipeline::render::{PoseError, look_at};
 
 use super::CoverageError;

@@ -1,6 +1,6 @@
 use std::collections::BTreeSet;
 
-use oaktwin_diagnostic::{message, nearest, opt, suggestion};
+use oaktwin_base::diagnostic::{message, nearest, opt, suggestion};
 use oaktwin_scene::{Bounds, Scene};
 
 use super::CoverageError;

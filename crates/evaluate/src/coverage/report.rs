@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use oaktwin_diagnostic::Finding;
+use oaktwin_base::diagnostic::Finding;
 use serde::Serialize;
 
 use super::{Outcome, Samples};

@@ -1,6 +1,6 @@
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::{ImageSize, RigidTransform};
 use oaktwin_catalog::Twin;
-use oaktwin_diagnostic::Finding;
 use oaktwin_pipeline::pair::{PairCameras, PairOptions};
 use oaktwin_pipeline::render::{
     DepthSensorOptions, OakOptions, PlacedCamera, depth_sensors, oak_cameras, put_pair,

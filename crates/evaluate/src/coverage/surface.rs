@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
+use oaktwin_base::diagnostic::{message, opt};
 use oaktwin_camera::math::DVec3;
-use oaktwin_diagnostic::{message, opt};
 use oaktwin_scene::{Bounds, Scene};
 use rayon::prelude::*;
 

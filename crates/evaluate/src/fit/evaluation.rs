@@ -13,7 +13,7 @@ use super::report::{Curve, FittedPoint};
 use super::target::{self, Look, Observation};
 use super::work::Work;
 use super::{FitError, findings, points};
-use oaktwin_diagnostic::{message, opt};
+use oaktwin_base::diagnostic::{message, opt};
 use oaktwin_pipeline::progress::{Progress, Watch};
 
 impl Work<'_> {

@@ -2,7 +2,7 @@
 
 use super::error_domain::ErrorDomain;
 use super::target::Observation;
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_base::diagnostic::{Finding, Level};
 
 /// The share of valid pixels below which a target is reported.
 const MIN_FILL_RATE: f64 = 0.5;

@@ -8,9 +8,9 @@ use std::path::{Path, PathBuf};
 use oaktwin_depth::Shot;
 
 use super::{Options, Report, TABLE, fit};
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::ImageSize;
 use oaktwin_catalog::{Catalog, Twin};
-use oaktwin_diagnostic::Finding;
 use oaktwin_image::{Image, ZDepth, npy};
 use oaktwin_pipeline::sensor::ParameterFile;
 

@@ -10,7 +10,7 @@ use super::recording::TargetRecording;
 use super::report::Target;
 use super::target::{Observation, Sum};
 use crate::accuracy::measured::Curve;
-use oaktwin_diagnostic::{Finding, Level, message, opt};
+use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 use oaktwin_files::FileError;
 
 /// The rotation above which a target does not measure a distance.

@@ -7,7 +7,7 @@ use super::FitError;
 use crate::accuracy::distances;
 use crate::accuracy::measured::{self, Curve};
 use crate::table::{self, wrong};
-use oaktwin_diagnostic::nearest;
+use oaktwin_base::diagnostic::nearest;
 use oaktwin_files::FileError;
 use oaktwin_pipeline::input::name::Name;
 use oaktwin_pipeline::input::replicator;

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::Options;
 use super::report::{NotFound, Parameter, Report};
-use oaktwin_diagnostic::{Finding, Level, Message};
+use oaktwin_base::diagnostic::{Finding, Level, Message};
 
 /// The state of a fit.
 pub(super) struct Work<'a> {

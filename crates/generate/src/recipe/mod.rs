@@ -123,8 +123,8 @@ impl RecipeFile {
 
 /// Serialization of enumerations that are declared with `choice!`.
 pub(crate) mod choice {
-    use oaktwin_diagnostic::suggest;
-    use oaktwin_parameter::Choice;
+    use oaktwin_base::diagnostic::suggest;
+    use oaktwin_base::parameter::Choice;
     use serde::de::Error;
     use serde::{Deserialize, Deserializer, Serializer};
 
@@ -143,7 +143,7 @@ pub(crate) mod choice {
     }
 
     pub(crate) mod optional {
-        use oaktwin_parameter::Choice;
+        use oaktwin_base::parameter::Choice;
         use serde::{Deserializer, Serializer};
 
         pub(crate) fn serialize<C: Choice, S: Serializer>(

@@ -1,4 +1,4 @@
-use oaktwin_parameter::choice;
+use oaktwin_base::parameter::choice;
 use oaktwin_scene::Up;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

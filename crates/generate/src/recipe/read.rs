@@ -1,11 +1,11 @@
 use std::path::Path;
 
+use oaktwin_base::diagnostic::suggest;
 use oaktwin_camera::StereoDrift;
 use oaktwin_catalog::{CatalogError, Document};
-use oaktwin_diagnostic::suggest;
 use oaktwin_files::{self as files, FileError};
 
-use oaktwin_parameter::Table;
+use oaktwin_base::parameter::Table;
 
 use super::{
     Appearance, CameraRule, DriftRule, ObjectRule, Quantity, Recipe, RecipeFile, Region, Target, UnitRule,

@@ -1,4 +1,4 @@
-use oaktwin_parameter::choice;
+use oaktwin_base::parameter::choice;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

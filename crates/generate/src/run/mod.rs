@@ -10,9 +10,9 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_catalog::Catalog;
 use oaktwin_dataset::Format;
-use oaktwin_diagnostic::Finding;
 use oaktwin_pipeline::progress::Watch;
 use serde_json::Value;
 

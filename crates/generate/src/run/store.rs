@@ -5,7 +5,7 @@ use std::fs::{self, File};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use oaktwin_diagnostic::Finding;
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_files::{self as files, FileError, WrittenFile};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -36,7 +36,7 @@ pub(crate) struct FrameRecord {
     /// The unit that it was taken with.
     pub(crate) unit: DrawnUnit,
     #[serde(
-        with = "oaktwin_diagnostic::stored",
+        with = "oaktwin_base::diagnostic::stored",
         skip_serializing_if = "Vec::is_empty",
         default
     )]
@@ -83,9 +83,9 @@ impl Store {
             return Err(FileError::new(
                 root,
                 "already has a data set",
-                oaktwin_diagnostic::message![
+                oaktwin_base::diagnostic::message![
                     "add to it with ",
-                    oaktwin_diagnostic::opt("resume"),
+                    oaktwin_base::diagnostic::opt("resume"),
                     ", or choose another folder"
                 ],
             )

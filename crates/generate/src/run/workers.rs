@@ -5,9 +5,9 @@ use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-use oaktwin_diagnostic::Finding;
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_files::OutputFiles;
-use oaktwin_memory as memory;
+use oaktwin_files::memory;
 use oaktwin_pipeline::progress::{Progress, Watch};
 
 use super::store::{FrameRecord, Store};

@@ -1,7 +1,7 @@
 use std::path::Path;
 
 use oaktwin_camera::math::DVec3;
-use oaktwin_memory as memory;
+use oaktwin_files::memory;
 use oaktwin_pipeline::render::{OpenOptions, SceneFile};
 use oaktwin_scene::{Material, MaterialSpan, Scene, Up};
 

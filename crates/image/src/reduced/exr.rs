@@ -7,7 +7,7 @@ use ::exr::block::lines::LineRef;
 use ::exr::block::reader::{ChunksReader, Reader};
 use ::exr::meta::header::Header;
 use ::exr::prelude::{SampleType, f16};
-use oaktwin_memory as memory;
+use oaktwin_files::memory;
 
 use super::areas::{self, Areas};
 use super::{Reduced, divisor};

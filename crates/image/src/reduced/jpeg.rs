@@ -4,7 +4,7 @@
 use std::io::Cursor;
 
 use jpeg_decoder::{CodingProcess, Decoder, ImageInfo, PixelFormat};
-use oaktwin_memory as memory;
+use oaktwin_files::memory;
 
 use super::rows::Rows;
 use super::{Average, Reduced, divisor};

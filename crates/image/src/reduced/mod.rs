@@ -6,7 +6,7 @@ mod jpeg;
 mod png;
 mod rows;
 
-use oaktwin_memory::{self as memory, Shortage};
+use oaktwin_files::memory::{self as memory, Shortage};
 
 pub(crate) use self::exr::decode as decode_exr;
 use crate::srgb::{linear_from_data, linear_from_srgb, srgb_from_linear};

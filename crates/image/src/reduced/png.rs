@@ -4,7 +4,7 @@ use std::io::Cursor;
 
 use ::png::{BitDepth, Decoder, Limits, Reader, Transformations};
 
-use oaktwin_memory as memory;
+use oaktwin_files::memory;
 
 use super::areas::{self, Areas};
 use super::rows::Rows;

@@ -4,9 +4,9 @@ pub mod name;
 pub mod replicator;
 pub mod source;
 
-use oaktwin_diagnostic::{Message, message, opt};
+use oaktwin_base::diagnostic::{Message, message, opt};
 
-oaktwin_parameter::choice! {
+oaktwin_base::parameter::choice! {
     /// The kind of depth in an image.
     InputKind {
         /// The distance along the optical axis: `distance_to_image_plane`.

@@ -5,8 +5,8 @@ use std::io::{BufReader, Read};
 use std::path::{Path, PathBuf};
 
 use crate::limits::check_size;
+use oaktwin_base::diagnostic::{message, opt};
 use oaktwin_camera::ImageSize;
-use oaktwin_diagnostic::{message, opt};
 use oaktwin_files::FileError;
 use oaktwin_image::npy::{self, Layout, Number, Values};
 use oaktwin_image::{CodecError, Image, exr, pfm, png};
@@ -95,7 +95,7 @@ impl Source {
                 "give a NumPy array, which is read in parts",
             ));
         }
-        let codec = |error: CodecError| FileError::codec(path, &error);
+        let codec = |error: CodecError| error.in_file(path);
         let image = if bytes.starts_with(b"\x89PNG") {
             let image = png::decode::<u16>(&bytes).map_err(|mut error| {
                 if error.remedy == png::CONVERT {
@@ -133,7 +133,7 @@ impl Source {
         length: Option<u64>,
         scale: f64,
     ) -> Result<Self, FileError> {
-        let codec = |error: CodecError| FileError::codec(path, &error);
+        let codec = |error: CodecError| error.in_file(path);
         let header = header_bytes(&beginning).min(Layout::MAX_DATA_OFFSET);
         let missing = header.saturating_sub(beginning.len()) as u64;
         take(path, &mut reader, missing, &mut beginning)?;
@@ -252,7 +252,7 @@ fn fortran(
     let missing =
         layout.data_bytes().unwrap_or_default() + layout.data_offset - bytes.len().min(layout.data_offset);
     take(path, reader, missing as u64, &mut bytes)?;
-    let array = npy::decode(&bytes).map_err(|error| FileError::codec(path, &error))?;
+    let array = npy::decode(&bytes).map_err(|error| error.in_file(path))?;
     let pixels = size.width as usize * size.height as usize;
     let images = match array.values {
         Values::F32(values) => split(&values, pixels, |&z| z),

@@ -2,6 +2,7 @@ use oaktwin_render::{Backend, Beam, BeamPattern, Clip, Renderer, View};
 
 use super::{Pair, PairError, PairOptions};
 use crate::limits::check_size;
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Axes, Camera, Intrinsics, LensModel, OpenCv, PixelPoint, RigidTransform};
 use oaktwin_catalog::{self as catalog, DepthKind, Role, Twin};
@@ -11,7 +12,6 @@ use oaktwin_depth::imager::{Imager, Recorded};
 use oaktwin_depth::preset::Platform;
 use oaktwin_depth::random::{Stage, Stream};
 use oaktwin_depth::rectify::{Rectify, RectifyOptions, StereoRectify};
-use oaktwin_diagnostic::Finding;
 use oaktwin_image::{Image, ImageView};
 
 /// The maximum bias, far above any calibration error, px.

@@ -52,10 +52,10 @@ pub use cameras::shifted;
 pub use error::PairError;
 pub use options::PairOptions;
 
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::{Rectification, RigidTransform};
 use oaktwin_catalog::Twin;
 use oaktwin_depth::imager::{Exposure, Recorded};
-use oaktwin_diagnostic::Finding;
 use oaktwin_image::ZDepth;
 use oaktwin_render::Renderer;
 

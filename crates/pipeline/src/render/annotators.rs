@@ -1,6 +1,6 @@
 //! Names of annotators.
 
-use oaktwin_diagnostic::{nearest, suggestion};
+use oaktwin_base::diagnostic::{nearest, suggestion};
 use oaktwin_image::annotation::Annotator;
 
 /// The annotators that are rendered by default.

@@ -3,8 +3,8 @@
 use oaktwin_render::{Clip, View};
 
 use crate::limits::SizeError;
+use oaktwin_base::diagnostic::{Message, suggestion};
 use oaktwin_camera::{Camera, RigidTransform, UsdOptics};
-use oaktwin_diagnostic::{Message, suggestion};
 use oaktwin_usd::depth_sensor::DepthSensor;
 use oaktwin_usd::optics::OpticsError;
 

@@ -7,9 +7,9 @@ use oaktwin_render::Clip;
 use super::camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
 use super::folder_names;
 use crate::limits::check_size;
+use oaktwin_base::diagnostic::{Finding, Level, fold_name, nearest};
 use oaktwin_camera::{Camera, ImageSize, LensModel, RigidTransform, UsdOptics};
 use oaktwin_catalog::{DepthKind, LensChoice, Origin, Twin, TwinCamera};
-use oaktwin_diagnostic::{Finding, Level, fold_name, nearest};
 use oaktwin_usd::asset::{AssetError, render_product_name};
 
 /// The name for every depth sensor.

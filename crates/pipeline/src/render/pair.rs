@@ -2,10 +2,10 @@
 
 use super::camera::{DepthSensorSource, PlacedCamera};
 use crate::pair::{PairCameras, PairError, PairOptions};
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::math::DMat3;
 use oaktwin_camera::{Camera, LensModel, UsdOptics};
 use oaktwin_catalog::{DepthKind, Twin};
-use oaktwin_diagnostic::{Finding, Level};
 
 /// The tolerance of rotations (rad) and focal lengths (relative), far below a pixel.
 const SAME: f64 = 1e-6;

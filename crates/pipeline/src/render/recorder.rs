@@ -11,9 +11,9 @@ use crate::recording::{
     RecordingFileError, Time,
 };
 use crate::sensor::Sensor;
+use oaktwin_base::diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_camera::RigidTransform;
 use oaktwin_dataset::{Shot, WriteError, Writer};
-use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_files::{OutputFiles, WrittenFile};
 use oaktwin_image::ZDepth;
 use oaktwin_image::annotation::Annotator;

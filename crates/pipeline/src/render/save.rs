@@ -32,8 +32,7 @@ pub fn check_saved_name(path: &Path) -> Result<(), FileError> {
 pub fn save_usd(scene: &Scene, path: &Path) -> Result<(), FileError> {
     check_saved_name(path)?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    let saved =
-        scene_file(scene, &format!("{name}_textures")).map_err(|error| FileError::codec(path, &error))?;
+    let saved = scene_file(scene, &format!("{name}_textures")).map_err(|error| error.in_file(path))?;
     let folder = path.parent().unwrap_or(Path::new(""));
     for (image, bytes) in &saved.images {
         let image = folder.join(image.trim_start_matches("./"));

@@ -8,8 +8,8 @@ use super::camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCame
 use super::scene_file::SceneFile;
 use super::{around, folder_names};
 use crate::limits::check_size;
+use oaktwin_base::diagnostic::{Finding, Level, fold_name, message, nearest, opt};
 use oaktwin_camera::{ImageSize, RigidTransform};
-use oaktwin_diagnostic::{Finding, Level, fold_name, message, nearest, opt};
 use oaktwin_usd::depth_sensor;
 use oaktwin_usd::optics::{self, OpticsError, Projection};
 use oaktwin_usd::stage::{RenderProduct, SceneCamera};

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use oaktwin_render::Clip;
 
-use oaktwin_diagnostic::{Finding, message, opt};
+use oaktwin_base::diagnostic::{Finding, message, opt};
 use oaktwin_files::FileError;
 use oaktwin_scene::import::{self, ImportError, ImportOptions, ImportedCamera};
 use oaktwin_scene::{Scene, Up};

@@ -1,9 +1,9 @@
 use serde::Serialize;
 
+use oaktwin_base::parameter::nvidia::Attributes;
+use oaktwin_base::parameter::{Kind, Table};
 use oaktwin_camera::StereoGeometry;
 use oaktwin_catalog::{DepthKind, Role, Source, Sources, Twin, TwinDepthSensor};
-use oaktwin_parameter::nvidia::Attributes;
-use oaktwin_parameter::{Kind, Table};
 
 /// One depth sensor: its attributes and derived ranges.
 #[derive(Clone, Debug, Serialize)]

@@ -6,12 +6,12 @@ use serde_json::Value;
 
 use super::options::ImageCamera;
 use super::{FieldOfView, SenseError};
+use oaktwin_base::diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_camera::math::{DMat3, DMat4, DVec3};
 use oaktwin_camera::{
     Axes, Camera, ImageSize, Intrinsics, LensModel, OpenCv, OpenCvFisheye, OpenCvPinhole, PixelPoint,
     RigidTransform, Usd,
 };
-use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_files::{self as files, FileError};
 
 /// The maximum size of a `camera_params` file.

@@ -4,9 +4,9 @@ use super::images::{Given, Images};
 use super::{InputKind, SenseError, SenseOptions};
 use crate::limits::check_size;
 use crate::sensor::{self, EngineInput, OutputCamera, Sensor, Shot, depth_sensor, frame, needs_a_pair};
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::ImageSize;
 use oaktwin_catalog::Twin;
-use oaktwin_diagnostic::Finding;
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Annotator;
 

@@ -6,9 +6,9 @@ use super::options::ImageCamera;
 use super::{InputKind, SenseError, SenseOptions, camera};
 use crate::geometry::{places, resample, z_of_range};
 use crate::sensor::{Sensor, SensorOptions, sensor};
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::{Camera, ImageSize, LensModel};
 use oaktwin_catalog::{Twin, TwinCamera, TwinDepthSensor};
-use oaktwin_diagnostic::{Finding, Level};
 use oaktwin_image::Image;
 
 /// The camera of a sensor's images, and the way from an image as it was given to one of that camera.

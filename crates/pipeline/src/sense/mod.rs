@@ -35,8 +35,8 @@ pub use rig::align_to;
 pub use run::{Output, Sensed, sense};
 
 use crate::sensor::ParameterError;
+use oaktwin_base::diagnostic::Message;
 use oaktwin_dataset::{DatasetError, WriteError};
-use oaktwin_diagnostic::Message;
 use oaktwin_files::FileError;
 
 /// An input of the depth sensor.

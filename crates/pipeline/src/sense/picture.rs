@@ -62,8 +62,7 @@ impl Pictures {
             None => {
                 let bytes = files::read(&path, MAX_BYTES, "a colour image")?;
                 let extension = path.extension().map(|extension| extension.to_string_lossy());
-                texture::decode_srgb(&bytes, extension.as_deref())
-                    .map_err(|error| FileError::codec(&path, &error))?
+                texture::decode_srgb(&bytes, extension.as_deref()).map_err(|error| error.in_file(&path))?
             }
         };
         if (picture.width(), picture.height()) != (size.width, size.height) {
@@ -87,7 +86,7 @@ fn is_numpy(path: &Path) -> bool {
 /// The colour images of an array, `(H, W, C)` or `(N, H, W, C)` of `uint8` with three or four channels.
 fn array(path: &Path) -> Result<Vec<Image<[u8; 4]>>, FileError> {
     let bytes = files::read(path, MAX_BYTES, "an array of colour images")?;
-    let array = npy::decode(&bytes).map_err(|error| FileError::codec(path, &error))?;
+    let array = npy::decode(&bytes).map_err(|error| error.in_file(path))?;
     let wrong = |message: String| {
         FileError::new(
             path,

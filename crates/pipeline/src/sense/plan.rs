@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 use super::{Input, InputKind, SenseError, SenseOptions};
 use crate::input::name::Name;
 use crate::input::replicator;
+use oaktwin_base::diagnostic::{Finding, Level, fold_name, message, opt};
 use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_dataset::InputName;
-use oaktwin_diagnostic::{Finding, Level, fold_name, message, opt};
 use oaktwin_files::FileError;
 
 /// The name of standard input in messages.

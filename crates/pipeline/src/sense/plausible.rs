@@ -1,6 +1,6 @@
 //! Findings about depth that is valid but probably not what was meant.
 
-use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
+use oaktwin_base::diagnostic::{Finding, Level, Message, message, opt};
 
 /// The unit of a depth image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

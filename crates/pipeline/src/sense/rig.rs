@@ -3,10 +3,10 @@
 use super::{AlignTo, SenseError};
 use crate::limits::check_size;
 use crate::sensor::{OutputCamera, Sensor};
+use oaktwin_base::diagnostic::{message, opt};
 use oaktwin_camera::Camera;
 use oaktwin_catalog::{LensChoice, Twin, TwinDepthSensor};
 use oaktwin_depth::align::Align;
-use oaktwin_diagnostic::{message, opt};
 
 /// Returns the alignment of a sensor's depth images to another camera.
 ///

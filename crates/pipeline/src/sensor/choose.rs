@@ -1,6 +1,6 @@
+use oaktwin_base::diagnostic::{fold_name, suggest};
 use oaktwin_catalog::{DepthKind, Role, Twin, TwinDepthSensor};
 use oaktwin_depth::ParameterError;
-use oaktwin_diagnostic::{fold_name, suggest};
 
 /// Returns the depth sensor of a prim or kind (`stereo`, `tof`). The default is time of flight if the device has it, else
 /// the first sensor.

@@ -1,8 +1,8 @@
 //! The drift of a stereo pair since its calibration, in the engines that measure depth images.
 
+use oaktwin_base::diagnostic::{Finding, Level, fold_name};
 use oaktwin_camera::{ImageSize, Intrinsics, OpenCv, PixelPoint, StereoDrift};
 use oaktwin_depth::{DriftedPair, EngineKind, ParameterError, Setup};
-use oaktwin_diagnostic::{Finding, Level, fold_name};
 
 use super::setup::Source;
 use super::{STEREO_MATCHING, STEREO_NOISE, SensorOptions};

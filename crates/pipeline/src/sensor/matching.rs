@@ -1,8 +1,8 @@
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::StereoGeometry;
 use oaktwin_depth::engines::is_calibration_error;
 use oaktwin_depth::preset::Platform;
 use oaktwin_depth::{EngineKind, ParameterError, Sensor};
-use oaktwin_diagnostic::Finding;
 
 use super::setup::Source;
 use super::{STEREO_MATCHING, SensorOptions, create};

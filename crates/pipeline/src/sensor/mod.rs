@@ -30,10 +30,10 @@ pub use options::{SensorOptions, default_engine};
 pub use parameter_file::ParameterFile;
 pub use parameters::{single_view_parameters, stereo_noise_parameters, time_of_flight_parameters};
 
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_catalog::{Source as DataSource, Twin, TwinDepthSensor};
 use oaktwin_depth::filter::{self, Chain};
 use oaktwin_depth::random::Stream;
-use oaktwin_diagnostic::{Finding, Level};
 
 use setup::Source;
 

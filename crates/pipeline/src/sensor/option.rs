@@ -1,11 +1,11 @@
 use std::path::Path;
 
+use oaktwin_base::parameter::{Choice, Table, choose};
 use oaktwin_camera::StereoDrift;
 use oaktwin_depth::engines::ENGINES;
 use oaktwin_depth::filter;
 use oaktwin_depth::preset::{Platform, Preset, TIME_OF_FLIGHT_PRESETS};
 use oaktwin_depth::{EngineKind, ParameterError};
-use oaktwin_parameter::{Choice, Table, choose};
 use oaktwin_usd::asset::IsaacVersion;
 
 use super::{ParameterFile, SensorOptions};

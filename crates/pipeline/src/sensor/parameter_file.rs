@@ -16,7 +16,7 @@ use oaktwin_depth::{EngineKind, ParameterError, Setup};
 use toml::Value;
 
 use super::SensorOptions;
-use oaktwin_diagnostic::nearest;
+use oaktwin_base::diagnostic::nearest;
 use oaktwin_files::{self as files, FileError};
 
 /// The maximum size of a file of parameters.

@@ -1,10 +1,10 @@
 //! Presets of `DepthAI`.
 
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_catalog::{DepthKind, Twin};
 use oaktwin_depth::filter::Filter;
 use oaktwin_depth::preset::{Platform, PresetError, StereoConfig, TimeOfFlightConfig};
 use oaktwin_depth::{EngineKind, ParameterError, PresetConfig};
-use oaktwin_diagnostic::{Finding, Level};
 
 use super::SensorOptions;
 

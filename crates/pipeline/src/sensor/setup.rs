@@ -1,10 +1,10 @@
 //! What engines are made of, from a twin, a render product or a stereo pair.
 
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::{Intrinsics, StereoGeometry, Usd};
 use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_depth::preset::Platform;
 use oaktwin_depth::{EngineKind, ParameterError, PresetConfig, Setup, single_view};
-use oaktwin_diagnostic::{Finding, Level};
 
 use super::options::technology;
 use super::parameters::stereo_pair;

@@ -50,7 +50,7 @@ fn read(path: &Path) -> Result<Grey, FileError> {
         let image = texture::decode_srgb(&bytes, extension.as_deref());
         Grey::Eight(
             image
-                .map_err(|error| FileError::codec(path, &error))?
+                .map_err(|error| error.in_file(path))?
                 .map(|&[r, g, b, _]| luma([r, g, b])),
         )
     };
@@ -65,7 +65,7 @@ fn read(path: &Path) -> Result<Grey, FileError> {
 
 /// `(H, W)`, `(H, W, 1)`, or colours `(H, W, 3)` and `(H, W, 4)`.
 fn array(path: &Path, bytes: &[u8]) -> Result<Grey, FileError> {
-    let array = npy::decode(bytes).map_err(|error| FileError::codec(path, &error))?;
+    let array = npy::decode(bytes).map_err(|error| error.in_file(path))?;
     let wrong = |message: String| {
         FileError::new(
             path,

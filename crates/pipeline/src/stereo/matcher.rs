@@ -11,13 +11,13 @@ use crate::sensor::{
     Capture, Input, OutputCamera, ParameterError, Sensor, SensorOptions, foreign_processing,
     stereo_matching as sensor,
 };
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform, StereoGeometry};
 use oaktwin_catalog::{Role, Twin};
 use oaktwin_depth::imager::Recorded;
 use oaktwin_depth::preset::Platform;
 use oaktwin_depth::rectify::{Method, RectifyOptions, StereoRectify};
 use oaktwin_depth::stereo_matching::{self, Pair};
-use oaktwin_diagnostic::Finding;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_usd::asset::LensChoice;
 

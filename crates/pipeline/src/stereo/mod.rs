@@ -17,9 +17,9 @@ use std::path::Path;
 
 use crate::pair::PairError;
 use crate::sensor::ParameterError;
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_dataset::WriteError;
 use oaktwin_depth::stereo_matching;
-use oaktwin_diagnostic::Finding;
 use oaktwin_files::FileError;
 
 /// An error while pairs are matched. Files that are complete are kept.

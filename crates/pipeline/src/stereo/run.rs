@@ -12,12 +12,12 @@ use crate::limits;
 use crate::progress::Watch;
 use crate::sensor::{FixedDisparity, SensorOptions, frame, sensor_view};
 use crate::write::write_while;
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::{Camera, ImageSize, RigidTransform, UsdOptics};
 use oaktwin_dataset::{
     self as dataset, CameraParams, CloudAxes, Extras, FlatWriter, Layer, LayerData, Shot, View,
 };
 use oaktwin_depth::rectify::Method;
-use oaktwin_diagnostic::{Finding, Level};
 use oaktwin_files::{FileError, OutputFiles, WrittenFile};
 use oaktwin_image::annotation::Annotator;
 use oaktwin_image::{Image, ZDepth};

@@ -12,7 +12,7 @@ mod surface;
 #[cfg(test)]
 mod tests;
 
-use oaktwin_diagnostic::Finding;
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_image::annotation::{Annotator, Frame};
 use rayon::prelude::*;
 

@@ -1,8 +1,8 @@
 //! Textures of dome lights.
 
 use glam::Vec3;
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
-use oaktwin_diagnostic::Finding;
 use oaktwin_image::Image;
 use oaktwin_scene::Texture;
 

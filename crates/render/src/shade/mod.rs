@@ -31,7 +31,7 @@ mod tone;
 use std::sync::Arc;
 
 use glam::Vec3;
-use oaktwin_diagnostic::Finding;
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_image::Image;
 use oaktwin_image::srgb::srgb_from_linear;
 use oaktwin_scene::{Mesh, Scene};

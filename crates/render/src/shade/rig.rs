@@ -1,8 +1,8 @@
 //! The lights of a scene and the exposure.
 
 use glam::Vec3;
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::math::{DAffine3, DVec3};
-use oaktwin_diagnostic::Finding;
 use oaktwin_scene::{Light, LightKind, Mesh, Scene};
 use rayon::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_files as files;
 use oaktwin_image::texture::{self, Average, Fitted, Reduction};
 use oaktwin_image::{CodecError, Image};

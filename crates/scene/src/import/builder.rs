@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 use std::path::Path;
 
+use oaktwin_base::diagnostic::{Finding, Level, Message};
 use oaktwin_camera::math::{DAffine3, DVec3};
-use oaktwin_diagnostic::{Finding, Level, Message};
 
 use super::error::Fault;
 use super::{Imported, ImportedCamera};

@@ -1,6 +1,6 @@
 use std::path::{Path, PathBuf};
 
-use oaktwin_diagnostic::Message;
+use oaktwin_base::diagnostic::Message;
 
 /// An error that occurred while importing a file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -19,8 +19,8 @@ mod weld;
 
 use std::path::Path;
 
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::RigidTransform;
-use oaktwin_diagnostic::Finding;
 use oaktwin_files as files;
 
 use builder::Builder;

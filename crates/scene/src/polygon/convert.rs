@@ -2,8 +2,8 @@
 
 use std::collections::HashSet;
 
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::math::DVec3;
-use oaktwin_diagnostic::{Finding, Level};
 
 use super::attribute::{Triangles, attribute};
 use super::faces::Faces;

@@ -107,7 +107,8 @@ pub(crate) fn triangles(scene: &Scene) -> Vec<[DVec3; 3]> {
 }
 
 pub(crate) fn messages(imported: &Imported) -> Vec<String> {
-    let text = |finding: &oaktwin_diagnostic::Finding| format!("{}: {}", finding.place, finding.message);
+    let text =
+        |finding: &oaktwin_base::diagnostic::Finding| format!("{}: {}", finding.place, finding.message);
     imported.findings.iter().map(text).collect()
 }
 

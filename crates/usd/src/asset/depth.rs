@@ -1,7 +1,7 @@
+use oaktwin_base::diagnostic::{Finding, Level};
+use oaktwin_base::parameter::nvidia::Attributes;
+use oaktwin_base::parameter::{Kind, Row, Table};
 use oaktwin_catalog::{Twin, TwinCamera, TwinDepthSensor};
-use oaktwin_diagnostic::{Finding, Level};
-use oaktwin_parameter::nvidia::Attributes;
-use oaktwin_parameter::{Kind, Row, Table};
 
 use super::camera::{CameraTraits, base};
 use super::{

@@ -1,7 +1,7 @@
 use std::thread;
 
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_catalog::Twin;
-use oaktwin_diagnostic::Finding;
 
 use super::{AssetError, AssetOptions, Format, asset};
 

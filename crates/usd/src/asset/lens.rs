@@ -1,6 +1,6 @@
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::{Camera, Intrinsics, LensModel, OpenCv, OpenCvLens};
 use oaktwin_catalog::{LensChoice, Origin, Twin, TwinCamera};
-use oaktwin_diagnostic::{Finding, Level};
 
 use super::{AssetError, AssetOptions, ROOT, float};
 use crate::text::{Prim, Value};

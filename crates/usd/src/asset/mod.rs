@@ -43,8 +43,8 @@ pub(crate) mod sample;
 #[cfg(test)]
 mod tests;
 
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_catalog::{Origin, Twin};
-use oaktwin_diagnostic::Finding;
 
 pub use error::AssetError;
 pub use files::{AssetFile, files};

@@ -1,6 +1,6 @@
+use oaktwin_base::parameter::choice;
 use oaktwin_camera::ApertureOffsets;
 use oaktwin_catalog::{LensChoice, Twin};
-use oaktwin_parameter::choice;
 
 use super::AssetError;
 

@@ -1,5 +1,5 @@
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_catalog::{Origin, Twin};
-use oaktwin_diagnostic::{Finding, Level};
 
 use super::{
     Asset, AssetError, AssetOptions, PRODUCTS, PrimNames, ROOT, Target, camera, depth, describe, float,

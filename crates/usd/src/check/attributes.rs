@@ -1,4 +1,4 @@
-use oaktwin_diagnostic::{Finding, Level, nearest};
+use oaktwin_base::diagnostic::{Finding, Level, nearest};
 
 use super::rule::Rule;
 use super::scene::{CheckedCamera, DepthSensor, Generation};

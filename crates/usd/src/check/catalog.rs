@@ -1,7 +1,7 @@
+use oaktwin_base::diagnostic::{Finding, Level};
+use oaktwin_base::parameter::nvidia::Attributes;
+use oaktwin_base::parameter::{Kind, Table};
 use oaktwin_catalog::{Twin, TwinDepthSensor};
-use oaktwin_diagnostic::{Finding, Level};
-use oaktwin_parameter::nvidia::Attributes;
-use oaktwin_parameter::{Kind, Table};
 
 use super::depth::Parameters;
 use super::rule::Rule;

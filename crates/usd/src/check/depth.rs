@@ -1,7 +1,7 @@
+use oaktwin_base::diagnostic::{Finding, Level};
+use oaktwin_base::parameter::nvidia::Attributes;
+use oaktwin_base::parameter::{Kind, Table};
 use oaktwin_catalog::{DepthKind, DepthSensor as Spec};
-use oaktwin_diagnostic::{Finding, Level};
-use oaktwin_parameter::nvidia::Attributes;
-use oaktwin_parameter::{Kind, Table};
 
 use super::rule::Rule;
 use super::scene::{CheckedCamera, DepthSensor, Scene};

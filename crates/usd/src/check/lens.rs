@@ -1,4 +1,4 @@
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_base::diagnostic::{Finding, Level};
 
 use super::num;
 use super::rule::Rule;

@@ -20,8 +20,8 @@ mod units;
 
 use std::path::Path;
 
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_catalog::{Catalog, Twin};
-use oaktwin_diagnostic::{Finding, Level};
 
 use crate::stage::{SceneLimit, Stage, StageError, open};
 

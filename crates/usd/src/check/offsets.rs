@@ -1,5 +1,5 @@
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::{OpenCv, Usd};
-use oaktwin_diagnostic::{Finding, Level};
 
 use super::num;
 use super::rule::Rule;

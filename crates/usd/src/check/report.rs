@@ -1,5 +1,5 @@
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::{ImageSize, Intrinsics, Usd};
-use oaktwin_diagnostic::{Finding, Level};
 use serde::Serialize;
 
 use super::depth::Parameters;

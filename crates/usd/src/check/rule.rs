@@ -1,4 +1,4 @@
-use oaktwin_diagnostic::{Finding, Level, Message};
+use oaktwin_base::diagnostic::{Finding, Level, Message};
 use serde::Serialize;
 
 /// A rule of `check`.

@@ -1,4 +1,4 @@
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_base::diagnostic::{Finding, Level};
 
 use super::rule::Rule;
 use super::scene::{Generation, Scene};

@@ -1,5 +1,5 @@
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::UsdOptics;
-use oaktwin_diagnostic::{Finding, Level};
 
 use super::rule::Rule;
 use super::scene::CheckedCamera;

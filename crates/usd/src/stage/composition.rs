@@ -1,4 +1,4 @@
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_base::diagnostic::{Finding, Level};
 use openusd::{pcp, usd};
 
 use super::error::one_line;

@@ -1,6 +1,6 @@
 use std::fmt;
 
-use oaktwin_diagnostic::Message;
+use oaktwin_base::diagnostic::Message;
 
 /// The reason why a file could not be opened as a stage, on one line: `FILE: PLACE: what is wrong; what to do`.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use oaktwin_diagnostic::Finding;
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_scene::Up;
 use openusd::sdf::Specifier;
 use openusd::usd;
@@ -144,7 +144,7 @@ fn meters_per_unit(metadata: &StageMetadata) -> (f64, Option<Finding>) {
             FALLBACK_METERS_PER_UNIT,
             Some(Finding::new(
                 "stage-unit",
-                oaktwin_diagnostic::Level::Warning,
+                oaktwin_base::diagnostic::Level::Warning,
                 "stage",
                 format!("invalid metersPerUnit {unit}; using 0.01 (centimetres)"),
                 "author the length of a stage unit in metres",

@@ -1,4 +1,4 @@
-use oaktwin_diagnostic::{Message, message, opt};
+use oaktwin_base::diagnostic::{Message, message, opt};
 
 /// The name of the option that raises the limits of a scene.
 const OPTION: &str = "scene-limit";

@@ -28,7 +28,7 @@ mod walk;
 
 use std::path::Path;
 
-use oaktwin_diagnostic::Finding;
+use oaktwin_base::diagnostic::Finding;
 use serde::Serialize;
 
 pub use error::StageError;

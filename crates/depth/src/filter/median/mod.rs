@@ -1,7 +1,7 @@
 mod network;
 
+use oaktwin_base::parameter::{Kind, View, choice, parameters};
 use oaktwin_image::Image;
-use oaktwin_parameter::{Kind, View, choice, parameters};
 use oaktwin_simd::Level;
 use rayon::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use super::super::point::Point;
 use super::errors::{Errors, Systematic};
-use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
+use oaktwin_base::diagnostic::{Finding, Level, Message, message, opt};
 
 /// The vendor's published accuracy is within 0.35 px.
 const MAX_BIAS_PX: f64 = 1.0;

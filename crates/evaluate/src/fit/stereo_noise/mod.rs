@@ -18,7 +18,7 @@ use super::target::Observation;
 use super::work::Work;
 use errors::{Errors, Systematic};
 use noise::Noise;
-use oaktwin_diagnostic::{Finding, Level};
+use oaktwin_base::diagnostic::{Finding, Level};
 use window::matcher_window;
 
 /// The number of points of the curve per pixel of disparity, and its maximum.

@@ -10,8 +10,8 @@ use oaktwin_depth::stereo_noise::{Parameters, StereoNoise};
 
 use crate::accuracy::MeasuredOptics;
 use crate::fit::{Options, Report, TABLE, fixture};
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::{ImageSize, StereoGeometry};
-use oaktwin_diagnostic::Finding;
 use oaktwin_image::{Image, npy};
 
 /// A matcher with few pixels and a long focal length: realistic disparities in small images.

@@ -3,7 +3,7 @@
 use super::super::point::Point;
 use super::errors::Found;
 use super::light::Light;
-use oaktwin_diagnostic::{Finding, Level, Message, message, opt};
+use oaktwin_base::diagnostic::{Finding, Level, Message, message, opt};
 
 /// The correlation above which bias and amplitude cannot be separated.
 const MAX_CORRELATION: f64 = 0.98;

@@ -19,7 +19,7 @@ use super::work::Work;
 use super::{FitError, Options};
 use errors::{Found, Shape};
 use light::Noise;
-use oaktwin_diagnostic::{Finding, Level, message, opt};
+use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 
 /// The distance from the median, in steps of millimetres, below which a value does not have a wrong period.
 const STEP_M: f64 = 0.001;

@@ -8,8 +8,8 @@ use oaktwin_depth::random::Stream;
 use oaktwin_depth::time_of_flight::{Parameters, TimeOfFlight};
 
 use crate::fit::{Options, Report, fixture};
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::ImageSize;
-use oaktwin_diagnostic::Finding;
 use oaktwin_pipeline::sensor::{SensorOptions, TIME_OF_FLIGHT, time_of_flight_parameters};
 
 /// A few pixels at the centre of the device's view.

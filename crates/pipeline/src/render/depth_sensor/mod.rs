@@ -9,8 +9,8 @@ pub use capture::{scene_annotators, sense_frame, sensor_input};
 
 use super::camera::{DepthSensorSource, PlacedCamera};
 use crate::sensor::{self, ParameterError, SINGLE_VIEW, Sensor, SensorOptions};
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_catalog::Twin;
-use oaktwin_diagnostic::Finding;
 
 /// The options of the cameras' depth sensors.
 #[derive(Clone, Copy, Debug)]

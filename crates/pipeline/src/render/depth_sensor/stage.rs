@@ -2,8 +2,8 @@
 
 use super::DepthSensorError;
 use crate::sensor::{self, ParameterError, Sensor, SensorOptions};
+use oaktwin_base::diagnostic::{Finding, Level, nearest};
 use oaktwin_depth::single_view::Parameters;
-use oaktwin_diagnostic::{Finding, Level, nearest};
 use oaktwin_usd::asset::IsaacVersion;
 use oaktwin_usd::depth_sensor::{DepthSensor, OUTLIER_REMOVAL, attribute_types};
 use oaktwin_usd::stage::{Attribute, Value};

@@ -9,7 +9,7 @@ use super::camera::PlacedCamera;
 use super::depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, sensor_input};
 use crate::pair::Pair;
 use crate::sensor::{EngineInput, EngineKind, ParameterError, Sensor, SensorOptions};
-use oaktwin_diagnostic::fold_name;
+use oaktwin_base::diagnostic::fold_name;
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Frame;
 use thumbnail::Thumbnail;

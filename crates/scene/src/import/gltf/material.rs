@@ -4,7 +4,7 @@ use std::sync::Arc;
 use ::gltf::json;
 use json::texture::WrappingMode;
 use json::validation::Checked;
-use oaktwin_diagnostic::{Message, message};
+use oaktwin_base::diagnostic::{Message, message};
 
 use super::document::Document;
 use super::uri::{self, Target};

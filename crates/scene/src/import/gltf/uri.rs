@@ -1,7 +1,7 @@
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
-use oaktwin_diagnostic::{Message, message, opt};
+use oaktwin_base::diagnostic::{Message, message, opt};
 use oaktwin_files as files;
 
 /// The target of a URI.

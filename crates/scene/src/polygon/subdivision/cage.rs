@@ -1,4 +1,4 @@
-use oaktwin_memory::{self as memory, Shortage};
+use oaktwin_files::memory::{self as memory, Shortage};
 
 use super::Scheme;
 use crate::polygon::PolygonMesh;

@@ -1,7 +1,7 @@
 //! Subdivides a polygon mesh with all its primvars.
 
-use oaktwin_diagnostic::{Finding, Level, Message};
-use oaktwin_memory::Shortage;
+use oaktwin_base::diagnostic::{Finding, Level, Message};
+use oaktwin_files::memory::Shortage;
 
 use super::cage::{Cage, MAX_FACES};
 use super::edges::Edges;

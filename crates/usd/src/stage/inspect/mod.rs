@@ -19,7 +19,7 @@ use std::io::Read;
 use std::path::Path;
 use std::sync;
 
-use oaktwin_diagnostic::Finding;
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_files as files;
 
 use super::MAX_LAYER_BYTES;

@@ -1,6 +1,6 @@
 use std::collections::BTreeMap;
 
-use oaktwin_diagnostic::{Finding, Level, Message};
+use oaktwin_base::diagnostic::{Finding, Level, Message};
 
 /// The maximum number of findings with the same code; more are only counted.
 const MAX_PER_CODE: usize = 20;

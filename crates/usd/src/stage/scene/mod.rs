@@ -11,7 +11,7 @@ mod mesh;
 mod primvar;
 mod shape;
 
-use oaktwin_diagnostic::Finding;
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_scene::Scene;
 
 pub(super) use builder::{Builder, Children};

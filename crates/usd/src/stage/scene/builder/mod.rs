@@ -7,8 +7,8 @@ mod triangulation;
 
 use std::collections::{BTreeMap, HashMap};
 
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::math::{DAffine3, DVec3};
-use oaktwin_diagnostic::Finding;
 use oaktwin_scene::{Instance, Mesh, Scene};
 use openusd::sdf::Path;
 

@@ -17,7 +17,7 @@ thread_local! {
 /// meanwhile, however deep in an error it is.
 ///
 /// ```
-/// use oaktwin_diagnostic::{message, opt, with_style};
+/// use oaktwin_base::diagnostic::{message, opt, with_style};
 ///
 /// let message = message!["run--fx/a.npy: no ", opt("fx")];
 /// assert_eq!(message.to_string(), "run--fx/a.npy: no 'fx'");
@@ -147,7 +147,7 @@ impl Message {
 /// Concatenates texts, [options](Opt) and messages into a [`Message`].
 ///
 /// ```
-/// use oaktwin_diagnostic::{message, opt};
+/// use oaktwin_base::diagnostic::{message, opt};
 ///
 /// let error = message![opt("fx"), format!(": must be a finite number > 0 (got {})", -3)];
 /// assert_eq!(error.to_string(), "'fx': must be a finite number > 0 (got -3)");
@@ -157,7 +157,7 @@ impl Message {
 #[macro_export]
 macro_rules! message {
     ($($part:expr),+ $(,)?) => {{
-        let mut message = $crate::Message::default();
+        let mut message = $crate::diagnostic::Message::default();
         $(message.push($part);)+
         message
     }};

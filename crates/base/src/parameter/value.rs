@@ -1,6 +1,6 @@
 use std::fmt::Display;
 
-use crate::{Choice, Kind};
+use crate::parameter::{Choice, Kind};
 
 /// The type of a parameter: how it is read from text, written and compared with its range.
 pub trait Value: Sized {

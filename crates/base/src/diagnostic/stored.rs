@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::{Finding, Level, Message, opt};
+use crate::diagnostic::{Finding, Level, Message, opt};
 
 /// The maximum number of different names of findings and options, of which there are fewer than 500.
 const MAX_NAMES: usize = 2000;
@@ -116,7 +116,7 @@ fn interned(name: &str) -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{message, opt};
+    use crate::diagnostic::{message, opt};
 
     #[derive(Debug, PartialEq, Deserialize, Serialize)]
     struct Record {

@@ -1,4 +1,4 @@
-use crate::choice;
+use crate::parameter::choice;
 
 choice! {
     /// The processor of a device.

@@ -3,7 +3,7 @@ use std::fmt;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use crate::{About, Kind, Platform, Table};
+use crate::parameter::{About, Kind, Platform, Table};
 
 /// A parameter with its default on a platform.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,7 +75,7 @@ impl Group {
     #[must_use]
     pub fn list_of<T: Table>(platform: Platform) -> Vec<Listing> {
         let defaults = T::defaults(platform);
-        let listing = |row: &'static crate::Row<T>| Listing {
+        let listing = |row: &'static super::Row<T>| Listing {
             table: T::GROUP,
             about: row.about,
             default: (row.get)(&defaults),

@@ -6,7 +6,7 @@ mod linux;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use oaktwin_diagnostic::{Message, message, opt};
+use oaktwin_base::diagnostic::{Message, message, opt};
 
 /// The number of bytes that is never checked.
 pub const UNCHECKED: u64 = 1 << 26;

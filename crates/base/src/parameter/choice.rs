@@ -1,6 +1,6 @@
-use oaktwin_diagnostic::{fold_name, suggest};
+use crate::diagnostic::{fold_name, suggest};
 
-use crate::ParameterError;
+use crate::parameter::ParameterError;
 
 /// An enumeration whose variants have names that a user can write. [`choice!`](crate::choice!) implements it.
 pub trait Choice: Copy + PartialEq + Send + Sync + 'static {
@@ -46,7 +46,7 @@ pub fn choose<C: Choice>(option: &str, name: &str) -> Result<C, ParameterError> 
 /// are also accepted: `Truncate = "truncate" | "floor"`.
 ///
 /// ```
-/// oaktwin_parameter::choice! {
+/// oaktwin_base::parameter::choice! {
 ///     /// The rounding of depth to whole millimetres.
 ///     Rounding {
 ///         /// To the nearest; halves up.
@@ -82,7 +82,7 @@ macro_rules! choice {
             /// The variant of this name; case, hyphens and underscores do not matter.
             #[must_use]
             pub fn from_name(name: &str) -> Option<Self> {
-                <Self as $crate::Choice>::find(name)
+                <Self as $crate::parameter::Choice>::find(name)
             }
         }
 
@@ -98,7 +98,7 @@ macro_rules! choice {
             }
         }
 
-        impl $crate::Choice for $name {
+        impl $crate::parameter::Choice for $name {
             const VARIANTS: &'static [Self] = Self::ALL;
             const NAMES: &'static [&'static str] = &[$($text),+];
             const ABOUT: &'static [&'static str] = &[$(concat!($($doc),+)),+];

@@ -9,6 +9,7 @@ mod message;
 pub mod stored;
 mod suggest;
 
+pub use crate::message;
 pub use finding::{Finding, Level};
 pub use message::{Message, Opt, Style, opt, with_style};
 pub use suggest::{fold_name, nearest, suggest, suggestion};

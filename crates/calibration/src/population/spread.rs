@@ -53,7 +53,7 @@ struct Spreads {
 }
 
 static SPREADS: LazyLock<Option<Spreads>> =
-    LazyLock::new(|| toml::from_str(include_str!("../data/spreads.toml")).ok());
+    LazyLock::new(|| toml::from_str(include_str!("../../data/spreads.toml")).ok());
 
 impl Spread {
     /// Returns the spread of the family of a twin, and whether it was measured on that family.

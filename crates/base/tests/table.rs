@@ -1,6 +1,6 @@
 //! A table with every kind of field.
 
-use oaktwin_parameter::{Group, Hexadecimal, Kind, ParameterError, Platform, choice, parameters};
+use oaktwin_base::parameter::{Group, Hexadecimal, Kind, ParameterError, Platform, choice, parameters};
 
 choice! {
     /// A colour.

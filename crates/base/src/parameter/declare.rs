@@ -10,7 +10,7 @@
 /// ranges cannot express.
 ///
 /// ```
-/// use oaktwin_parameter::{Platform, parameters};
+/// use oaktwin_base::parameter::{Platform, parameters};
 ///
 /// parameters! {
 ///     /// The noise of an example.
@@ -27,7 +27,7 @@
 /// assert_eq!(noise.sigma_px, 0.5);
 /// let error = noise.set("sigma", "11").unwrap_err();
 /// assert_eq!(error.to_string(), "sigma: 11 is out of range; expected a number from 0 to 10 px");
-/// # Ok::<(), oaktwin_parameter::ParameterError>(())
+/// # Ok::<(), oaktwin_base::parameter::ParameterError>(())
 /// ```
 #[macro_export]
 macro_rules! parameters {
@@ -48,19 +48,19 @@ macro_rules! parameters {
         }
         $( $crate::parameter_struct!($body); )+
 
-        impl $crate::Table for $Table {
+        impl $crate::parameter::Table for $Table {
             const GROUP: &'static str = $group;
-            const ROWS: &'static [&'static [$crate::Row<Self>]] = &[
+            const ROWS: &'static [&'static [$crate::parameter::Row<Self>]] = &[
                 $( $crate::parameter_rows!(($field) $ty, [concat!($($doc),+)], $body), )+
                 $($( $crate::parameter_rows!(($($also).+) $also_ty, [concat!($($also_doc),+)], $also_body), )+)?
             ];
 
             #[allow(unused_variables, reason = "few parameters have other defaults on another platform")]
-            fn defaults($platform: $crate::Platform) -> Self {
+            fn defaults($platform: $crate::parameter::Platform) -> Self {
                 Self { $( $field: $default, )+ }
             }
 
-            $(fn check_relations(&self) -> Result<(), $crate::ParameterError> {
+            $(fn check_relations(&self) -> Result<(), $crate::parameter::ParameterError> {
                 self.$relations()
             })?
         }
@@ -70,42 +70,42 @@ macro_rules! parameters {
             /// The names of all parameters, in order.
             #[must_use]
             pub fn names() -> Vec<&'static str> {
-                <Self as $crate::Table>::rows().map(|row| row.about.name).collect()
+                <Self as $crate::parameter::Table>::rows().map(|row| row.about.name).collect()
             }
 
             /// The defaults on a platform.
             #[must_use]
-            pub fn defaults(platform: $crate::Platform) -> Self {
-                <Self as $crate::Table>::defaults(platform)
+            pub fn defaults(platform: $crate::parameter::Platform) -> Self {
+                <Self as $crate::parameter::Table>::defaults(platform)
             }
 
             /// Changes the parameter of this name; case, hyphens and underscores do not matter.
             ///
             /// # Errors
             /// Returns an error, and changes nothing, if there is no such parameter or the value is invalid or out of range.
-            pub fn set(&mut self, name: &str, value: &str) -> Result<(), $crate::ParameterError> {
-                $crate::Table::set_by_name(self, name, value)
+            pub fn set(&mut self, name: &str, value: &str) -> Result<(), $crate::parameter::ParameterError> {
+                $crate::parameter::Table::set_by_name(self, name, value)
             }
 
             /// The parameter of this name, as [`set`](Self::set) reads it.
             ///
             /// # Errors
             /// Returns an error if there is no such parameter.
-            pub fn get(&self, name: &str) -> Result<String, $crate::ParameterError> {
-                <Self as $crate::Table>::row(name).map(|row| (row.get)(self))
+            pub fn get(&self, name: &str) -> Result<String, $crate::parameter::ParameterError> {
+                <Self as $crate::parameter::Table>::row(name).map(|row| (row.get)(self))
             }
 
             /// All parameters in order, as [`set`](Self::set) reads them.
             pub fn by_name(&self) -> impl Iterator<Item = (&'static str, String)> {
-                <Self as $crate::Table>::rows().map(|row| (row.about.name, (row.get)(self)))
+                <Self as $crate::parameter::Table>::rows().map(|row| (row.about.name, (row.get)(self)))
             }
 
             /// Checks all parameters.
             ///
             /// # Errors
             /// Returns an error for the first parameter that is out of range or contradicts another one.
-            pub fn check(&self) -> Result<(), $crate::ParameterError> {
-                $crate::Table::check_all(self)
+            pub fn check(&self) -> Result<(), $crate::parameter::ParameterError> {
+                $crate::parameter::Table::check_all(self)
             }
         }
     };
@@ -184,18 +184,18 @@ macro_rules! parameter_rows {
 #[macro_export]
 macro_rules! parameter_row {
     (($($path:ident).+) $ty:ty, $doc:expr, Plain, $name:literal, $($chain:tt)*) => {
-        $crate::parameter_row!(@of ($($path).+) $ty, $doc, $crate::Plain, $name, $($chain)*)
+        $crate::parameter_row!(@of ($($path).+) $ty, $doc, $crate::parameter::Plain, $name, $($chain)*)
     };
     (($($path:ident).+) $ty:ty, $doc:expr, $View:ident, $name:literal, $($chain:tt)*) => {
         $crate::parameter_row!(@of ($($path).+) $ty, $doc, $View, $name, $($chain)*)
     };
     (@of ($($path:ident).+) $ty:ty, $doc:expr, $View:ty, $name:literal, $($chain:tt)*) => {
-        $crate::Row {
-            about: $crate::About::new($name) $($chain)*
-                .of(stringify!($($path).+), <$View as $crate::View<$ty>>::KIND, $doc),
-            get: |p| <$View as $crate::View<$ty>>::get(&p.$($path).+),
-            set: |p, text| <$View as $crate::View<$ty>>::set(&mut p.$($path).+, text),
-            numbers: |p| <$View as $crate::View<$ty>>::numbers(&p.$($path).+),
+        $crate::parameter::Row {
+            about: $crate::parameter::About::new($name) $($chain)*
+                .of(stringify!($($path).+), <$View as $crate::parameter::View<$ty>>::KIND, $doc),
+            get: |p| <$View as $crate::parameter::View<$ty>>::get(&p.$($path).+),
+            set: |p, text| <$View as $crate::parameter::View<$ty>>::set(&mut p.$($path).+, text),
+            numbers: |p| <$View as $crate::parameter::View<$ty>>::numbers(&p.$($path).+),
         }
     };
 }

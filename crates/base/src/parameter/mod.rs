@@ -15,6 +15,7 @@ mod platform;
 mod table;
 mod value;
 
+pub use crate::{choice, parameters};
 pub use about::{About, Kind, Source};
 pub use choice::{Choice, choose};
 pub use error::ParameterError;

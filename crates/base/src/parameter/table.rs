@@ -1,8 +1,8 @@
 use std::fmt;
 
-use oaktwin_diagnostic::{fold_name, suggest};
+use crate::diagnostic::{fold_name, suggest};
 
-use crate::{About, ParameterError, Platform};
+use crate::parameter::{About, ParameterError, Platform};
 
 /// A parameter of `P`: its description and the access to its value.
 pub struct Row<P: 'static> {

@@ -3,7 +3,7 @@ use std::ops::RangeInclusive;
 
 use serde::Serialize;
 
-use crate::Platform;
+use crate::parameter::Platform;
 
 /// The kind of values that a parameter takes.
 #[derive(Clone, Copy, Debug, PartialEq)]

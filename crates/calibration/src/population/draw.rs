@@ -1,13 +1,13 @@
-use oaktwin_calibration::{Raw, calibration_of};
+use crate::{Raw, calibration_of};
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_camera::{
     Intrinsics, LensModel, OpenCv, OpenCvFisheye, OpenCvPinhole, PixelPoint, RigidTransform,
 };
 use oaktwin_catalog::{Origin, Role, Twin, TwinCamera};
 use oaktwin_depth::random::{Numbers, Stage, Stream};
-use oaktwin_diagnostic::{Finding, Level};
 
-use crate::{Basis, Spread};
+use crate::population::{Basis, Spread};
 
 /// Numbers are cut at this many standard deviations.
 const LIMIT: f64 = 3.0;
@@ -158,8 +158,8 @@ fn distorted(lens: LensModel, k1: f64, [p1, p2]: [f64; 2]) -> LensModel {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Statistics;
-    use oaktwin_calibration::{Calibration, check_against, twin};
+    use crate::population::Statistics;
+    use crate::{Calibration, check_against, twin};
     use oaktwin_catalog::Catalog;
 
     fn nominal(model: &str) -> Twin {

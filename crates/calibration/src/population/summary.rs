@@ -2,7 +2,7 @@ use oaktwin_camera::math::DQuat;
 use oaktwin_catalog::{Role, Twin};
 use serde::Serialize;
 
-use crate::Unit;
+use crate::population::Unit;
 
 /// The properties of a unit in which units differ most.
 #[derive(Clone, Debug, PartialEq, Serialize)]

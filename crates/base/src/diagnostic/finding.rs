@@ -2,7 +2,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use crate::Message;
+use crate::diagnostic::Message;
 
 /// The severity of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize, Serialize)]
@@ -78,7 +78,7 @@ impl fmt::Display for Finding {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{message, opt, with_style};
+    use crate::diagnostic::{message, opt, with_style};
 
     #[test]
     fn a_finding_is_one_line() {

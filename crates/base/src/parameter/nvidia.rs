@@ -1,7 +1,7 @@
 //! The attributes of NVIDIA's depth sensor schema, `OmniSensorDepthSensorSingleViewAPI`: one table for the catalog, the USD
 //! writer and linter, reports and the sensor.
 
-use crate::{Kind, ParameterError, Platform, Source, Value, View, choice, parameters};
+use crate::parameter::{Kind, ParameterError, Platform, Source, Value, View, choice, parameters};
 
 /// The largest range of outlier removal, px.
 pub const MAX_OUTLIER_RANGE_PX: u32 = 63;
@@ -146,10 +146,10 @@ impl View<u32> for OutlierRange {
 struct ModeNumber;
 
 impl View<OutputMode> for ModeNumber {
-    const KIND: Kind = Kind::Choice(<OutputMode as crate::Choice>::NAMES);
+    const KIND: Kind = Kind::Choice(<OutputMode as super::Choice>::NAMES);
 
     fn set(field: &mut OutputMode, text: &str) -> Option<()> {
-        <crate::Numbered as View<OutputMode>>::set(field, text)
+        <super::Numbered as View<OutputMode>>::set(field, text)
     }
 
     fn get(field: &OutputMode) -> String {
