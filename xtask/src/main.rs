@@ -8,6 +8,7 @@ mod counts;
 mod docs;
 mod fuzz;
 mod licenses;
+mod processor;
 mod python;
 mod report;
 mod schema;

@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::workspace::{self, output};
+use crate::workspace::{self, MODULE, output};
 
 /// A Python minor version, (3, 11).
 type Version = (u32, u32);
@@ -198,27 +198,27 @@ fn pinned(file: &Path) -> Result<String, String> {
     Ok(text)
 }
 
-/// Builds the wheel of the Python package with one of cargo's profiles, and returns its path.
+/// Builds the native module of the Python package with one of cargo's profiles, packs it into a wheel, and returns its path.
 pub(crate) fn build_wheel(python: &Path, profile: &str) -> Result<PathBuf, String> {
+    let mut built = workspace::build(&["--package", "oaktwin-python", "--profile", profile])?;
+    let module = built.remove(MODULE).ok_or("cargo built no native module")?;
+    pack_wheel(python, &module)
+}
+
+/// Packs the Python package with a native module into a wheel, and returns its path.
+pub(crate) fn pack_wheel(python: &Path, module: &Path) -> Result<PathBuf, String> {
     let folder = workspace::target().join("oracles/wheels");
     let failed = |error: &std::io::Error| format!("{}: {error}", folder.display());
     if folder.exists() {
         fs::remove_dir_all(&folder).map_err(|error| failed(&error))?;
     }
-    let mut build = Command::new(python);
-    build.current_dir(workspace::root());
-    build.args(["-m", "maturin", "build", "--quiet", "--profile", profile]);
-    build.args(["--manifest-path", "crates/python/Cargo.toml", "--interpreter"]);
-    build.arg(python).arg("--target-dir").arg(workspace::target());
-    build.arg("--out").arg(&folder);
-    output(&mut build)?;
-    let wheels = fs::read_dir(&folder).map_err(|error| failed(&error))?;
-    let wheels: Result<Vec<_>, _> = wheels.map(|entry| entry.map(|entry| entry.path())).collect();
-    let mut wheels = wheels.map_err(|error| failed(&error))?;
-    match (wheels.pop(), wheels.len()) {
-        (Some(wheel), 0) => Ok(wheel),
-        (_, more) => Err(format!("maturin made {more} wheels too many, or none")),
-    }
+    let mut pack = Command::new(python);
+    pack.current_dir(workspace::root());
+    pack.args(["xtask/wheel.py", "crates/python"])
+        .arg(module)
+        .arg(&folder);
+    let printed = output(&mut pack)?;
+    Ok(PathBuf::from(printed.trim()))
 }
 
 /// Installs the wheel of the Python package in an environment.

@@ -1,10 +1,11 @@
 //! The steps of a run, their times and their outcomes.
 
+use std::fmt;
 use std::process::{Command, ExitCode};
 use std::time::{Duration, Instant};
 
 use crate::counts::Counts;
-use crate::workspace;
+use crate::{processor, workspace};
 
 enum Outcome {
     Passed,
@@ -14,8 +15,15 @@ enum Outcome {
 
 struct Step {
     name: String,
-    time: Duration,
+    time: Time,
     outcome: Outcome,
+}
+
+/// The elapsed time and the processor time of a step.
+#[derive(Clone, Copy, Default)]
+struct Time {
+    wall: Duration,
+    processor: Duration,
 }
 
 /// The steps so far.
@@ -29,16 +37,19 @@ impl Report {
     /// Runs a step, prints its name and time, and returns its result unless it failed.
     pub(crate) fn step<T>(&mut self, name: &str, work: impl FnOnce() -> Result<T, String>) -> Option<T> {
         println!("\n-- {name}");
-        let start = Instant::now();
+        let (start, used) = (Instant::now(), processor::used());
         let result = work();
-        let time = start.elapsed();
+        let time = Time {
+            wall: start.elapsed(),
+            processor: processor::used().saturating_sub(used),
+        };
         let (value, outcome) = match result {
             Ok(value) => (Some(value), Outcome::Passed),
             Err(message) => (None, Outcome::Failed(message)),
         };
         match &outcome {
-            Outcome::Failed(message) => println!("-- {name}: FAILED after {}: {message}", seconds(time)),
-            _ => println!("-- {name}: {}", seconds(time)),
+            Outcome::Failed(message) => println!("-- {name}: FAILED after {time}: {message}"),
+            _ => println!("-- {name}: {time}"),
         }
         self.steps.push(Step {
             name: name.to_owned(),
@@ -83,21 +94,20 @@ impl Report {
         self.counts.skipped += 1;
         self.steps.push(Step {
             name: name.to_owned(),
-            time: Duration::ZERO,
+            time: Time::default(),
             outcome: Outcome::Skipped(reason),
         });
     }
 
     /// Prints the failures, the summary and, as the last line, the counts.
     pub(crate) fn finish(self) -> ExitCode {
-        let mut ran = Vec::new();
-        let mut skipped = Vec::new();
+        let (mut ran, mut skipped) = (Vec::new(), Vec::new());
         let mut failures = Vec::new();
         for step in &self.steps {
             match &step.outcome {
-                Outcome::Passed => ran.push(format!("{} ({})", step.name, seconds(step.time))),
+                Outcome::Passed => ran.push((step.name.clone(), step.time)),
                 Outcome::Failed(message) => {
-                    ran.push(format!("{} (FAILED, {})", step.name, seconds(step.time)));
+                    ran.push((format!("{} (FAILED)", step.name), step.time));
                     // The full message was printed with the step.
                     let message = message.lines().next().unwrap_or_default();
                     failures.push(format!("FAILED: {}: {message}", step.name));
@@ -109,14 +119,18 @@ impl Report {
         for failure in &failures {
             println!("{failure}");
         }
-        let or_nothing = |list: Vec<String>| {
-            if list.is_empty() {
-                "nothing".to_owned()
-            } else {
-                list.join(", ")
-            }
-        };
-        println!("ran: {}; skipped: {}", or_nothing(ran), or_nothing(skipped));
+        let total = ran.iter().fold(Time::default(), |sum, (_, time)| Time {
+            wall: sum.wall + time.wall,
+            processor: sum.processor + time.processor,
+        });
+        ran.push(("total".to_owned(), total));
+        let width = ran.iter().map(|(name, _)| name.len()).max().unwrap_or_default();
+        for (name, time) in &ran {
+            println!("{name:width$}  {time}");
+        }
+        if !skipped.is_empty() {
+            println!("skipped: {}", skipped.join(", "));
+        }
         println!("{}", self.counts);
         if failures.is_empty() && self.counts.failed == 0 {
             ExitCode::SUCCESS
@@ -126,6 +140,13 @@ impl Report {
     }
 }
 
-fn seconds(time: Duration) -> String {
-    format!("{:.1} s", time.as_secs_f64())
+impl fmt::Display for Time {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [wall, processor] = [self.wall, self.processor].map(|time| time.as_secs_f64());
+        write!(f, "{wall:7.1} s")?;
+        if processor > 0.0 {
+            write!(f, ", {processor:7.1} s of processor time")?;
+        }
+        Ok(())
+    }
 }

@@ -35,14 +35,13 @@ pub(crate) struct Args {
     skip_python: bool,
 }
 
-/// The programs that the Python tests run.
-struct Programs {
+/// The programs that the Python tests and the page run, and the native module of the Python package.
+struct Built {
     oaktwin: PathBuf,
     camera_eval: PathBuf,
     depth_eval: PathBuf,
     scene_dump: PathBuf,
-    /// Built with the feature `rerun`; only with `--all`.
-    rerun: Option<PathBuf>,
+    module: PathBuf,
 }
 
 /// The state of a Python environment.
@@ -59,12 +58,12 @@ pub(crate) fn run(args: &Args) -> ExitCode {
     // Downloads take most of the time, so this runs beside the Rust steps.
     let wanted = wanted(args);
     let environments = (!skip_python).then(|| thread::spawn(move || prepare_environments(&wanted)));
-    rust_steps(&mut report, args);
+    let built = rust_steps(&mut report, args);
     match environments {
         None if args.fast => report.skip("docs, Python oracles", "--fast"),
         None => report.skip("Python oracles", "--skip-python"),
         Some(environments) => match environments.join() {
-            Ok(environments) => python_steps(&mut report, args, environments),
+            Ok(environments) => python_steps(&mut report, args, built.as_ref(), environments),
             Err(_) => {
                 report.step("Python environments", || {
                     Err::<(), _>("the thread that makes them panicked".into())
@@ -74,13 +73,14 @@ pub(crate) fn run(args: &Args) -> ExitCode {
         },
     }
     match args.all || args.peers {
-        true => web::steps(&mut report),
+        true => web::steps(&mut report, built.as_ref().map(|built| &*built.oaktwin)),
         false => report.skip("page", "run by --peers"),
     }
     report.finish()
 }
 
-fn rust_steps(report: &mut Report, args: &Args) {
+/// Returns what the other steps run, if it was built.
+fn rust_steps(report: &mut Report, args: &Args) -> Option<Built> {
     let no_tests: fn(&str) -> Option<Counts> = |_| None;
     report.command(
         "format",
@@ -97,6 +97,11 @@ fn rust_steps(report: &mut Report, args: &Args) {
             no_tests,
         );
     }
+    let built = report.step("build", build);
+    if built.is_none() {
+        report.count_failure();
+        return None;
+    }
     report.command("Rust tests", &mut rust_tests(args, &[]), counts::of_cargo_test);
     if args.all || args.portable {
         report.command(
@@ -107,17 +112,14 @@ fn rust_steps(report: &mut Report, args: &Args) {
     }
     if args.all {
         let mut slow = workspace::cargo();
-        slow.args([
-            "test",
-            "--workspace",
-            "--no-fail-fast",
-            "--tests",
-            "--",
-            "--ignored",
-            "slow_",
-        ]);
+        slow.args(["test", "--workspace", "--no-fail-fast", "--tests"]);
+        slow.args(["--", "--ignored", "slow_"]);
         report.command("slow Rust tests", &mut slow, counts::of_filtered_cargo_test);
+        let mut rrd = workspace::cargo();
+        rrd.args(["test", "--locked", "--manifest-path", "rrd/Cargo.toml"]);
+        report.command("recordings for Rerun", &mut rrd, counts::of_cargo_test);
     }
+    built
 }
 
 /// Returns the command for all Rust tests but the slow ones, and the exhaustive ones if they have to be fast. Tests that need
@@ -168,19 +170,13 @@ fn prepare_environments(wanted: &[&'static Environment]) -> Vec<(&'static Enviro
     wanted.iter().map(prepare).collect()
 }
 
-fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static Environment, Readiness)>) {
-    let any_ready = environments
-        .iter()
-        .any(|(_, readiness)| matches!(readiness, Readiness::Ready(_)));
-    let programs = if any_ready {
-        report.step("programs for the oracles", || build_programs(args.all))
-    } else {
-        None
-    };
-    if any_ready && programs.is_none() {
-        report.count_failure();
-    }
-    // Built once, in the first environment that has what it is built with.
+fn python_steps(
+    report: &mut Report,
+    args: &Args,
+    built: Option<&Built>,
+    environments: Vec<(&'static Environment, Readiness)>,
+) {
+    // Packed once, in the first environment that has what it is packed with.
     let mut wheel = None;
     for (environment, readiness) in environments {
         let kind = if environment.has_package() {
@@ -189,7 +185,7 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
             "oracles"
         };
         let name = format!("Python {kind}, {}", environment.name);
-        let (python, programs) = match (readiness, &programs) {
+        let (python, built) = match (readiness, built) {
             (Readiness::Skipped(reason), _) => {
                 report.skip(&name, reason);
                 continue;
@@ -200,12 +196,12 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
                 continue;
             }
             (Readiness::Ready(_), None) => {
-                report.skip(&name, "its programs did not build");
+                report.skip(&name, "the programs were not built");
                 continue;
             }
-            (Readiness::Ready(python), Some(programs)) => (python, programs),
+            (Readiness::Ready(python), Some(built)) => (python, built),
         };
-        if environment.has_package() && !install(report, environment, &python, &mut wheel) {
+        if environment.has_package() && !install(report, environment, &python, &built.module, &mut wheel) {
             continue;
         }
         if environment.name == BARE.name {
@@ -214,7 +210,7 @@ fn python_steps(report: &mut Report, args: &Args, environments: Vec<(&'static En
             script.arg("-I").args(environment.tests);
             report.command(&name, &mut script, counts::of_pytest);
         } else {
-            let mut tests = pytest(&python, environment.tests, programs, args);
+            let mut tests = pytest(&python, environment.tests, built, args);
             report.command(&name, &mut tests, pytest_counts());
         }
         let has_pdoc = [PACKAGE.name, PEERS.name].contains(&environment.name);
@@ -229,6 +225,7 @@ fn install(
     report: &mut Report,
     environment: &Environment,
     python: &Path,
+    module: &Path,
     wheel: &mut Option<PathBuf>,
 ) -> bool {
     let installed = report.step(
@@ -236,8 +233,8 @@ fn install(
         || {
             let built = match wheel.take() {
                 Some(built) => built,
-                None if environment.name == BARE.name => return Err("it was not built".to_owned()),
-                None => python::build_wheel(python, "dev")?,
+                None if environment.name == BARE.name => return Err("it was not packed".to_owned()),
+                None => python::pack_wheel(python, module)?,
             };
             python::install_wheel(python, wheel.insert(built))
         },
@@ -258,32 +255,18 @@ fn pytest_counts() -> fn(&str) -> Option<Counts> {
     }
 }
 
-fn build_programs(all: bool) -> Result<Programs, String> {
-    // The whole workspace's features, as the tests were built with: nothing is compiled twice.
-    let names = ["oaktwin", "camera-eval", "depth-eval", "scene-dump"];
-    let mut arguments = vec!["--workspace"];
-    arguments.extend(names.iter().flat_map(|name| ["--bin", name]));
-    let mut programs = workspace::build(&arguments)?;
-    let mut take = |name| {
-        programs
-            .remove(name)
-            .ok_or(format!("cargo built no program named {name}"))
-    };
-    Ok(Programs {
+/// Builds the tests and what the other steps run at once, because cargo chooses the features of all packages of one build together:
+/// in several builds, most of them would be compiled several times.
+fn build() -> Result<Built, String> {
+    let mut built = workspace::build(&["--workspace", "--lib", "--bins", "--tests", "--examples"])?;
+    let mut take = |name| built.remove(name).ok_or(format!("cargo built no {name}"));
+    Ok(Built {
         oaktwin: take("oaktwin")?,
         camera_eval: take("camera-eval")?,
         depth_eval: take("depth-eval")?,
         scene_dump: take("scene-dump")?,
-        rerun: if all { Some(build_with_rerun()?) } else { None },
+        module: take(workspace::MODULE)?,
     })
-}
-
-/// Builds the program that writes `.rrd`, in its own target folder: it needs five hundred more crates and other features.
-fn build_with_rerun() -> Result<PathBuf, String> {
-    let folder = workspace::target().join("rerun");
-    let folder = folder.to_str().ok_or("the target folder's name is not Unicode")?;
-    let arguments = ["-p", "oaktwin-cli", "--features", "rerun", "--target-dir", folder];
-    workspace::build_program("oaktwin", &arguments)
 }
 
 /// Returns a pinned environment's interpreter, isolated from the user's own Python.
@@ -295,7 +278,7 @@ fn interpreter(python: &Path) -> Command {
     command
 }
 
-fn pytest(python: &Path, tests: &[&str], programs: &Programs, args: &Args) -> Command {
+fn pytest(python: &Path, tests: &[&str], built: &Built, args: &Args) -> Command {
     let mut command = interpreter(python);
     command.args([
         "-m",
@@ -321,12 +304,9 @@ fn pytest(python: &Path, tests: &[&str], programs: &Programs, args: &Args) -> Co
     if args.all {
         command.arg("--slow");
     }
-    command.env("OAKTWIN_BIN", &programs.oaktwin);
-    command.env("OAKTWIN_CAMERA_EVAL", &programs.camera_eval);
-    command.env("OAKTWIN_DEPTH_EVAL", &programs.depth_eval);
-    command.env("OAKTWIN_SCENE_DUMP", &programs.scene_dump);
-    if let Some(program) = &programs.rerun {
-        command.env("OAKTWIN_RERUN_BIN", program);
-    }
+    command.env("OAKTWIN_BIN", &built.oaktwin);
+    command.env("OAKTWIN_CAMERA_EVAL", &built.camera_eval);
+    command.env("OAKTWIN_DEPTH_EVAL", &built.depth_eval);
+    command.env("OAKTWIN_SCENE_DUMP", &built.scene_dump);
     command
 }

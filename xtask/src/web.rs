@@ -38,7 +38,8 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
         println!("{}: {bytes} bytes", path.display());
     }
     if args.pictures {
-        let server = Server::start()?;
+        let program = workspace::build_program("oaktwin", &["-p", "oaktwin-cli", "--features", "studio"])?;
+        let server = Server::of(&program)?;
         let mut pictures = npm(&["run", "pictures", "--"]);
         pictures.arg(workspace::root().join("docs/images"));
         output(pictures.env("OAKTWIN_STUDIO_URL", &server.link))?;
@@ -47,7 +48,7 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
 }
 
 /// Checks that the committed bundle is what the sources build, and tests the page in a browser.
-pub(crate) fn steps(report: &mut Report) {
+pub(crate) fn steps(report: &mut Report, program: Option<&Path>) {
     if Command::new("npm").arg("--version").output().is_err() {
         return report.skip("page", "npm is not installed");
     }
@@ -59,7 +60,10 @@ pub(crate) fn steps(report: &mut Report) {
         let reason = format!("no Chromium is installed; {BROWSER} can name one");
         return report.skip("page in a browser", reason);
     };
-    let Some(server) = report.step("server of the page", Server::start) else {
+    let Some(program) = program else {
+        return report.skip("page in a browser", "the program was not built");
+    };
+    let Some(server) = report.step("server of the page", || Server::of(program)) else {
         return report.count_failure();
     };
     let mut tests = npm(&["test"]);
@@ -124,14 +128,6 @@ pub(crate) struct Server {
 }
 
 impl Server {
-    fn start() -> Result<Self, String> {
-        let mut programs = workspace::build(&["--workspace", "--bin", "oaktwin"])?;
-        let program = programs
-            .remove("oaktwin")
-            .ok_or("cargo built no program named oaktwin")?;
-        Self::of(&program)
-    }
-
     /// Starts a program's server and waits for its link.
     pub(crate) fn of(program: &Path) -> Result<Self, String> {
         let mut command = Command::new(program);

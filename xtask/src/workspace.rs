@@ -2,9 +2,11 @@
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
-use std::io::{BufRead, BufReader, Write};
+use std::io::{BufRead, BufReader, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus, Stdio};
+
+use crate::processor;
 
 /// The folder of the workspace.
 pub(crate) fn root() -> &'static Path {
@@ -53,7 +55,8 @@ fn quoted(word: &OsStr) -> String {
 
 /// Runs a command. An error names it.
 pub(crate) fn check(command: &mut Command) -> Result<(), String> {
-    let status = command.status().map_err(|error| not_started(command, &error))?;
+    let child = command.spawn().map_err(|error| not_started(command, &error))?;
+    let status = processor::wait(child).map_err(|error| format!("{}: {error}", shown(command)))?;
     if status.success() {
         Ok(())
     } else {
@@ -63,25 +66,34 @@ pub(crate) fn check(command: &mut Command) -> Result<(), String> {
 
 /// Runs a command and returns its standard output. An error contains both output streams.
 pub(crate) fn output(command: &mut Command) -> Result<String, String> {
-    let output = command
-        .stdin(Stdio::null())
-        .output()
-        .map_err(|error| not_started(command, &error))?;
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    if output.status.success() {
+    let failed = |error: std::io::Error| format!("{}: {error}", shown(command));
+    // A file and not a pipe, which would have to be read at the same time.
+    let errors = tempfile::tempfile().map_err(failed)?;
+    let shared = errors.try_clone().map_err(failed)?;
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(shared);
+    let mut child = command.spawn().map_err(|error| not_started(command, &error))?;
+    let failed = |error: std::io::Error| format!("{}: {error}", shown(command));
+    let mut bytes = Vec::new();
+    if let Some(stdout) = &mut child.stdout {
+        stdout.read_to_end(&mut bytes).map_err(failed)?;
+    }
+    let status = processor::wait(child).map_err(failed)?;
+    let text = String::from_utf8_lossy(&bytes).into_owned();
+    if status.success() {
         return Ok(text);
     }
-    let errors = String::from_utf8_lossy(&output.stderr);
+    let mut said = Vec::new();
+    let mut errors = errors;
+    let read = errors.rewind().and_then(|()| errors.read_to_end(&mut said));
+    read.map_err(failed)?;
     Err(format!(
-        "{}: {}\n{}{}",
+        "{}: {status}\n{text}{}",
         shown(command),
-        output.status,
-        text,
-        errors
+        String::from_utf8_lossy(&said)
     ))
 }
 
-/// Runs a command, prints its standard output, and calls `see` with each line.
+/// Runs a command, passes on its standard output, and calls `see` with each line.
 pub(crate) fn watch(command: &mut Command, mut see: impl FnMut(&str)) -> Result<ExitStatus, String> {
     let mut child = command
         .stdout(Stdio::piped())
@@ -99,16 +111,17 @@ pub(crate) fn watch(command: &mut Command, mut see: impl FnMut(&str)) -> Result<
             line.clear();
         }
     }
-    child
-        .wait()
-        .map_err(|error| format!("{}: {error}", shown(command)))
+    processor::wait(child).map_err(|error| format!("{}: {error}", shown(command)))
 }
 
 fn not_started(command: &Command, error: &std::io::Error) -> String {
     format!("{}: cannot be started: {error}", shown(command))
 }
 
-/// Runs `cargo build` with these arguments, and returns the programs that it built by name.
+/// The name of the native module of the Python package among what cargo built.
+pub(crate) const MODULE: &str = "_oaktwin";
+
+/// Runs `cargo build` with these arguments, and returns the programs and the native module that it built by name.
 pub(crate) fn build(arguments: &[&str]) -> Result<BTreeMap<String, PathBuf>, String> {
     let mut command = cargo();
     command
@@ -116,19 +129,34 @@ pub(crate) fn build(arguments: &[&str]) -> Result<BTreeMap<String, PathBuf>, Str
         .args(arguments)
         .arg("--message-format=json-render-diagnostics");
     // The diagnostics go to the console as they come; only the messages are read.
-    command.stderr(Stdio::inherit());
-    let messages = output(&mut command)?;
-    let mut programs = BTreeMap::new();
-    for line in messages.lines() {
-        let Ok(message) = serde_json::from_str::<serde_json::Value>(line) else {
-            continue;
-        };
-        if let (Some(name), Some(path)) = (message["target"]["name"].as_str(), message["executable"].as_str())
-        {
-            programs.insert(name.to_owned(), PathBuf::from(path));
+    let mut built = BTreeMap::new();
+    let mut child = command
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .spawn()
+        .map_err(|error| not_started(&command, &error))?;
+    for line in child
+        .stdout
+        .take()
+        .into_iter()
+        .flat_map(|out| BufReader::new(out).lines())
+    {
+        let message = line
+            .ok()
+            .and_then(|line| serde_json::from_str::<serde_json::Value>(&line).ok());
+        let Some(message) = message else { continue };
+        let is_test = message["profile"]["test"] == true;
+        let module = (message["target"]["name"] == MODULE).then(|| &message["filenames"][0]);
+        let path = module.unwrap_or(&message["executable"]).as_str();
+        if let (Some(name), Some(path), false) = (message["target"]["name"].as_str(), path, is_test) {
+            built.insert(name.to_owned(), PathBuf::from(path));
         }
     }
-    Ok(programs)
+    match processor::wait(child) {
+        Ok(status) if status.success() => Ok(built),
+        Ok(status) => Err(format!("{}: {status}", shown(&command))),
+        Err(error) => Err(format!("{}: {error}", shown(&command))),
+    }
 }
 
 /// Builds a program with additional arguments, and returns its path.

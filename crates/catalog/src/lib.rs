@@ -28,6 +28,7 @@ mod model;
 mod nominal;
 mod optics;
 mod page;
+#[cfg(feature = "schema")]
 mod schema;
 mod source;
 mod twin;
@@ -44,6 +45,7 @@ pub use model::{
 };
 pub use optics::LensChoice;
 pub use page::models_page;
+#[cfg(feature = "schema")]
 pub use schema::{device_schema, inertial_part_schema, schema_files, sensor_schema};
 pub use source::{Source, Sourced, Sources};
 pub use twin::{Origin, Twin, TwinCamera, TwinDepthSensor};

@@ -13,13 +13,13 @@ use std::fmt;
 
 use oaktwin_base::parameter::Choice;
 use oaktwin_camera::ImageSize;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::{Source, Sources};
 
 /// An image sensor: `data/sensors/*.toml`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Sensor {
     /// The name by which devices refer to it, such as `OV9282`.
@@ -68,7 +68,8 @@ pub struct Sensor {
 }
 
 /// A depth camera: `data/devices/*.toml`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Device {
     /// The stem of the asset's file name, such as `oak_d_pro_poe`.
@@ -139,7 +140,8 @@ pub struct Device {
 }
 
 /// The role of a camera in a device.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Role {
     /// The colour camera, which may be part of a second stereo pair.
@@ -188,7 +190,8 @@ impl fmt::Display for Role {
 }
 
 /// A camera of a device.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Camera {
     /// The role.
@@ -266,7 +269,8 @@ fn is_zero(value: &f64) -> bool {
 }
 
 /// The distortion rows of the sheet's camera tables.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct LegacyDistortion {
     /// `polyK0` to `polyK5`.
@@ -282,7 +286,8 @@ pub struct LegacyDistortion {
 }
 
 /// The inertial unit of a device.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Imu {
     /// The name, such as `BNO086 (9-axis)`, or `Yes` if the sheet states nothing else.
@@ -306,7 +311,8 @@ pub struct Imu {
 }
 
 /// A published table of accuracy.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Accuracy {
     /// The depth sensor to which the table applies.
@@ -323,7 +329,8 @@ pub struct Accuracy {
 }
 
 /// The accuracy in a range of distances.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct AccuracyBand {
     /// The minimum distance in m.
@@ -355,7 +362,8 @@ impl AccuracyBand {
 }
 
 /// The depth accuracy of a device in one line.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct AccuracyHeadline {
     /// The text of the sheet's device table, such as `under 2% at 4m`.
@@ -367,7 +375,8 @@ pub struct AccuracyHeadline {
 }
 
 /// The value of a key according to another source.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Evidence {
     /// The key, such as `camera.left.hfov_deg`.
@@ -381,7 +390,8 @@ pub struct Evidence {
 }
 
 /// A note for readers of the numbers.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Note {
     /// A short stable name, such as `min-distance`.

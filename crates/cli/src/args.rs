@@ -1,5 +1,7 @@
 //! The command-line arguments.
 
+#[cfg(not(all(feature = "bridge", feature = "generate", feature = "studio")))]
+mod absent;
 mod accuracy;
 mod annotators;
 mod asset;
@@ -10,6 +12,7 @@ pub(crate) mod choice;
 mod coverage;
 mod export;
 mod fit;
+#[cfg(feature = "generate")]
 mod generate;
 mod imu;
 mod limit;
@@ -22,6 +25,7 @@ mod scene;
 mod sense;
 mod sensor;
 mod stereo;
+#[cfg(feature = "studio")]
 mod studio;
 mod threads;
 mod unit;
@@ -35,6 +39,14 @@ use oaktwin::depth::preset::Platform;
 use oaktwin::memory;
 use oaktwin::usd::stage::SceneLimit;
 
+#[cfg(not(all(feature = "bridge", feature = "generate", feature = "studio")))]
+pub(crate) use absent::AbsentArgs;
+#[cfg(not(feature = "bridge"))]
+pub(crate) use absent::AbsentArgs as BridgeArgs;
+#[cfg(not(feature = "generate"))]
+pub(crate) use absent::AbsentArgs as GenerateArgs;
+#[cfg(not(feature = "studio"))]
+pub(crate) use absent::AbsentArgs as StudioArgs;
 pub(crate) use accuracy::AccuracyArgs;
 pub(crate) use asset::AssetArgs;
 #[cfg(feature = "bridge")]
@@ -45,6 +57,7 @@ pub(crate) use calibration::{
 pub(crate) use coverage::CoverageArgs;
 pub(crate) use export::ExportArgs;
 pub(crate) use fit::{Also, FitArgs};
+#[cfg(feature = "generate")]
 pub(crate) use generate::GenerateArgs;
 pub(crate) use imu::ImuArgs;
 pub(crate) use outputs::OutputArgs;
@@ -56,6 +69,7 @@ pub(crate) use scene::SceneArgs;
 pub(crate) use sense::SenseArgs;
 pub(crate) use sensor::{MatcherArgs, SensorArgs};
 pub(crate) use stereo::StereoArgs;
+#[cfg(feature = "studio")]
 pub(crate) use studio::StudioArgs;
 pub(crate) use threads::ThreadArgs;
 pub(crate) use unit::{MeasuredUnitArgs, UnitArgs};
@@ -112,7 +126,6 @@ pub(crate) enum Command {
     /// Simulate a model's depth sensor on existing depth images
     Sense(Box<SenseArgs>),
     /// Simulate a model's depth sensor live, between topics of ROS 2
-    #[cfg(feature = "bridge")]
     Bridge(Box<BridgeArgs>),
     /// Match stereo pairs like an OAK
     Stereo(Box<StereoArgs>),

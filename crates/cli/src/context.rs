@@ -35,6 +35,10 @@ impl Exit {
 pub(crate) struct Context {
     pub(crate) catalog: Cow<'static, Catalog>,
     /// The folder of additional models.
+    #[cfg_attr(
+        not(feature = "generate"),
+        expect(dead_code, reason = "only `generate` starts other processes")
+    )]
     pub(crate) catalog_folder: Option<PathBuf>,
 }
 

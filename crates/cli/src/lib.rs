@@ -75,7 +75,6 @@ fn run(cli: &Cli) -> Result<Exit> {
         Command::Generate(args) => commands::generate::run(&context, args),
         Command::Render(args) => commands::render::run(&context, args),
         Command::Sense(args) => commands::sense::run(&context, args),
-        #[cfg(feature = "bridge")]
         Command::Bridge(args) => commands::bridge::run(&context, args),
         Command::Stereo(args) => commands::stereo::run(&context, args),
         Command::Accuracy(args) => commands::accuracy::run(&context, args),

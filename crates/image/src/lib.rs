@@ -3,7 +3,6 @@
 //! Rows run from top to bottom, pixels from left to right. Codecs convert between bytes and images; they open no files.
 
 pub mod annotation;
-mod basis;
 mod bytes;
 pub mod colormap;
 pub mod contact_sheet;
@@ -18,9 +17,7 @@ pub mod pfm;
 mod plane;
 pub mod ply;
 pub mod png;
-mod png_chunks;
 pub mod preview;
-mod reduced;
 pub mod srgb;
 pub mod text;
 pub mod texture;

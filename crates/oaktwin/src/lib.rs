@@ -33,6 +33,7 @@ pub use oaktwin_depth as depth;
 pub use oaktwin_evaluate::{accuracy, coverage, figure, fit, measure};
 pub use oaktwin_files as files;
 pub use oaktwin_files::memory;
+#[cfg(feature = "generate")]
 pub use oaktwin_generate as generate;
 pub use oaktwin_image as image;
 pub use oaktwin_pipeline::{imu, pair, progress, recording, render, report, sense, sensor, stereo, unit};

@@ -6,14 +6,13 @@ use oaktwin::camera;
 use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::image::ImageView;
 use oaktwin::recording::{
-    CameraId, DepthView, Format, MeasuredCamera, Moment, RecordedCamera, RecordingFile, RecordingFileError,
-    Time,
+    CameraId, DepthView, MeasuredCamera, Moment, RecordedCamera, RecordingFile, RecordingFileError, Time,
+    check_path, ros_lens_loss,
 };
 use pyo3::prelude::*;
 
 use crate::arguments::FrameNumber;
 use crate::camera::Camera;
-use crate::choice::named;
 use crate::error::{error, writing, wrong};
 use crate::finding;
 use crate::images::{Depth, DepthSlice, Pictures, Shape};
@@ -27,17 +26,13 @@ use crate::pose::one_pose;
 /// NAME_optical_frame (x right, y down, z forward), which is the frame of images and clouds. Invalid depth is NaN (0 in
 /// millimetres); ground-truth depth without a surface is inf (REP-117, REP-118). The same calls give the same bytes.
 ///
-/// An .rrd is for Rerun; it requires a package built with the feature `rerun`.
-///
-/// path: the file, .mcap or .rrd. It is created when the recording is closed, and not at all if the `with` block ends in
+/// path: the file, .mcap, which Rerun and Foxglove open, too. It is created when the recording is closed, and not at all if the `with` block ends in
 ///     an exception or the object is dropped.
-/// up: the up axis of the world, "z" (default) or "y"; .mcap does not store it.
 ///
 /// Raises oaktwin.Error for another extension, OSError if the file cannot be written. Thread-safe.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct Recording {
     path: PathBuf,
-    format: Format,
     state: Mutex<Option<State>>,
 }
 
@@ -54,16 +49,13 @@ type Known = (camera::Camera, Option<MeasuredCamera>);
 #[pymethods]
 impl Recording {
     #[new]
-    #[pyo3(signature = (path, *, up = "z"))]
-    fn new(py: Python<'_>, path: PathBuf, up: &str) -> PyResult<Self> {
-        let up = named("up", up)?;
-        let format = Format::of(&path).map_err(error)?;
+    fn new(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        check_path(&path).map_err(error)?;
         let file = py
-            .detach(|| RecordingFile::create(&path, up))
+            .detach(|| RecordingFile::create(&path))
             .map_err(|error| writing(&path, &error))?;
         Ok(Self {
             path,
-            format,
             state: Mutex::new(Some(State {
                 file,
                 cameras: BTreeMap::new(),
@@ -145,7 +137,7 @@ impl Recording {
         };
         let name = name.unwrap_or_else(|| camera.name.clone());
         let is_new = py.detach(|| self.record(camera, measured_camera.as_ref(), name.clone(), &moment))?;
-        let loss = self.format.lens_loss(&camera.camera.lens).filter(|_| is_new);
+        let loss = ros_lens_loss(&camera.camera.lens).filter(|_| is_new);
         let finding = loss.map(|loss| Finding::new("lens-not-recorded", Level::Warning, name, loss, ""));
         finding::warn(py, finding.as_slice())
     }

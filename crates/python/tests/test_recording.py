@@ -229,12 +229,10 @@ def test_options(tmp_path, seen):
 
 def test_invalid_calls_are_rejected(tmp_path, seen):
     camera, poses, depth, _, rgb = seen
-    with pytest.raises(oaktwin.Error, match="name a .mcap or an .rrd file"):
+    with pytest.raises(oaktwin.Error, match="name an .mcap file"):
         oaktwin.Recording(tmp_path / "a.bag")
     with pytest.raises(FileNotFoundError, match="make the folder first"):
         oaktwin.Recording(tmp_path / "no/a.mcap")
-    with pytest.raises(oaktwin.Error, match="up"):
-        oaktwin.Recording(tmp_path / "a.mcap", up="x")
     other = oaktwin.Camera((20, 20), hfov_deg=60, name=camera.name)
     with oaktwin.Recording(tmp_path / "a.mcap") as recording:
         for wrong, message in [
@@ -357,30 +355,3 @@ def test_the_programs_mcap(tmp_path):
         normal = np.cross(b - a, c - a)
         distance = (in_world - a) @ (normal / np.linalg.norm(normal))
         assert len(distance) > 100 and np.median(np.abs(distance)) < 0.05
-
-
-def test_the_programs_rrd(tmp_path):
-    if not os.environ.get("OAKTWIN_RERUN_BIN"):
-        pytest.skip("OAKTWIN_RERUN_BIN names no program with the feature rerun: run by cargo xtask test --all")
-    depth, measured = by_the_program(os.environ["OAKTWIN_RERUN_BIN"], tmp_path, "a.rrd")
-    found = columns(tmp_path / "a.rrd")
-    rerun(tmp_path / "home", "rrd", "verify", tmp_path / "a.rrd")
-    camera = oaktwin.Device("OAK4-D").depth_camera().resized(64, 40)
-    entity = "/world/oak/Camera_pseudo_depth"
-    for name, images in [("depth", depth), ("measured", measured)]:
-        rows = found[f"{entity}/image/{name}", "DepthImage:buffer"]
-        assert [time for time, _ in rows] == [10_250_000_000, 10_500_000_000]
-        for (_, [pixels]), image in zip(rows, images):
-            np.testing.assert_array_equal(np.array(pixels, np.uint8).view("<f4").reshape(40, 64), image)
-        assert [meter for _, [meter] in found[f"{entity}/image/{name}", "DepthImage:meter"]] == [1.0, 1.0]
-    [(_, [k])] = found[f"{entity}/image", "Pinhole:image_from_camera"]
-    np.testing.assert_allclose(np.reshape(k, (3, 3)).T, camera.K, rtol=1e-6)
-    [(_, [place])] = found[entity, "Transform3D:translation"]
-    np.testing.assert_allclose(place, camera.body_from_camera[:3, 3], atol=1e-6)
-    places = [place for _, [place] in found["/world/oak", "Transform3D:translation"]]
-    np.testing.assert_allclose(places, [[0, 0, 1], [0, 0.5, 1]], atol=1e-6)
-    for (_, points), image in zip(found[f"{entity}/measured_points", "Points3D:positions"], measured):
-        projected = np.array(points) @ camera.K.T
-        u, v = np.rint(projected[:, :2] / projected[:, 2:]).astype(int).T
-        assert len(points) == np.count_nonzero(image)
-        np.testing.assert_array_equal(np.array(points, np.float32)[:, 2], image[v, u])

@@ -13,7 +13,10 @@ pub(crate) struct Args {
 
 /// Runs the benchmark, which prints its table.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
-    let program = workspace::build_program("oaktwin", &["--release", "--package", "oaktwin-cli"])?;
+    let program = workspace::build_program(
+        "oaktwin",
+        &["--release", "--package", "oaktwin-cli", "--features", "full"],
+    )?;
     let script = Script::new(&CURRENT, "bench_bridge.py")?;
     let mut command = script.command();
     command

@@ -14,7 +14,10 @@ pub(crate) struct Args {
 
 /// Runs the benchmark and prints both rates.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
-    let program = workspace::build_program("oaktwin", &["--release", "--package", "oaktwin-cli"])?;
+    let program = workspace::build_program(
+        "oaktwin",
+        &["--release", "--package", "oaktwin-cli", "--features", "full"],
+    )?;
     let python = PEERS.ready()?;
     let root = workspace::root();
     let script = root.join("tests/oracles/bench_generate.py");

@@ -10,7 +10,10 @@ use crate::workspace;
 pub(crate) struct Args {}
 
 pub(crate) fn run(_: &Args) -> Result<(), String> {
-    let program = workspace::build_program("oaktwin", &["--release", "-p", "oaktwin-cli"])?;
+    let program = workspace::build_program(
+        "oaktwin",
+        &["--release", "-p", "oaktwin-cli", "--features", "full"],
+    )?;
     web::install()?;
     let start = Instant::now();
     let server = Server::of(Path::new(&program))?;

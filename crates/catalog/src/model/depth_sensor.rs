@@ -5,14 +5,14 @@ use std::fmt;
 
 use oaktwin_base::parameter::Choice;
 use oaktwin_base::parameter::nvidia::Attributes;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Role;
 use crate::{Source, Sources};
 
 /// The measuring principle of a depth sensor.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum DepthKind {
     /// Disparity of the stereo pair.
@@ -45,7 +45,8 @@ impl fmt::Display for DepthKind {
 }
 
 /// A depth sensor: the parameters of one render product with `OmniSensorDepthSensorSingleViewAPI`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct DepthSensor {
     /// The measuring principle.

@@ -2,7 +2,6 @@ use std::collections::BTreeMap;
 
 use oaktwin_camera::math::DVec3;
 use oaktwin_imu::ChannelNoise;
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Evidence, Note};
@@ -21,7 +20,8 @@ const RAD_S_PER_MDPS: f64 = 1e-3 * std::f64::consts::PI / 180.0;
 ///
 /// Units are those of datasheets (g, °/s, µT); [`accelerometer_noise`](Self::accelerometer_noise) and
 /// [`gyroscope_noise`](Self::gyroscope_noise) convert them to SI.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct InertialPart {
     /// The name by which devices refer to it, such as `BMI270`.
@@ -53,7 +53,8 @@ pub struct InertialPart {
 }
 
 /// The accelerometer of an [`InertialPart`].
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Accelerometer {
     /// The ranges that can be selected, ± g.
@@ -80,7 +81,8 @@ pub struct Accelerometer {
 }
 
 /// The gyroscope of an [`InertialPart`].
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Gyroscope {
     /// The ranges that can be selected, ± °/s.
@@ -107,7 +109,8 @@ pub struct Gyroscope {
 }
 
 /// The magnetometer of an [`InertialPart`], which is not simulated.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Magnetometer {
     /// The range, ± µT; absent if no source states it.

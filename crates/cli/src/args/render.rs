@@ -54,7 +54,7 @@ pub(crate) struct RenderArgs {
     #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(crate) output: Option<PathBuf>,
 
-    /// Record the frames, cameras and poses: .mcap for ROS 2, or .rrd for Rerun if it is built in
+    /// Record the frames, cameras and poses as .mcap, for ROS 2, Foxglove and Rerun
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(crate) record: Option<PathBuf>,
 

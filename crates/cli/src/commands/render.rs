@@ -48,13 +48,13 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let samples = noted(samples, &mut findings);
     let mut sensors = Sensors::new(args, &annotators, &cameras, oak.as_ref())?;
     findings.append(&mut sensors.findings);
-    let (up, is_alone) = (scene.scene.up, output.is_none());
+    let is_alone = output.is_none();
     let record =
-        |file| render::FrameRecorder::create(file, up, &cameras, &sensors.own, &path, &annotators, is_alone);
+        |file| render::FrameRecorder::create(file, &cameras, &sensors.own, &path, &annotators, is_alone);
     let recorder = args.record.as_deref().map(record).transpose()?;
     let mut recorder = noted(recorder, &mut findings);
     if let (Some(recorder), Some(samples)) = (&mut recorder, &samples) {
-        findings.extend(recorder.add_imu(samples));
+        recorder.add_imu(samples);
     }
     if args.strict {
         reject_warnings(args, &findings)?;

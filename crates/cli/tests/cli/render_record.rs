@@ -179,14 +179,12 @@ fn what_is_refused() {
     insta::assert_snapshot!(all);
 }
 
-#[cfg(not(feature = "rerun"))]
 #[test]
-fn rrd_names_a_format_that_is_built_in() {
+fn rrd_names_the_format_to_use() {
     let refused = program().refused(&["render", "room.usda", "--record", "a.rrd"]);
     assert_eq!(
         refused,
-        "error: a.rrd: this build of oaktwin cannot write .rrd, the format of Rerun; name an .mcap file, which Rerun opens \
-         too, or build with support for .rrd as the manual describes\n"
+        "error: a.rrd: the format of Rerun is not written; name an .mcap file, which Rerun opens too\n"
     );
 }
 

@@ -41,7 +41,8 @@ pub fn points<'a>(rays: &'a Image<[f32; 2]>, depth: DepthView<'a>) -> impl Itera
 
 /// Returns the colour of each measured point in the image of the recorded camera, 0 where that does not see it; `None` if
 /// measured depth is an image of the same camera, whose colours are those of the pixels.
-pub(super) fn measured_colors(
+#[must_use]
+pub fn measured_colors(
     rays: &Image<[f32; 2]>,
     depth: DepthView<'_>,
     camera: &RecordedCamera,

@@ -16,8 +16,7 @@ use super::lens::distortion;
 use super::message::{self, Header, Transform};
 use super::schema::Schema;
 use super::{
-    CameraId, Moment, RecordedCamera, RecordedImu, Recorder, RecordingError, Time, check_camera,
-    check_moment, cloud, names,
+    CameraId, Moment, RecordedCamera, RecordedImu, Recorder, RecordingError, Time, cloud, unique_name,
 };
 use crate::ImuSample;
 
@@ -41,7 +40,7 @@ const WORLD: &str = "world";
 ///
 /// Frames are `world` → the body → `NAME` → `NAME_optical_frame`, the frame of images and point clouds. A depth
 /// sensor's output that is seen from elsewhere has the frame `NAME_measured_optical_frame`. A camera without a body has
-/// `world` → `NAME`. Chunks are compressed with zstd, on one thread.
+/// `world` → `NAME`. Chunks are compressed with LZ4.
 pub struct Mcap<W: Write> {
     writer: Writer<NoSeek<W>>,
     /// The current message, whose memory is reused.
@@ -102,10 +101,8 @@ impl<W: Write> Mcap<W> {
             .library(concat!("oaktwin ", env!("CARGO_PKG_VERSION")))
             .chunk_size(Some(CHUNK))
             // The fastest level, since noise does not compress at any level.
-            .compression(Some(Compression::Zstd))
+            .compression(Some(Compression::Lz4))
             .compression_level(1)
-            // With several threads, the bytes depend on their number.
-            .compression_threads(0)
             .disable_seeking(true);
         Ok(Self {
             writer: options.create(NoSeek::new(output)).map_err(failed)?,
@@ -122,10 +119,10 @@ impl<W: Write> Mcap<W> {
     /// Sets the inertial sensor of the recording, before its first sample. There is one at most; a second replaces it.
     pub fn set_imu(&mut self, imu: &RecordedImu) {
         let carrier = self.carrier(&imu.body);
-        let name = names::unique(&imu.name, &mut self.names);
+        let name = unique_name(&imu.name, &mut self.names);
         self.imu = Some(InertialStation {
             imu: imu.clone(),
-            frame: names::unique(&format!("{name}_frame"), &mut self.names),
+            frame: unique_name(&format!("{name}_frame"), &mut self.names),
             topic: format!("/{name}/data_raw"),
             carrier,
         });
@@ -157,7 +154,7 @@ impl<W: Write> Mcap<W> {
         known.unwrap_or_else(|| {
             self.bodies.push(Carrier {
                 name: name.to_owned(),
-                frame: names::unique(name, &mut self.names),
+                frame: unique_name(name, &mut self.names),
                 last: None,
             });
             self.bodies.len() - 1
@@ -319,15 +316,15 @@ impl<W: Write> Recorder for Mcap<W> {
     type Output = W;
 
     fn add_camera(&mut self, camera: &RecordedCamera) -> Result<CameraId, RecordingError> {
-        check_camera(camera)?;
+        camera.check()?;
         let carrier = camera.body.as_ref().map(|body| self.carrier(&body.name));
-        let frame = names::unique(&camera.name, &mut self.names);
-        let optical_frame = names::unique(&format!("{frame}_optical_frame"), &mut self.names);
+        let frame = unique_name(&camera.name, &mut self.names);
+        let optical_frame = unique_name(&format!("{frame}_optical_frame"), &mut self.names);
         let is_moved = camera.measured().camera_from_measured != RigidTransform::IDENTITY;
         self.cameras.push(Station {
             camera: camera.clone(),
             measured_frame: match is_moved {
-                true => names::unique(&format!("{frame}_measured_optical_frame"), &mut self.names),
+                true => unique_name(&format!("{frame}_measured_optical_frame"), &mut self.names),
                 false => optical_frame.clone(),
             },
             optical_frame,
@@ -342,7 +339,7 @@ impl<W: Write> Recorder for Mcap<W> {
 
     fn record(&mut self, camera: CameraId, moment: &Moment<'_>) -> Result<(), RecordingError> {
         let station = self.cameras.get(camera.0).ok_or(RecordingError::NoCamera)?;
-        check_moment(&station.camera, moment)?;
+        moment.check(&station.camera)?;
         if std::mem::take(&mut self.statics_are_due) {
             self.put_statics(moment.time)?;
         }

@@ -16,7 +16,7 @@
 //! Invalid depth follows REP-117 and REP-118: NaN for no measurement (0 in a sensor's output), `+inf` for out of range, 0 in
 //! millimetres.
 //!
-//! [`Mcap`] writes ROS 2 messages and, with the feature `rerun`, `Rrd` writes Rerun's format.
+//! [`Mcap`] writes ROS 2 messages. The crate `oaktwin-rrd`, outside this workspace, writes Rerun's format.
 //!
 //! ```
 //! use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform};
@@ -47,8 +47,6 @@ mod lens;
 mod mcap;
 mod message;
 mod names;
-#[cfg(feature = "rerun")]
-mod rrd;
 mod schema;
 mod time;
 
@@ -58,11 +56,10 @@ use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Camera, ImageSize, RigidTransform};
 use oaktwin_image::ImageView;
 
-pub use cloud::{points, rays};
+pub use cloud::{measured_colors, points, rays};
 pub use lens::ros_lens_loss;
 pub use mcap::Mcap;
-#[cfg(feature = "rerun")]
-pub use rrd::Rrd;
+pub use names::unique_name;
 pub use time::Time;
 
 /// A writer of recordings.
@@ -94,6 +91,20 @@ pub trait Recorder {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CameraId(usize);
 
+impl CameraId {
+    /// Identifies the camera that was added as number `index`, from 0; for the authors of recorders.
+    #[must_use]
+    pub const fn new(index: usize) -> Self {
+        Self(index)
+    }
+
+    /// Returns the number of cameras that were added before.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.0
+    }
+}
+
 /// A camera to record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordedCamera {
@@ -117,12 +128,29 @@ pub struct MeasuredCamera {
 }
 
 impl RecordedCamera {
-    /// The camera of measured images.
-    fn measured(&self) -> MeasuredCamera {
+    /// Returns the camera of measured images.
+    #[must_use]
+    pub fn measured(&self) -> MeasuredCamera {
         self.measured.unwrap_or(MeasuredCamera {
             camera: self.camera,
             camera_from_measured: RigidTransform::IDENTITY,
         })
+    }
+
+    /// Checks that the camera's images fit into messages.
+    ///
+    /// # Errors
+    /// Returns an error if they are too large.
+    pub fn check(&self) -> Result<(), RecordingError> {
+        let size = self.camera.intrinsics.size;
+        // A point has 16 bytes, the maximum per pixel.
+        if u64::from(size.width) * u64::from(size.height) > u64::from(u32::MAX) / 16 {
+            return Err(RecordingError::TooLarge {
+                camera: self.name.clone(),
+                size,
+            });
+        }
+        Ok(())
     }
 }
 
@@ -183,6 +211,35 @@ impl Moment<'_> {
             measured_points: false,
         }
     }
+
+    /// Checks that the images have their camera's size.
+    ///
+    /// # Errors
+    /// Returns an error for the first image that has another one.
+    pub fn check(&self, camera: &RecordedCamera) -> Result<(), RecordingError> {
+        let expected = camera.camera.intrinsics.size;
+        let rgb = self
+            .rgb
+            .map(|image| ImageSize::new(image.width(), image.height()));
+        let of_measured = camera.measured().camera.intrinsics.size;
+        let images = [
+            ("rgb", rgb, expected),
+            ("depth", self.depth.map(|depth| depth.size()), expected),
+            ("measured", self.measured.map(|depth| depth.size()), of_measured),
+        ];
+        match images
+            .into_iter()
+            .find(|(_, found, expected)| found.is_some_and(|found| found != *expected))
+        {
+            Some((image, Some(found), expected)) => Err(RecordingError::Size {
+                camera: camera.name.clone(),
+                image,
+                found,
+                expected,
+            }),
+            _ => Ok(()),
+        }
+    }
 }
 
 /// A depth image along the optical axis; values that are not above 0 are invalid.
@@ -195,7 +252,9 @@ pub enum DepthView<'a> {
 }
 
 impl DepthView<'_> {
-    fn size(&self) -> ImageSize {
+    /// Returns the width and height in pixels.
+    #[must_use]
+    pub fn size(&self) -> ImageSize {
         match self {
             Self::Metres(image) => ImageSize::new(image.width(), image.height()),
             Self::Millimetres(image) => ImageSize::new(image.width(), image.height()),
@@ -246,43 +305,4 @@ pub enum RecordingError {
     /// The library of the format fails.
     #[error("{0}")]
     Format(String),
-}
-
-/// Rejects cameras whose images are too large for a message.
-fn check_camera(camera: &RecordedCamera) -> Result<(), RecordingError> {
-    let size = camera.camera.intrinsics.size;
-    // A point has 16 bytes, the maximum per pixel.
-    if u64::from(size.width) * u64::from(size.height) > u64::from(u32::MAX) / 16 {
-        return Err(RecordingError::TooLarge {
-            camera: camera.name.clone(),
-            size,
-        });
-    }
-    Ok(())
-}
-
-/// Rejects images of other sizes than their camera's.
-fn check_moment(camera: &RecordedCamera, moment: &Moment<'_>) -> Result<(), RecordingError> {
-    let expected = camera.camera.intrinsics.size;
-    let rgb = moment
-        .rgb
-        .map(|image| ImageSize::new(image.width(), image.height()));
-    let of_measured = camera.measured().camera.intrinsics.size;
-    let images = [
-        ("rgb", rgb, expected),
-        ("depth", moment.depth.map(|depth| depth.size()), expected),
-        ("measured", moment.measured.map(|depth| depth.size()), of_measured),
-    ];
-    match images
-        .into_iter()
-        .find(|(_, found, expected)| found.is_some_and(|found| found != *expected))
-    {
-        Some((image, Some(found), expected)) => Err(RecordingError::Size {
-            camera: camera.name.clone(),
-            image,
-            found,
-            expected,
-        }),
-        _ => Ok(()),
-    }
 }

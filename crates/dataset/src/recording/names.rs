@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 /// Returns a unique name of letters, digits and `_` that does not start with a digit; other characters become `_` (ROS 2's rules
 /// for a part of a topic's name, also used for frames).
-pub(super) fn unique(name: &str, taken: &mut BTreeSet<String>) -> String {
+pub fn unique_name(name: &str, taken: &mut BTreeSet<String>) -> String {
     let allowed = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
     let mut clean: String = name.chars().map(allowed).collect();
     // Repeated underscores are not allowed.

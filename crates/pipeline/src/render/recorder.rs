@@ -7,8 +7,8 @@ use super::camera::PlacedCamera;
 use super::trajectory::TimedPose;
 use crate::imu::ImuSimulation;
 use crate::recording::{
-    Body, CameraId, DepthView, Format, MeasuredCamera, Moment, RecordedCamera, RecordingError, RecordingFile,
-    RecordingFileError, Time,
+    Body, CameraId, DepthView, MeasuredCamera, Moment, RecordedCamera, RecordingError, RecordingFile,
+    RecordingFileError, Time, check_path, ros_lens_loss,
 };
 use crate::sensor::Sensor;
 use oaktwin_base::diagnostic::{Finding, Level, Message, message, opt};
@@ -17,7 +17,6 @@ use oaktwin_dataset::{Shot, WriteError, Writer};
 use oaktwin_files::{OutputFiles, WrittenFile};
 use oaktwin_image::ZDepth;
 use oaktwin_image::annotation::Annotator;
-use oaktwin_scene::Up;
 
 /// The frame rate of trajectories without times.
 pub(super) const FRAME_RATE: f64 = 30.0;
@@ -61,14 +60,13 @@ impl FrameRecorder {
     /// Returns an error if the file cannot be written or a time is out of range.
     pub fn create(
         path: &Path,
-        up: Up,
         cameras: &[PlacedCamera],
         sensors: &[Option<Sensor>],
         poses: &[TimedPose],
         annotators: &[Annotator],
         is_alone: bool,
     ) -> Result<(Self, Vec<Finding>), RecordingFileError> {
-        let format = Format::of(path)?;
+        check_path(path)?;
         let in_file = |error| RecordingFileError::Recording {
             path: PathBuf::from(path),
             error,
@@ -76,7 +74,7 @@ impl FrameRecorder {
         let (times, mut findings) = times(poses).map_err(in_file)?;
         findings.extend(not_recorded(annotators, is_alone));
         let lost = cameras.iter().filter_map(|camera| {
-            let loss = format.lens_loss(&camera.camera.lens)?;
+            let loss = ros_lens_loss(&camera.camera.lens)?;
             Some(Finding::new(
                 "lens-not-recorded",
                 Level::Warning,
@@ -86,7 +84,7 @@ impl FrameRecorder {
             ))
         });
         findings.extend(lost);
-        let mut file = RecordingFile::create(path, up)?;
+        let mut file = RecordingFile::create(path)?;
         let cameras = cameras
             .iter()
             .enumerate()
@@ -106,23 +104,12 @@ impl FrameRecorder {
         Ok((recorder, findings))
     }
 
-    /// Adds the samples of the OAK's inertial sensor, each before the frames that follow it. Returns a finding if the format
-    /// cannot hold them.
-    pub fn add_imu(&mut self, samples: &ImuSimulation) -> Option<Finding> {
-        let file = self.file.as_mut()?;
-        if file.format() != Format::Mcap {
-            let message = "the samples of the inertial sensor are not recorded in this format";
-            return Some(Finding::new(
-                "imu-not-recorded",
-                Level::Warning,
-                "recording",
-                message,
-                "record into a .mcap file",
-            ));
+    /// Adds the samples of the OAK's inertial sensor, each before the frames that follow it.
+    pub fn add_imu(&mut self, samples: &ImuSimulation) {
+        if let Some(file) = &mut self.file {
+            file.set_imu(&samples.recorded("imu", BODY));
+            self.imu = Some(samples.clone().peekable());
         }
-        file.set_imu(&samples.recorded("imu", BODY));
-        self.imu = Some(samples.clone().peekable());
-        None
     }
 
     /// Records the inertial samples until a time, or all that are left.

@@ -226,15 +226,12 @@ class Recording:
     NAME_optical_frame (x right, y down, z forward), which is the frame of images and clouds. Invalid depth is NaN (0 in
     millimetres); ground-truth depth without a surface is inf (REP-117, REP-118). The same calls give the same bytes.
 
-    An .rrd is for Rerun; it requires a package built with the feature `rerun`.
-
-    path: the file, .mcap or .rrd. It is created when the recording is closed, and not at all if the `with` block ends in
+    path: the file, .mcap, which Rerun and Foxglove open, too. It is created when the recording is closed, and not at all if the `with` block ends in
         an exception or the object is dropped.
-    up: the up axis of the world, "z" (default) or "y"; .mcap does not store it.
 
     Raises oaktwin.Error for another extension, OSError if the file cannot be written. Thread-safe.
     """
-    def __new__(cls, path: str | PathLike[str], *, up: _Up = "z") -> Recording: ...
+    def __new__(cls, path: str | PathLike[str]) -> Recording: ...
     def log(
         self,
         camera: Camera,

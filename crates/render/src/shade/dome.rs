@@ -24,21 +24,20 @@ pub(super) struct DomeImage {
 }
 
 impl DomeImage {
-    /// Decodes the texture. Returns a finding if it is reduced, and an error if it cannot be shown.
+    /// Decodes the texture. Returns a finding if it cannot be shown.
     pub(super) fn new(
         texture: &Texture,
         radiance: Vec3,
         world_from_light: DAffine3,
-    ) -> Result<(Self, Option<Finding>), Finding> {
+    ) -> Result<Self, Finding> {
         let inverse = world_from_light.matrix3.inverse();
         let is_whole = inverse.is_finite();
-        let (image, finding) = linear(&texture.source)?;
-        let dome = Self {
+        let image = linear(&texture.source)?;
+        Ok(Self {
             image,
             radiance,
             light_from_world: if is_whole { inverse } else { DMat3::IDENTITY },
-        };
-        Ok((dome, finding))
+        })
     }
 
     /// Returns the radiance from a direction in the world.

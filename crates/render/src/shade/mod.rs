@@ -273,7 +273,7 @@ impl Shader {
         (made, findings)
     }
 
-    /// Decodes the textures of the visible surfaces; the findings name those that cannot be decoded, or are reduced.
+    /// Decodes the textures of the visible surfaces; the findings name those that cannot be decoded.
     fn decode(&self, scene: &Scene, hits: &Image<Hit>) -> Vec<Finding> {
         let mut instances = vec![false; scene.instances.len()];
         let mut last = u32::MAX;

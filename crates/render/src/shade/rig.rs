@@ -109,8 +109,7 @@ impl LightRig {
             self.has_sky = true;
             let texture = texture.and_then(|index| scene.textures.get(index as usize));
             match texture.map(|texture| DomeImage::new(texture, radiance, light.world_from_light)) {
-                Some(Ok((dome, finding))) => {
-                    self.findings.extend(finding);
+                Some(Ok(dome)) => {
                     self.sky = self.sky.plus(&dome.harmonics());
                     self.backdrop.domes.push(dome);
                     return;

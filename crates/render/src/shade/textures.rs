@@ -2,10 +2,9 @@
 
 use std::sync::OnceLock;
 
-use oaktwin_base::diagnostic::{Finding, Level};
+use oaktwin_base::diagnostic::{Finding, Level, Message};
 use oaktwin_files as files;
-use oaktwin_image::texture::{self, Average, Fitted, Reduction};
-use oaktwin_image::{CodecError, Image};
+use oaktwin_image::{CodecError, Image, texture};
 use oaktwin_scene::{ColorSpace, Scene, Texture, TextureSource};
 
 use super::pyramid::Pyramid;
@@ -18,7 +17,7 @@ const MAX_BYTES: u64 = 1 << 30;
 pub(super) struct Loaded {
     /// `None` if the texture cannot be shown.
     pyramid: Option<Pyramid>,
-    /// The reason why it cannot be shown, or not in full size.
+    /// The reason why it cannot be shown.
     pub(super) finding: Option<Finding>,
 }
 
@@ -56,9 +55,9 @@ impl Textures {
 impl Loaded {
     fn new(texture: &Texture) -> Self {
         match pyramid(texture) {
-            Ok((pyramid, finding)) => Self {
+            Ok(pyramid) => Self {
                 pyramid: Some(pyramid),
-                finding,
+                finding: None,
             },
             Err(finding) => Self {
                 pyramid: None,
@@ -68,61 +67,25 @@ impl Loaded {
     }
 }
 
-/// Decodes the texture of a dome into linear light. Returns a finding if it is reduced.
-pub(super) fn linear(source: &TextureSource) -> Result<(Image<[f32; 3]>, Option<Finding>), Finding> {
+/// Decodes the texture of a dome into linear light.
+pub(super) fn linear(source: &TextureSource) -> Result<Image<[f32; 3]>, Finding> {
     if let TextureSource::Pixels(image) = source {
-        return Ok((texture::to_linear(image), None));
+        return Ok(texture::to_linear(image));
     }
     let (name, bytes) = bytes(source)?;
-    match texture::fit_linear(&bytes, extension(&name)) {
-        Ok(fitted) => Ok(with_finding(name, fitted)),
-        Err(error) => Err(broken(name, &error)),
-    }
+    texture::decode_linear(&bytes, extension(&name)).map_err(|error| broken(name, error))
 }
 
-/// Decodes a texture. Returns a finding if it is reduced.
-fn pyramid(texture: &Texture) -> Result<(Pyramid, Option<Finding>), Finding> {
-    let average = match texture.color_space {
-        ColorSpace::Raw => Average::Raw,
-        _ => Average::Srgb,
-    };
+fn pyramid(texture: &Texture) -> Result<Pyramid, Finding> {
+    let is_srgb = texture.color_space != ColorSpace::Raw;
     if let TextureSource::Pixels(image) = &texture.source {
-        return Ok((Pyramid::new(Image::clone(image), average == Average::Srgb), None));
+        return Ok(Pyramid::new(Image::clone(image), is_srgb));
     }
     let (name, bytes) = bytes(&texture.source)?;
     // Images of high dynamic range are converted to sRGB.
     let is_high_range = bytes.starts_with(&[0x76, 0x2F, 0x31, 0x01]) || bytes.starts_with(b"#?");
-    match texture::fit_srgb(&bytes, extension(&name), average) {
-        Ok(fitted) => {
-            let (image, finding) = with_finding(name, fitted);
-            let pyramid = Pyramid::new(image, is_high_range || average == Average::Srgb);
-            Ok((pyramid, finding))
-        }
-        Err(error) => Err(broken(name, &error)),
-    }
-}
-
-/// Returns the image, and a finding if it is reduced.
-fn with_finding<P>(place: String, fitted: Fitted<P>) -> (Image<P>, Option<Finding>) {
-    let image = fitted.image;
-    let finding = fitted.reduction.map(|Reduction { full_size, shortage }| {
-        let message = format!(
-            "the texture is reduced from {} × {} to {} × {} pixels: {}",
-            full_size.0,
-            full_size.1,
-            image.width(),
-            image.height(),
-            shortage.what()
-        );
-        Finding::new(
-            "texture-reduced",
-            Level::Warning,
-            place,
-            message,
-            shortage.remedy(),
-        )
-    });
-    (image, finding)
+    let image = texture::decode_srgb(&bytes, extension(&name)).map_err(|error| broken(name, error))?;
+    Ok(Pyramid::new(image, is_high_range || is_srgb))
 }
 
 fn bytes(source: &TextureSource) -> Result<(String, Vec<u8>), Finding> {
@@ -147,15 +110,17 @@ fn extension(name: &str) -> Option<&str> {
     name.rsplit_once('.').map(|(_, extension)| extension)
 }
 
-fn broken(place: String, error: &CodecError) -> Finding {
-    // The message of a codec includes the remedy.
-    missing(
-        place,
-        format!("a plain colour is used instead of the texture: {error}"),
-        "",
-    )
+fn broken(place: String, error: CodecError) -> Finding {
+    let CodecError {
+        format,
+        place: at,
+        problem,
+        remedy,
+    } = error;
+    let message = format!("a plain colour is used instead of the texture: {format}: {at}: {problem}");
+    missing(place, message, remedy)
 }
 
-fn missing(place: String, message: String, remedy: &str) -> Finding {
+fn missing(place: String, message: String, remedy: impl Into<Message>) -> Finding {
     Finding::new("texture-missing", Level::Warning, place, message, remedy)
 }

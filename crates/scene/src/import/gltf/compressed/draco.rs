@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use draco_core::{DecodeLimits, DecoderBuffer, Mesh, MeshDecoder};
 use serde_json::{Value, json};
 
-use super::{DRACO, bytes_of, list, number};
+use super::{DracoPrimitive, bytes_of, draco_primitives, list, number};
 use crate::import::error::Fault;
 
 /// Honest streams of constant values are tiny, so the limit depends little on the size of the file.
@@ -15,42 +15,28 @@ const MAX_RATIO: usize = 1024;
 pub(super) fn decode(root: &mut Value, buffers: &mut Vec<Vec<u8>>) -> Result<(), Fault> {
     let size: usize = buffers.iter().map(Vec::len).sum();
     let mut allowed = size.saturating_mul(MAX_RATIO).max(ALWAYS_ALLOWED);
-    for mesh in 0..list(root, "meshes").len() {
-        for primitive in 0..list(&root["meshes"][mesh], "primitives").len() {
-            let entry = &root["meshes"][mesh]["primitives"][primitive];
-            let Some(extension) = entry.get("extensions").and_then(|all| all.get(DRACO)).cloned() else {
-                continue;
-            };
-            if has_uncompressed(root, entry) {
-                continue;
-            }
-            let place = format!("meshes[{mesh}].primitives[{primitive}]");
-            let fault = |message: &str| {
-                Fault::damaged(
-                    &place,
-                    format!("its data compressed by Draco is invalid: {message}"),
-                )
-            };
-            let view = number(&extension, "bufferView").and_then(|view| root.get("bufferViews")?.get(view));
-            let bytes = view
-                .and_then(|view| bytes_of(view, buffers))
-                .ok_or_else(|| fault("it exceeds its buffer"))?;
-            let decoded = decoded(bytes, allowed).map_err(|message| fault(&message))?;
-            let first = buffers.len();
-            replace(root, buffers, [mesh, primitive], &extension, &decoded);
-            allowed = allowed.saturating_sub(buffers[first..].iter().map(Vec::len).sum());
-        }
+    for compressed in draco_primitives(root) {
+        let fault = |message: &str| {
+            Fault::damaged(
+                compressed.place(),
+                format!("its data compressed by Draco is invalid: {message}"),
+            )
+        };
+        let DracoPrimitive {
+            mesh,
+            primitive,
+            extension,
+        } = &compressed;
+        let view = number(extension, "bufferView").and_then(|view| root.get("bufferViews")?.get(view));
+        let bytes = view
+            .and_then(|view| bytes_of(view, buffers))
+            .ok_or_else(|| fault("it exceeds its buffer"))?;
+        let decoded = decoded(bytes, allowed).map_err(|message| fault(&message))?;
+        let first = buffers.len();
+        replace(root, buffers, [*mesh, *primitive], extension, &decoded);
+        allowed = allowed.saturating_sub(buffers[first..].iter().map(Vec::len).sum());
     }
     Ok(())
-}
-
-/// Whether the file also contains the positions uncompressed, for readers without Draco.
-fn has_uncompressed(root: &Value, primitive: &Value) -> bool {
-    primitive
-        .get("attributes")
-        .and_then(|attributes| number(attributes, "POSITION"))
-        .and_then(|index| root.get("accessors")?.get(index))
-        .is_some_and(|accessor| accessor.get("bufferView").is_some() || accessor.get("sparse").is_some())
 }
 
 fn decoded(bytes: &[u8], allowed: usize) -> Result<Mesh, String> {

@@ -1,5 +1,9 @@
 //! Decodes the buffers that are compressed by meshopt or Draco, so that the rest of the importer sees none of it.
 
+#[cfg(feature = "compressed-gltf")]
+mod draco;
+#[cfg(not(feature = "compressed-gltf"))]
+#[path = "no_draco.rs"]
 mod draco;
 mod meshopt;
 
@@ -45,6 +49,50 @@ pub(super) fn decode(root: &mut Value, buffers: &mut Vec<Vec<u8>>) -> Result<(),
         buffers.push(decoded);
     }
     draco::decode(root, buffers)
+}
+
+/// A primitive that is compressed by Draco, and the object of its extension.
+struct DracoPrimitive {
+    mesh: usize,
+    primitive: usize,
+    #[cfg_attr(
+        not(feature = "compressed-gltf"),
+        expect(dead_code, reason = "read by the decoder")
+    )]
+    extension: Value,
+}
+
+impl DracoPrimitive {
+    fn place(&self) -> String {
+        format!("meshes[{}].primitives[{}]", self.mesh, self.primitive)
+    }
+}
+
+/// Returns the primitives that only readers of Draco can use.
+fn draco_primitives(root: &Value) -> Vec<DracoPrimitive> {
+    let mut found = Vec::new();
+    for (mesh, value) in list(root, "meshes").iter().enumerate() {
+        for (primitive, value) in list(value, "primitives").iter().enumerate() {
+            let extension = value.get("extensions").and_then(|all| all.get(DRACO));
+            if let Some(extension) = extension.filter(|_| !has_uncompressed(root, value)) {
+                found.push(DracoPrimitive {
+                    mesh,
+                    primitive,
+                    extension: extension.clone(),
+                });
+            }
+        }
+    }
+    found
+}
+
+/// Whether the file also contains the positions uncompressed, for readers without Draco.
+fn has_uncompressed(root: &Value, primitive: &Value) -> bool {
+    primitive
+        .get("attributes")
+        .and_then(|attributes| number(attributes, "POSITION"))
+        .and_then(|index| root.get("accessors")?.get(index))
+        .is_some_and(|accessor| accessor.get("bufferView").is_some() || accessor.get("sparse").is_some())
 }
 
 fn meshopt_extension(value: &Value) -> Option<&Value> {

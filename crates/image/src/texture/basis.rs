@@ -7,14 +7,9 @@ use basisu::{DecodeFlags, TargetFormat, Transcoder};
 use crate::{CodecError, Image, limits};
 
 const KTX2: &[u8] = b"\xabKTX 20\xbb\r\n\x1a\n";
-const BASIS: &[u8] = b"sB";
-
-pub(crate) fn is_basis(bytes: &[u8]) -> bool {
-    bytes.starts_with(KTX2) || bytes.starts_with(BASIS)
-}
 
 /// Decodes the full-size image of a texture.
-pub(crate) fn decode(bytes: &[u8]) -> Result<Image<[u8; 4]>, CodecError> {
+pub(super) fn decode(bytes: &[u8]) -> Result<Image<[u8; 4]>, CodecError> {
     // A corrupt file may make the decoder panic.
     catch_unwind(AssertUnwindSafe(|| decode_checked(bytes)))
         .unwrap_or_else(|_| Err(damaged("its contents contradict each other")))

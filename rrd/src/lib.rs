@@ -1,21 +1,23 @@
-//! Recordings in Rerun's format.
+//! Recordings of oaktwin in Rerun's format.
+//!
+//! [`Rrd`] takes what [`Mcap`](oaktwin::dataset::recording::Mcap) takes. It is a crate outside oaktwin's workspace because Rerun's
+//! libraries have several hundred dependencies; Rerun's viewer opens MCAP files as well.
 
 use std::collections::BTreeSet;
 use std::fmt;
 use std::io::Write;
 use std::time::Duration;
 
-use oaktwin_camera::math::DVec3;
-use oaktwin_camera::{Camera, OpenCv, RigidTransform};
-use oaktwin_image::{Image, ImageView};
+use oaktwin::camera::math::DVec3;
+use oaktwin::camera::{Camera, OpenCv, RigidTransform};
+use oaktwin::dataset::recording::{
+    self, CameraId, DepthView, Moment, RecordedCamera, Recorder, RecordingError, unique_name,
+};
+use oaktwin::image::{Image, ImageView};
 use rerun::external::re_log_encoding::{EncodeError, Encoder, EncodingOptions};
 use rerun::sink::MemorySinkStorage;
 use rerun::{RecordingStream, RecordingStreamBuilder};
 
-use super::{
-    CameraId, DepthView, Moment, RecordedCamera, Recorder, RecordingError, check_camera, check_moment, cloud,
-    names,
-};
 
 /// The name of the timeline.
 const TIMELINE: &str = "time";
@@ -92,19 +94,19 @@ impl<W: Write> Recorder for Rrd<W> {
     type Output = W;
 
     fn add_camera(&mut self, camera: &RecordedCamera) -> Result<CameraId, RecordingError> {
-        check_camera(camera)?;
+        camera.check()?;
         let parent = match &camera.body {
             None => "world".to_owned(),
             Some(body) => match self.bodies.iter().find(|(name, _)| *name == body.name) {
                 Some((_, entity)) => entity.clone(),
                 None => {
-                    let entity = format!("world/{}", names::unique(&body.name, &mut self.names));
+                    let entity = format!("world/{}", unique_name(&body.name, &mut self.names));
                     self.bodies.push((body.name.clone(), entity.clone()));
                     entity
                 }
             },
         };
-        let entity = format!("{parent}/{}", names::unique(&camera.name, &mut self.names));
+        let entity = format!("{parent}/{}", unique_name(&camera.name, &mut self.names));
         if let Some(body) = &camera.body {
             self.stream
                 .log_static(entity.as_str(), &transform(&body.body_from_camera))
@@ -133,12 +135,12 @@ impl<W: Write> Recorder for Rrd<W> {
             rays: [None, None],
         });
         self.write()?;
-        Ok(CameraId(self.cameras.len() - 1))
+        Ok(CameraId::new(self.cameras.len() - 1))
     }
 
     fn record(&mut self, camera: CameraId, moment: &Moment<'_>) -> Result<(), RecordingError> {
         let station = self.cameras.get_mut(camera.0).ok_or(RecordingError::NoCamera)?;
-        check_moment(&station.camera, moment)?;
+        moment.check(&station.camera)?;
         let stream = &self.stream;
         // The time is that of the calling thread, which may differ between calls.
         stream.set_time(TIMELINE, Duration::from_nanos(moment.time.nanoseconds()));
@@ -164,7 +166,7 @@ impl<W: Write> Recorder for Rrd<W> {
                 .log(format!("{entity}/image/depth"), &depth_image(depth))
                 .map_err(failed)?;
             if moment.depth_points {
-                let rays = rays.get_or_insert_with(|| cloud::rays(camera));
+                let rays = rays.get_or_insert_with(|| recording::rays(camera));
                 let points = points(rays, depth, &RigidTransform::IDENTITY, moment.rgb);
                 stream
                     .log(format!("{entity}/depth_points"), &points)
@@ -176,8 +178,8 @@ impl<W: Write> Recorder for Rrd<W> {
                 .log(format!("{entity}/{image}/measured"), &depth_image(depth))
                 .map_err(failed)?;
             if moment.measured_points {
-                let rays = measured_rays.get_or_insert_with(|| cloud::rays(&measured.camera));
-                let colors = cloud::measured_colors(rays, depth, &station.camera, moment.rgb);
+                let rays = measured_rays.get_or_insert_with(|| recording::rays(&measured.camera));
+                let colors = recording::measured_colors(rays, depth, &station.camera, moment.rgb);
                 let rgb = colors.as_ref().map(Into::into).or(moment.rgb);
                 let points = points(rays, depth, &measured.camera_from_measured, rgb);
                 stream
@@ -255,7 +257,7 @@ fn points(
     camera_from_depth: &RigidTransform,
     rgb: Option<ImageView<'_, [u8; 4]>>,
 ) -> rerun::Points3D {
-    let all = cloud::points(rays, depth);
+    let all = recording::points(rays, depth);
     let colors = rgb.map(|rgb| rgb.pixels());
     let (mut places, mut painted) = (Vec::new(), Vec::new());
     for (at, point) in all.enumerate().filter(|(_, point)| !point[2].is_nan()) {
@@ -287,8 +289,8 @@ fn not_written(error: EncodeError) -> RecordingError {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::recording::{Body, Time};
-    use oaktwin_camera::{ImageSize, Intrinsics, LensModel};
+    use oaktwin::camera::{ImageSize, Intrinsics, LensModel};
+    use oaktwin::dataset::recording::{Body, Time};
 
     fn recorded<W: Write>(output: W) -> Result<W, RecordingError> {
         let mut recorder = Rrd::new(output, true)?;
