@@ -5,7 +5,6 @@
 mod accuracy;
 mod assets;
 mod bad_input;
-#[cfg(feature = "bridge")]
 mod bridge;
 mod coverage;
 mod exhaustive_models;

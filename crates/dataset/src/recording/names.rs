@@ -37,7 +37,7 @@ mod tests {
     fn converts_names() {
         let mut taken = BTreeSet::from(["world".to_owned()]);
         let names = ["left", "OAK-D Pro/left", "left", "3d", "ä..b_", "", "world"];
-        let made = names.map(|name| unique(name, &mut taken));
+        let made = names.map(|name| unique_name(name, &mut taken));
         assert_eq!(
             made,
             [

@@ -86,3 +86,85 @@ proptest! {
         let _ = decode_linear(&file, Some("tga"));
     }
 }
+
+/// Noise of a colour type, as 16 bits per sample.
+fn noise() -> DynamicImage {
+    let mut state = 7u32;
+    let mut sample = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        u16::try_from(state >> 16).unwrap()
+    };
+    DynamicImage::ImageRgba16(::image::ImageBuffer::from_fn(13, 7, |_, _| {
+        ::image::Rgba([sample(), sample(), sample(), sample()])
+    }))
+}
+
+fn encoded(image: &DynamicImage, format: ImageFormat) -> Vec<u8> {
+    let mut out = Cursor::new(Vec::new());
+    image.write_to(&mut out, format).unwrap();
+    out.into_inner()
+}
+
+/// Compares with another reader, which scales samples of 16 bits in the same way.
+fn is_as_read_by_another(file: &[u8], what: &str) {
+    let theirs = ::image::load_from_memory(file).unwrap().into_rgba8();
+    let ours = decode_srgb(file, None).unwrap();
+    assert_eq!((ours.width(), ours.height()), theirs.dimensions(), "{what}");
+    assert_eq!(ours.pixels().as_flattened(), theirs.as_raw().as_slice(), "{what}");
+}
+
+#[test]
+fn png_and_jpeg_of_every_colour_type_are_as_another_reader_sees_them() {
+    let noise = noise();
+    for (what, image) in [
+        ("grey", DynamicImage::ImageLuma8(noise.to_luma8())),
+        (
+            "grey and alpha",
+            DynamicImage::ImageLumaA8(noise.to_luma_alpha8()),
+        ),
+        ("RGB", DynamicImage::ImageRgb8(noise.to_rgb8())),
+        ("RGBA", DynamicImage::ImageRgba8(noise.to_rgba8())),
+        ("grey of 16 bits", DynamicImage::ImageLuma16(noise.to_luma16())),
+        (
+            "grey and alpha of 16 bits",
+            DynamicImage::ImageLumaA16(noise.to_luma_alpha16()),
+        ),
+        ("RGB of 16 bits", DynamicImage::ImageRgb16(noise.to_rgb16())),
+        ("RGBA of 16 bits", noise.clone()),
+    ] {
+        is_as_read_by_another(&encoded(&image, ImageFormat::Png), what);
+        if what == "grey" || what == "RGB" {
+            is_as_read_by_another(&encoded(&image, ImageFormat::Jpeg), what);
+        }
+    }
+}
+
+#[test]
+fn png_with_a_palette_and_few_bits_is_as_another_reader_sees_it() {
+    for depth in [
+        ::png::BitDepth::One,
+        ::png::BitDepth::Two,
+        ::png::BitDepth::Four,
+        ::png::BitDepth::Eight,
+    ] {
+        for color in [::png::ColorType::Indexed, ::png::ColorType::Grayscale] {
+            let mut file = Vec::new();
+            let mut encoder = ::png::Encoder::new(&mut file, 9, 3);
+            encoder.set_color(color);
+            encoder.set_depth(depth);
+            if color == ::png::ColorType::Indexed {
+                let colors = 1usize << (depth as u8);
+                encoder.set_palette((0..colors * 3).map(|i| (i * 37 % 256) as u8).collect::<Vec<_>>());
+                encoder.set_trns(vec![10u8, 200]);
+            }
+            let row = (9 * depth as usize).div_ceil(8);
+            let samples: Vec<u8> = (0..3 * row).map(|i| (i * 91 % 256) as u8).collect();
+            encoder
+                .write_header()
+                .unwrap()
+                .write_image_data(&samples)
+                .unwrap();
+            is_as_read_by_another(&file, &format!("{color:?} of {depth:?} bits"));
+        }
+    }
+}

@@ -2,9 +2,7 @@
 //! digits.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
-mod common;
-
-use common::{assert_printed, printed};
+use crate::common::{assert_printed, printed};
 use oaktwin_camera::{ApertureOffsets, Usd, UsdOptics};
 use oaktwin_catalog::{Catalog, Role, TwinCamera};
 

@@ -1,8 +1,6 @@
 //! Compares the depth sensors and fields of view of the catalog with the numbers that the parameter sheet prints.
 
-mod common;
-
-use common::assert_printed;
+use crate::common::assert_printed;
 use oaktwin_catalog::{Catalog, DepthKind, Role};
 
 /// model, kind, focalLengthPixel, baselineMM, minDistance, maxDistance.

@@ -2,11 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "tests")]
 
-mod case;
-
 use std::fs;
 
-use case::Case;
+use crate::case::Case;
 use oaktwin_generate::GenerateOptions;
 
 const RECIPE: &str = "

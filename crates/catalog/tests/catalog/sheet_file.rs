@@ -2,11 +2,9 @@
 //! camera and depth-sensor tables is compared with the catalog. An unknown row fails the test.
 #![expect(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests")]
 
-mod common;
-
 use std::path::PathBuf;
 
-use common::assert_printed;
+use crate::common::assert_printed;
 use oaktwin_camera::{ApertureOffsets, Usd, UsdOptics};
 use oaktwin_catalog::{Camera, Catalog, DepthKind, Device, Role, Sensor, Twin, TwinCamera};
 

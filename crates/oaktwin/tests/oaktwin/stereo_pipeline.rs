@@ -2,8 +2,6 @@
 
 #![expect(clippy::unwrap_used, reason = "a test")]
 
-mod plates;
-
 use std::ops::ControlFlow;
 
 use oaktwin::accuracy;
@@ -27,12 +25,12 @@ fn twin() -> Twin {
 
 /// A rectangle at x = `x` metres, between `y[0]` and `y[1]`; the squares of its pattern are `grain` metres wide.
 fn plate(scene: &mut Scene, x: f32, y: [f32; 2], grain: f32) {
-    plates::plate(scene, x, y, [-4.0, 4.0], grain * 64.0);
+    crate::plates::plate(scene, x, y, [-4.0, 4.0], grain * 64.0);
 }
 
 /// A uniformly lit room: uniform grey or random squares.
 fn room(is_blank: bool) -> Scene {
-    plates::room(64, is_blank.then_some(180))
+    crate::plates::room(64, is_blank.then_some(180))
 }
 
 fn look(scene: Scene, options: PairOptions) -> Pair {

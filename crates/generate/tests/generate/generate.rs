@@ -1,13 +1,11 @@
 //! Data sets of small recipes: placement, units and errors.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod case;
-
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use case::{Case, TABLE};
+use crate::case::{Case, TABLE};
 use oaktwin_generate::{GenerateOptions, Generator};
 use serde_json::Value;
 

@@ -8,8 +8,8 @@ use oaktwin_catalog::{Catalog, Source};
 use proptest::prelude::*;
 use tempfile::TempDir;
 
-const SENSOR: &str = include_str!("../data/sensors/ov9282.toml");
-const DEVICE: &str = include_str!("../data/devices/oak_d_pro_poe.toml");
+const SENSOR: &str = include_str!("../../data/sensors/ov9282.toml");
+const DEVICE: &str = include_str!("../../data/devices/oak_d_pro_poe.toml");
 
 fn folder(files: &[(&str, &[u8])]) -> TempDir {
     let dir = TempDir::new().unwrap();

@@ -1,14 +1,12 @@
 //! Data sets in parts: by several workers and processes, interrupted, resumed, extended and damaged.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod case;
-
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use case::{Case, TABLE};
+use crate::case::{Case, TABLE};
 use oaktwin_generate::GenerateOptions;
 use oaktwin_pipeline::progress::Progress;
 use serde_json::Value;

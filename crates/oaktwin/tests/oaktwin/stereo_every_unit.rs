@@ -2,8 +2,6 @@
 
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a test")]
 
-mod plates;
-
 use std::path::Path;
 
 use oaktwin::camera::math::DVec3;
@@ -21,8 +19,8 @@ const SIZE: ImageSize = ImageSize::new(640, 400);
 
 /// A wall of random squares in front of a camera at the origin that faces along x.
 fn wall(x: f32) -> Scene {
-    let mut scene = plates::room(512, None);
-    plates::plate(&mut scene, x, [-6.0, 6.0], [-6.0, 6.0], 0.012 * 512.0);
+    let mut scene = crate::plates::room(512, None);
+    crate::plates::plate(&mut scene, x, [-6.0, 6.0], [-6.0, 6.0], 0.012 * 512.0);
     scene
 }
 

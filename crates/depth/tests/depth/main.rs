@@ -1,0 +1,6 @@
+//! The tests of this crate, in one program.
+
+mod confidence;
+mod depthai_golden;
+mod reasons;
+mod vendor_curves;

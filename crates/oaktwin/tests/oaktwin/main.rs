@@ -1,0 +1,7 @@
+//! The tests of this crate, in one program.
+
+mod depth_sensor_scene;
+mod plates;
+mod stereo_every_unit;
+mod stereo_pipeline;
+mod stereo_population;

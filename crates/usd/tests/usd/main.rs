@@ -1,0 +1,7 @@
+//! The tests of this crate, in one program.
+
+mod bad_input;
+mod check_fixtures;
+mod limits;
+mod own_assets;
+mod scene;
