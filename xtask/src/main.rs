@@ -9,11 +9,13 @@ mod docs;
 mod fuzz;
 mod licenses;
 mod python;
+mod release;
 mod report;
 mod schema;
 mod soak;
 mod test;
 mod web;
+mod workflows;
 mod workspace;
 
 use std::process::ExitCode;
@@ -50,6 +52,8 @@ enum Task {
     Schema,
     /// Regenerate the licences that the Python wheel contains.
     Licenses,
+    /// Package the published crates and check the archives; without --dry-run, publish them.
+    Release(release::Args),
     /// Bundle the page of `oaktwin studio` into web/dist; requires npm.
     Web(web::Args),
 }
@@ -64,6 +68,7 @@ fn main() -> ExitCode {
         Task::Fuzz(args) => fuzz::run(&args),
         Task::Schema => schema::run(),
         Task::Licenses => licenses::run(),
+        Task::Release(args) => release::run(&args),
         Task::Web(args) => web::run(&args),
     };
     match result {
