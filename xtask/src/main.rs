@@ -54,7 +54,7 @@ enum Task {
     Licenses,
     /// Package the published crates and check the archives; without --dry-run, publish them.
     Release(release::Args),
-    /// Bundle the page of `oaktwin studio` into web/dist; requires npm.
+    /// Bundle the page of `oaktwin studio` into crates/studio/dist; requires npm.
     Web(web::Args),
 }
 
