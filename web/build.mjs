@@ -1,8 +1,8 @@
-// Bundles the page into `dist/`, which is committed: the same sources and lock file give the same bytes.
+// Bundles the page into a folder, by default the committed one: the same sources and lock file give the same bytes.
 import { copyFile, mkdir, readFile, writeFile } from "node:fs/promises";
 import { build } from "esbuild";
 
-const [, , folder = new URL("dist/", import.meta.url).pathname] = process.argv;
+const [, , folder = new URL("../crates/studio/dist/", import.meta.url).pathname] = process.argv;
 const dist = folder.endsWith("/") ? folder : `${folder}/`;
 await mkdir(dist, { recursive: true });
 await build({

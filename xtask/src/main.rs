@@ -10,11 +10,13 @@ mod fuzz;
 mod licenses;
 mod processor;
 mod python;
+mod release;
 mod report;
 mod schema;
 mod soak;
 mod test;
 mod web;
+mod workflows;
 mod workspace;
 
 use std::process::ExitCode;
@@ -51,7 +53,9 @@ enum Task {
     Schema,
     /// Regenerate the licences that the Python wheel contains.
     Licenses,
-    /// Bundle the page of `oaktwin studio` into web/dist; requires npm.
+    /// Package the published crates and check the archives; without --dry-run, publish them.
+    Release(release::Args),
+    /// Bundle the page of `oaktwin studio` into crates/studio/dist; requires npm.
     Web(web::Args),
 }
 
@@ -65,6 +69,7 @@ fn main() -> ExitCode {
         Task::Fuzz(args) => fuzz::run(&args),
         Task::Schema => schema::run(),
         Task::Licenses => licenses::run(),
+        Task::Release(args) => release::run(&args),
         Task::Web(args) => web::run(&args),
     };
     match result {

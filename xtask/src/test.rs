@@ -10,7 +10,7 @@ use crate::python::{
     self, BARE, BLENDER, ENVIRONMENTS, Environment, Interpreter, PACKAGE, PEERS, RENDER, TORCH,
 };
 use crate::report::Report;
-use crate::{web, workspace};
+use crate::{web, workflows, workspace};
 
 /// The variable that names the folder of the public test data.
 const TEST_DATA: &str = "OAKTWIN_TEST_DATA";
@@ -72,6 +72,7 @@ pub(crate) fn run(args: &Args) -> ExitCode {
             }
         },
     }
+    workflows::steps(&mut report);
     match args.all || args.peers {
         true => web::steps(&mut report, built.as_ref().map(|built| &*built.oaktwin)),
         false => report.skip("page", "run by --peers"),

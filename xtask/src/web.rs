@@ -11,6 +11,9 @@ use crate::workspace::{self, output};
 /// The files of the bundle.
 const BUNDLE: [&str; 4] = ["index.html", "licenses.txt", "studio.css", "studio.js"];
 
+/// The folder of the committed bundle: that of the crate which contains it, so that it can be published.
+const COMMITTED: &str = "crates/studio/dist";
+
 /// The browsers that the page is tested in, and a variable that names another one.
 const BROWSERS: [&str; 3] = [
     "/usr/bin/chromium",
@@ -28,7 +31,7 @@ pub(crate) struct Args {
 
 /// Installs what the page is built with, checks its types, and bundles it.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
-    let dist = folder().join("dist");
+    let dist = committed();
     bundle(&dist)?;
     for name in BUNDLE {
         let path = dist.join(name);
@@ -77,6 +80,10 @@ fn folder() -> PathBuf {
     workspace::root().join("web")
 }
 
+fn committed() -> PathBuf {
+    workspace::root().join(COMMITTED)
+}
+
 pub(crate) fn npm(arguments: &[&str]) -> Command {
     let mut command = Command::new("npm");
     command.args(arguments).current_dir(folder());
@@ -106,9 +113,9 @@ fn is_committed() -> Result<(), String> {
             let path = folder.join(name);
             std::fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))
         };
-        if read(&built)? != read(&folder().join("dist"))? {
+        if read(&built)? != read(&committed())? {
             return Err(format!(
-                "web/dist/{name} is not what the sources build; run cargo xtask web and commit it"
+                "{COMMITTED}/{name} is not what the sources build; run cargo xtask web and commit it"
             ));
         }
     }

@@ -3,10 +3,10 @@
 use axum::http::header;
 use axum::response::{IntoResponse, Response};
 
-const HTML: &[u8] = include_bytes!("../../../web/dist/index.html");
-const SCRIPT: &[u8] = include_bytes!("../../../web/dist/studio.js");
-const LICENSES: &[u8] = include_bytes!("../../../web/dist/licenses.txt");
-const STYLE: &[u8] = include_bytes!("../../../web/dist/studio.css");
+const HTML: &[u8] = include_bytes!("../dist/index.html");
+const SCRIPT: &[u8] = include_bytes!("../dist/studio.js");
+const LICENSES: &[u8] = include_bytes!("../dist/licenses.txt");
+const STYLE: &[u8] = include_bytes!("../dist/studio.css");
 
 pub(crate) async fn html() -> Response {
     asset("text/html; charset=utf-8", HTML)
