@@ -12,6 +12,7 @@ mod python;
 mod report;
 mod schema;
 mod soak;
+mod targets;
 mod test;
 mod web;
 mod workspace;
