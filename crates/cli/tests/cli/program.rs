@@ -100,7 +100,9 @@ impl Program {
         fn walk(folder: &Path, root: &Path, names: &mut Vec<String>) {
             for entry in fs::read_dir(folder).unwrap() {
                 let path = entry.unwrap().path();
-                names.push(with_slashes(&path.strip_prefix(root).unwrap().display().to_string()));
+                names.push(with_slashes(
+                    &path.strip_prefix(root).unwrap().display().to_string(),
+                ));
                 if path.is_dir() && !path.is_symlink() {
                     walk(&path, root, names);
                 }
