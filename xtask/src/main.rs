@@ -14,6 +14,7 @@ mod release;
 mod report;
 mod schema;
 mod soak;
+mod targets;
 mod test;
 mod web;
 mod workflows;

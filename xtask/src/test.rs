@@ -10,7 +10,7 @@ use crate::python::{
     self, BARE, BLENDER, ENVIRONMENTS, Environment, Interpreter, PACKAGE, PEERS, RENDER, TORCH,
 };
 use crate::report::Report;
-use crate::{web, workflows, workspace};
+use crate::{targets, web, workflows, workspace};
 
 /// The variable that names the folder of the public test data.
 const TEST_DATA: &str = "OAKTWIN_TEST_DATA";
@@ -24,12 +24,15 @@ pub(crate) struct Args {
     /// Also run the slow tests (`slow_…` in Rust, `slow` in Python), --peers, --portable and `PyTorch`
     #[arg(long)]
     all: bool,
-    /// Also run the Rust tests without vector instructions, as on processors other than x86-64
+    /// Also run the Rust tests with the scalar twins of all vector code
     #[arg(long)]
     portable: bool,
     /// Also test the Python package beside its large peers: Ray, Rerun, Open3D; and the page in a browser
     #[arg(long)]
     peers: bool,
+    /// Also check that everything compiles for the other systems whose standard libraries are installed
+    #[arg(long)]
+    targets: bool,
     /// Skip the Python oracles
     #[arg(long)]
     skip_python: bool,
@@ -73,6 +76,9 @@ pub(crate) fn run(args: &Args) -> ExitCode {
         },
     }
     workflows::steps(&mut report);
+    if args.targets {
+        targets::steps(&mut report);
+    }
     match args.all || args.peers {
         true => web::steps(&mut report, built.as_ref().map(|built| &*built.oaktwin)),
         false => report.skip("page", "run by --peers"),

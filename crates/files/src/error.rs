@@ -30,6 +30,8 @@ impl FileError {
     pub fn reading(path: &Path, error: &io::Error) -> Self {
         let (message, remedy) = match error.kind() {
             io::ErrorKind::NotFound => ("there is no such file", "check the path"),
+            // Windows denies the permission to open a folder.
+            io::ErrorKind::PermissionDenied if path.is_dir() => ("is a directory", "name a file in it"),
             io::ErrorKind::PermissionDenied => ("permission denied", "check its permissions"),
             io::ErrorKind::IsADirectory => ("is a directory", "name a file in it"),
             _ => return Self::new(path, format!("cannot be read ({error})"), "check the path"),
@@ -40,6 +42,14 @@ impl FileError {
     /// Returns the error for a failed write to `path`.
     #[must_use]
     pub fn writing(path: &Path, error: &io::Error) -> Self {
+        // Where a file has the name of a folder, Windows finds nothing.
+        if matches!(
+            error.kind(),
+            io::ErrorKind::NotADirectory | io::ErrorKind::NotFound
+        ) && let Some(file) = path.ancestors().skip(1).find(|folder| folder.is_file())
+        {
+            return Self::new(file, "is a file, not a folder", "choose another folder");
+        }
         let (message, remedy) = match error.kind() {
             io::ErrorKind::NotFound if folder(path).is_dir() => {
                 ("cannot be created in its folder", "choose another place")
@@ -57,14 +67,7 @@ impl FileError {
                 "free some space, or choose another place",
             ),
             io::ErrorKind::IsADirectory => ("is a directory", "name a file in it"),
-            io::ErrorKind::NotADirectory => {
-                let file = path.ancestors().skip(1).find(|folder| folder.is_file());
-                return Self::new(
-                    file.unwrap_or(path),
-                    "is a file, not a folder",
-                    "choose another folder",
-                );
-            }
+            io::ErrorKind::NotADirectory => ("is a file, not a folder", "choose another folder"),
             _ => {
                 return Self::new(
                     path,

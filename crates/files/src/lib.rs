@@ -8,7 +8,7 @@ mod output;
 mod temporary;
 
 use std::fs::{self, File};
-use std::io::Read;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 pub use atomic::{AtomicFile, write};
@@ -63,37 +63,59 @@ pub fn make_folder(path: &Path) -> Result<(), FileError> {
     })
 }
 
-/// Returns the path of a file relative to `folder`, as USD layers reference it: `./x.usd`, `../y/x.usd`.
+/// Returns a path as files name others on every system: with slashes, and without the `\\?\` that Windows puts before absolute
+/// paths.
+#[must_use]
+pub fn with_slashes(path: &Path) -> String {
+    let path = path.to_string_lossy();
+    match std::path::MAIN_SEPARATOR {
+        '/' => path.into_owned(),
+        separator => plain(&path.replace(separator, "/")),
+    }
+}
+
+fn plain(path: &str) -> String {
+    match (path.strip_prefix("//?/UNC/"), path.strip_prefix("//?/")) {
+        (Some(share), _) => format!("//{share}"),
+        (None, path_on_drive) => path_on_drive.unwrap_or(path).to_owned(),
+    }
+}
+
+/// Returns an absolute path whose existing part has no symbolic links.
+fn absolute(path: &Path) -> io::Result<PathBuf> {
+    let path = std::path::absolute(or_current(path))?;
+    let mut folders = path.ancestors();
+    let real =
+        folders.find_map(|folder| Some(folder.canonicalize().ok()?.join(path.strip_prefix(folder).ok()?)));
+    Ok(real.unwrap_or(path))
+}
+
+/// Returns the path of a file relative to `folder`, as USD layers reference it: `./x.usd`, `../y/x.usd`; an absolute one if the
+/// file is on another drive.
 ///
 /// # Errors
 /// Returns an error if an absolute path cannot be determined.
 pub fn relative(folder: &Path, file: &Path) -> Result<String, FileError> {
-    let absolute = |path: &Path| {
-        let path = or_current(path);
-        fs::canonicalize(path).or_else(|_| std::path::absolute(path))
-    };
     let unknown = |_| FileError::new(file, "its absolute path cannot be determined", "check the path");
-    let (folder, file) = (
-        absolute(folder).map_err(unknown)?,
-        absolute(file).map_err(unknown)?,
-    );
-    let common = folder
-        .components()
-        .zip(file.components())
-        .take_while(|(a, b)| a == b)
-        .count();
-    let up = folder.components().skip(common).map(|_| "..".to_owned());
-    let down = file
-        .components()
-        .skip(common)
-        .map(|part| part.as_os_str().to_string_lossy().into_owned());
-    let parts: Vec<String> = up.chain(down).collect();
-    let path = parts.join("/");
-    Ok(if path.starts_with("..") {
-        path
-    } else {
-        format!("./{path}")
-    })
+    let text = |path| Ok(with_slashes(&absolute(path).map_err(unknown)?));
+    let (folder, file) = (text(folder)?, text(file)?);
+    Ok(below_or_beside(&folder, &file))
+}
+
+/// Returns an absolute path with slashes relative to a folder.
+fn below_or_beside(folder: &str, file: &str) -> String {
+    fn parts(path: &str) -> Vec<&str> {
+        path.trim_end_matches('/').split('/').collect()
+    }
+    let (folder, names) = (parts(folder), parts(file));
+    let common = folder.iter().zip(&names).take_while(|(a, b)| a == b).count();
+    let (up, down) = (folder.len() - common, names[common..].join("/"));
+    match (common, up) {
+        // The first part is the drive; it is empty on other systems than Windows.
+        (0, _) => file.to_owned(),
+        (_, 0) => format!("./{down}"),
+        (_, up) => "../".repeat(up) + &down,
+    }
 }
 
 #[cfg(test)]
@@ -113,6 +135,28 @@ mod tests {
             relative(&root.path().join("mine/deep"), &base).unwrap(),
             "../../vendor/a.usd"
         );
+    }
+
+    #[test]
+    fn paths_on_drives_have_slashes() {
+        assert_eq!(plain("//?/C:/a/b.usd"), "C:/a/b.usd");
+        assert_eq!(plain("//?/UNC/server/share/b.usd"), "//server/share/b.usd");
+        assert_eq!(plain("C:/a"), "C:/a");
+        assert_eq!(below_or_beside("C:/a/b", "C:/a/c.usd"), "../c.usd");
+        assert_eq!(below_or_beside("C:/", "C:/a/c.usd"), "./a/c.usd");
+        assert_eq!(below_or_beside("/", "/a/c.usd"), "./a/c.usd");
+        assert_eq!(below_or_beside("C:/a", "D:/a/c.usd"), "D:/a/c.usd");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn folders_that_do_not_exist_yet_may_be_below_links() {
+        let root = tempfile::tempdir().unwrap();
+        let at = |name: &str| root.path().join(name);
+        fs::create_dir_all(at("real/deep")).unwrap();
+        fs::write(at("a.usd"), "").unwrap();
+        std::os::unix::fs::symlink("real/deep", at("link")).unwrap();
+        assert_eq!(relative(&at("link/new"), &at("a.usd")).unwrap(), "../../../a.usd");
     }
 
     #[test]

@@ -3,8 +3,8 @@
 //! - A [`Kernel`] is plain code over slices. It is compiled once for each [`Level`] and vectorized by the compiler.
 //! - A [`LaneKernel`] is written with explicit operations on eight [`Lanes`].
 //!
-//! No operation is fused or reordered, so a kernel gives the same bits at every level. The feature `portable` leaves only
-//! [`Level::BASELINE`], which is all there is on processors other than x86-64.
+//! No operation is fused or reordered, so a kernel gives the same bits at every level: AVX2 and AVX-512 on x86-64, NEON on
+//! 64-bit Arm. The feature `portable` leaves only [`Level::BASELINE`], which is all there is on other processors.
 //!
 //! # Safety
 //! This is the only crate with vector instructions. Its invariant: a [`Level`] above the baseline exists only on a
@@ -13,7 +13,12 @@
 
 mod kernel;
 mod lanes;
-#[cfg(any(not(target_arch = "x86_64"), feature = "portable"))]
+#[cfg(all(target_arch = "aarch64", not(feature = "portable")))]
+mod neon;
+#[cfg(any(
+    not(any(target_arch = "aarch64", target_arch = "x86_64")),
+    feature = "portable"
+))]
 mod portable;
 mod scalar;
 #[cfg(test)]
@@ -27,7 +32,12 @@ pub use lanes::{F64Lanes, I32Lanes, Lanes, Row};
 pub use scalar::round_ties_even;
 pub use unchecked::{Weight, saturating_trunc};
 
-#[cfg(any(not(target_arch = "x86_64"), feature = "portable"))]
+#[cfg(all(target_arch = "aarch64", not(feature = "portable")))]
+use neon::Extension;
+#[cfg(any(
+    not(any(target_arch = "aarch64", target_arch = "x86_64")),
+    feature = "portable"
+))]
 use portable::Extension;
 #[cfg(all(target_arch = "x86_64", not(feature = "portable")))]
 use x86::Extension;

@@ -46,7 +46,7 @@ operators! {
 }
 
 /// 1.5 · 2^52: adding it to a number rounds the number to an integer, which is then the lowest bits of the sum.
-const ROUND: f64 = 6_755_399_441_055_744.0;
+pub(crate) const ROUND: f64 = 6_755_399_441_055_744.0;
 
 /// Rounds a number that fits into 32 bits to the nearest integer, ties to the even one.
 #[expect(clippy::cast_possible_truncation, reason = "takes the lowest bits")]

@@ -59,6 +59,7 @@ impl Everything {
         }
         bits.f32(L::splat(self.a[3]));
         bits.f32(L::from_i32(integers[0]));
+        bits.i32((L::from_i32(integers[1]) * L::splat(0.3)).trunc());
         bits.i32(L::from_bits(integers[0]).to_bits());
         bits.i32(a.le(b));
         bits.i32(a.lt(b));

@@ -123,7 +123,7 @@ fn names_and_options_that_are_none() {
     insta::assert_snapshot!(all);
 }
 
-#[cfg(unix)]
+#[cfg(target_os = "linux")]
 #[test]
 fn outputs_that_cannot_be_written() {
     use std::os::unix::fs::symlink;

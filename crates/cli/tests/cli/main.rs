@@ -31,6 +31,7 @@ mod scene_limit;
 mod sense;
 mod sense_bad_input;
 mod sense_folders;
+mod signals;
 mod stereo;
 mod studio;
 mod whole_files;

@@ -1,11 +1,8 @@
 //! Runs the program in a temporary folder.
 
 use std::fs;
-use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, ExitStatus, Output, Stdio};
-use std::thread::{self, JoinHandle, sleep};
-use std::time::{Duration, Instant};
+use std::process::{Command, ExitStatus, Output, Stdio};
 
 /// The calibration that ships with the project.
 pub(crate) const EXAMPLE: &str = concat!(
@@ -98,50 +95,14 @@ impl Program {
         ended.stderr
     }
 
-    /// Runs the program, interrupts it as soon as `is_time` holds, and returns how it ended.
-    #[cfg(unix)]
-    pub(crate) fn interrupted(&self, arguments: &[&str], is_time: impl Fn(&Self) -> bool) -> Ended {
-        self.signalled(&["INT"], arguments, is_time)
-    }
-
-    /// Runs the program, sends it signals as soon as `is_time` holds, and returns how it ended.
-    #[cfg(unix)]
-    pub(crate) fn signalled(
-        &self,
-        signals: &[&str],
-        arguments: &[&str],
-        is_time: impl Fn(&Self) -> bool,
-    ) -> Ended {
-        let mut command = self.command(arguments);
-        let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn();
-        let mut running = Running(child.unwrap());
-        // Read meanwhile: a program that fills a pipe waits, and ends before it has written everything.
-        let stdout = read_all(running.0.stdout.take().unwrap());
-        let stderr = read_all(running.0.stderr.take().unwrap());
-        running.wait_until(|child| {
-            assert_eq!(child.try_wait().unwrap(), None, "ended before it was interrupted");
-            is_time(self)
-        });
-        let id = running.0.id().to_string();
-        for signal in signals {
-            let kill = Command::new("kill").args(["-s", signal, &id]).status();
-            assert!(kill.unwrap().success());
-        }
-        running.wait_until(|child| child.try_wait().unwrap().is_some());
-        let status = running.0.wait().unwrap();
-        self.ended(&Output {
-            status,
-            stdout: stdout.join().unwrap(),
-            stderr: stderr.join().unwrap(),
-        })
-    }
-
     /// Returns the paths of all files and folders below the folder.
     pub(crate) fn names(&self) -> Vec<String> {
         fn walk(folder: &Path, root: &Path, names: &mut Vec<String>) {
             for entry in fs::read_dir(folder).unwrap() {
                 let path = entry.unwrap().path();
-                names.push(path.strip_prefix(root).unwrap().display().to_string());
+                names.push(with_slashes(
+                    &path.strip_prefix(root).unwrap().display().to_string(),
+                ));
                 if path.is_dir() && !path.is_symlink() {
                     walk(&path, root, names);
                 }
@@ -153,14 +114,13 @@ impl Program {
         names
     }
 
-    fn ended(&self, output: &Output) -> Ended {
-        let folder = self.folder().display().to_string();
-        let fixtures = EXAMPLE.rsplit_once('/').unwrap().0;
+    pub(crate) fn ended(&self, output: &Output) -> Ended {
+        let folder = with_slashes(&self.folder().display().to_string());
+        let fixtures = with_slashes(EXAMPLE.rsplit_once('/').unwrap().0);
         let text = |bytes: &[u8]| {
-            String::from_utf8(bytes.to_vec())
-                .unwrap()
+            with_slashes(std::str::from_utf8(bytes).unwrap())
                 .replace(&folder, "[FOLDER]")
-                .replace(fixtures, "[FIXTURES]")
+                .replace(&fixtures, "[FIXTURES]")
         };
         Ended {
             code: code(output.status),
@@ -170,6 +130,15 @@ impl Program {
     }
 }
 
+/// Returns text whose paths have slashes on Windows, too, also those in JSON. A backslash before a quote is no separator.
+fn with_slashes(text: &str) -> String {
+    if !cfg!(windows) {
+        return text.to_owned();
+    }
+    let text = text.replace("\\\\", "/").replace("\\\"", "\0");
+    text.replace('\\', "/").replace('\0', "\\\"")
+}
+
 /// Returns the exit code, negative for the number of the signal that ended the program.
 fn code(status: ExitStatus) -> i32 {
     #[cfg(unix)]
@@ -177,38 +146,4 @@ fn code(status: ExitStatus) -> i32 {
         return -signal;
     }
     status.code().unwrap_or(i32::MIN)
-}
-
-/// Reads a stream to its end in a thread.
-#[cfg(unix)]
-fn read_all(mut from: impl Read + Send + 'static) -> JoinHandle<Vec<u8>> {
-    thread::spawn(move || {
-        let mut bytes = Vec::new();
-        from.read_to_end(&mut bytes).unwrap();
-        bytes
-    })
-}
-
-/// A process that is killed when the test ends, however it ends.
-#[cfg(unix)]
-struct Running(Child);
-
-#[cfg(unix)]
-impl Running {
-    fn wait_until(&mut self, mut is_done: impl FnMut(&mut Child) -> bool) {
-        let deadline = Instant::now() + Duration::from_secs(120);
-        while !is_done(&mut self.0) {
-            assert!(Instant::now() < deadline, "the program hangs");
-            sleep(Duration::from_millis(5));
-        }
-    }
-}
-
-#[cfg(unix)]
-impl Drop for Running {
-    fn drop(&mut self) {
-        // Fails if it has ended, which is as good.
-        let _ = self.0.kill();
-        let _ = self.0.wait();
-    }
 }

@@ -151,7 +151,7 @@ fn trajectories_that_are_none() {
     insta::assert_snapshot!(all);
 }
 
-#[cfg(unix)]
+#[cfg(target_os = "linux")]
 #[test]
 fn outputs_that_cannot_be_written() {
     let program = program();

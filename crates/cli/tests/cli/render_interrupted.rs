@@ -2,7 +2,7 @@
 
 use std::process::Stdio;
 
-use super::render::{depth, program};
+use super::render::program;
 
 #[cfg(unix)]
 #[test]
@@ -33,7 +33,7 @@ fn ctrl_c_leaves_whole_files_only() {
         .collect();
     assert_eq!(depths.len(), frames);
     for name in depths {
-        assert_eq!(depth(&program, &name).0, (64, 40));
+        assert_eq!(super::render::depth(&program, &name).0, (64, 40));
     }
     assert!(!program.names().iter().any(|name| name.ends_with(".part")));
 }

@@ -217,6 +217,7 @@ fn small_vertical_offsets() {
     }
 }
 
+#[cfg(unix)]
 #[test]
 fn an_interrupted_sequence_is_whole_as_far_as_it_went() {
     let program = program();

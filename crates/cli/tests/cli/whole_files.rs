@@ -1,5 +1,6 @@
 //! Files appear whole or not at all, however the program ends.
 
+#[cfg(unix)]
 use std::fs;
 
 #[cfg(unix)]

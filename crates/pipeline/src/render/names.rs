@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Returns a unique folder name for each camera, in order: the last part of its path, or the whole path if that is ambiguous,
 /// with a number if even that is. Characters other than letters, digits, `-`, `_` and `.` become `_`; names are compared
-/// without case.
+/// without case. A name that Windows reserves for a device, such as `aux`, gets a leading `_`.
 #[must_use]
 pub fn folder_names<'a>(paths: impl IntoIterator<Item = &'a str>) -> Vec<String> {
     let paths: Vec<&str> = paths.into_iter().collect();
@@ -44,9 +44,21 @@ fn clean(name: &str) -> String {
     let visible = tail.trim_start_matches('.').trim_end_matches('.');
     if visible.is_empty() {
         "camera".to_owned()
+    } else if is_reserved(visible) {
+        format!("_{visible}")
     } else {
         visible.to_owned()
     }
+}
+
+/// Whether Windows takes a name for a device, with any extension.
+fn is_reserved(name: &str) -> bool {
+    let stem = name.split('.').next().unwrap_or(name).to_ascii_lowercase();
+    let numbered = |device: &str| {
+        let number = stem.strip_prefix(device);
+        number.is_some_and(|number| number.len() == 1 && number.bytes().all(|byte| byte.is_ascii_digit()))
+    };
+    matches!(stem.as_str(), "con" | "prn" | "aux" | "nul") || numbered("com") || numbered("lpt")
 }
 
 #[cfg(test)]
@@ -63,6 +75,10 @@ mod tests {
         );
         assert_eq!(folder_names(["/A/x y", "/A/x:y"]), ["A_x_y", "A_x_y_2"]);
         assert_eq!(folder_names([".."]), ["camera"]);
+        assert_eq!(
+            folder_names(["/A/Aux", "/A/com1.left", "/A/com10", "/A/_aux"]),
+            ["A_Aux", "_com1.left", "com10", "A__aux"]
+        );
     }
 
     proptest! {

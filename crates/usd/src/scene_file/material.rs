@@ -1,5 +1,4 @@
-use std::path::Path;
-
+use oaktwin_files as files;
 use oaktwin_image::{CodecError, png, texture};
 use oaktwin_scene::{ColorSpace, Material, Scene, TextureSource, TextureUse, Wrap};
 
@@ -23,7 +22,7 @@ impl<'a> Materials<'a> {
         for (i, image) in scene.textures.iter().enumerate() {
             let (extension, bytes) = match &image.source {
                 TextureSource::File(path) => {
-                    paths.push(asset_path(path));
+                    paths.push(files::with_slashes(path));
                     continue;
                 }
                 TextureSource::Encoded { bytes, .. } => match extension(bytes) {
@@ -206,8 +205,4 @@ fn extension(bytes: &[u8]) -> Option<&'static str> {
         [0xff, 0xd8, 0xff, ..] => Some("jpg"),
         _ => None,
     }
-}
-
-fn asset_path(path: &Path) -> String {
-    path.to_string_lossy().replace('\\', "/")
 }

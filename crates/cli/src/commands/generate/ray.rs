@@ -19,6 +19,9 @@ use crate::context::{Context, Result};
 
 /// The variable with the Python interpreter.
 const PYTHON: &str = "OAKTWIN_PYTHON";
+/// Windows' flag for a process that gets no Ctrl-C from the terminal.
+#[cfg(windows)]
+const NEW_PROCESS_GROUP: u32 = 0x200;
 /// The maximum delay of Ctrl-C.
 const POLL: Duration = Duration::from_millis(50);
 
@@ -87,7 +90,8 @@ struct Python {
 impl Python {
     /// Starts the process with its request.
     fn start(request: &str) -> Result<Self> {
-        let name = env::var(PYTHON).unwrap_or_else(|_| "python3".to_owned());
+        let usual = if cfg!(windows) { "python" } else { "python3" };
+        let name = env::var(PYTHON).unwrap_or_else(|_| usual.to_owned());
         let mut command = Command::new(&name);
         // Not with -m: the functions of a main module do not exist in Ray's workers.
         command.args(["-c", "import oaktwin._ray as ray; raise SystemExit(ray.main())"]);
@@ -98,6 +102,8 @@ impl Python {
         // Ctrl-C in a terminal is for this process, which then closes the other's input.
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
+        #[cfg(windows)]
+        std::os::windows::process::CommandExt::creation_flags(&mut command, NEW_PROCESS_GROUP);
         let mut process = command.spawn().map_err(|error| {
             format!("{name} cannot be run ({error}); name a Python with oaktwin[ray] in {PYTHON}")
         })?;

@@ -75,7 +75,13 @@ fn resolve<'a>(uri: &'a str, folder: &Path) -> Target<'a> {
     }
     let name = match uri.split_once(':') {
         // `C:` is a drive, a longer prefix a scheme.
-        Some(("file", path)) => path.strip_prefix("//").unwrap_or(path),
+        Some(("file", path)) => {
+            let path = path.strip_prefix("//").unwrap_or(path);
+            // A drive follows a slash: `file:///C:/a.bin`.
+            path.strip_prefix('/')
+                .filter(|path| path.get(1..3) == Some(":/"))
+                .unwrap_or(path)
+        }
         Some((scheme, _))
             if scheme.len() > 1
                 && scheme
@@ -186,6 +192,10 @@ mod tests {
         assert_eq!(file("my%20mesh.bin"), Some("folder/my mesh.bin".into()));
         assert_eq!(file("../other/a.bin"), Some("folder/../other/a.bin".into()));
         assert_eq!(file("file:///tmp/a.bin"), Some("/tmp/a.bin".into()));
+        assert_eq!(
+            file("file:///C:/a.bin"),
+            Some(Path::new("folder").join("C:/a.bin"))
+        );
         assert_eq!(file("https://example.org/a.bin"), None);
         assert_eq!(file("%ff.bin"), None);
     }
