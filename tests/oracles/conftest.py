@@ -11,6 +11,8 @@ import pytest
 from assets import Builder
 from depth_eval import DepthEval
 
+# Without this, DepthAI sends usage statistics, and its processes wait for each other at a lock in the home folder.
+os.environ["DEPTHAI_TELEMETRY"] = "0"
 # Not every environment has these packages; tests that need them do not depend on the version of OpenUSD.
 NEEDS = {
     "test_blender.py": ("bpy",),

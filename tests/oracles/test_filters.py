@@ -19,6 +19,9 @@ MODES = PARAMS.TemporalFilter.PersistencyMode
 # Stopped pipelines, kept because destroying one can hang.
 STOPPED = []
 
+# Seconds after which an answer, which takes a few, does not come any more, however busy the machine is.
+HANGS_S = 600
+
 # A filter: its name and its settings under DepthAI's names.
 Filter = tuple[str, dict]
 
@@ -67,9 +70,12 @@ def depthai_filtered(filters: list[Filter], frames: np.ndarray) -> np.ndarray:
     node.setRunOnHost(True)
     for f in filters:
         node.initialConfig.insertFilter(depthai_filter(*f))
-    into, out = node.input.createInputQueue(), node.output.createOutputQueue()
+    # All frames at once: that takes half as long as waiting for each. Queues that block lose none.
+    size = len(frames)
+    node.input.setBlocking(True)
+    node.input.setMaxSize(size)
+    into, out = node.input.createInputQueue(size, True), node.output.createOutputQueue(size, True)
     pipeline.start()
-    results = []
     for pixels in frames:
         frame = dai.ImgFrame()
         frame.setType(dai.ImgFrame.Type.RAW8 if pixels.dtype == np.uint8 else dai.ImgFrame.Type.RAW16)
@@ -77,25 +83,29 @@ def depthai_filtered(filters: list[Filter], frames: np.ndarray) -> np.ndarray:
         frame.setHeight(pixels.shape[0])
         frame.setData(np.ascontiguousarray(pixels).view(np.uint8).reshape(-1))
         into.send(frame)
-        results.append(np.array(out.get().getData()).view(pixels.dtype).reshape(pixels.shape))
+    results = [np.array(out.get().getData()).view(frames.dtype).reshape(frames.shape[1:]) for _ in frames]
     pipeline.stop()
     STOPPED.append((pipeline, node, into, out))
     return np.stack(results)
 
 
+# Filters, and the frames that pass them.
+Request = tuple[list[Filter], np.ndarray]
+
+
 def serve(there: Connection) -> None:
-    """Serves requests until the input ends."""
+    """Says that it has started, and serves requests until the input ends."""
+    there.send(None)
     while True:
         try:
-            filters, frames = there.recv()
+            requests = there.recv()
         except EOFError:
             return
-        there.send(depthai_filtered(filters, frames))
+        there.send([depthai_filtered(*request) for request in requests])
 
 
 class DepthAI:
-    """DepthAI's filters in their own process: on a busy machine its thread occasionally hangs or crashes the
-    process."""
+    """DepthAI's filters in their own process, because its threads could hang or crash it."""
 
     def __init__(self) -> None:
         self.start()
@@ -106,21 +116,23 @@ class DepthAI:
         self.process = context.Process(target=serve, args=(there,), daemon=True)
         self.process.start()
         there.close()
+        # Without a limit: beside other processes, the start can take minutes.
+        self.here.recv()
 
     def restart(self) -> None:
         self.process.kill()
         self.process.join()
         self.start()
 
-    def filtered(self, filters: list[Filter], frames: np.ndarray) -> np.ndarray:
+    def filtered(self, requests: list[Request]) -> list[np.ndarray]:
         for _ in range(3):
             try:
-                self.here.send((filters, frames))
-                if self.here.poll(60):
+                self.here.send(requests)
+                if self.here.poll(HANGS_S):
                     return self.here.recv()
             except (EOFError, OSError):
                 pass
-            print(f"DepthAI did not answer: {filters} of {frames.dtype} {frames.shape}")
+            print("DepthAI did not answer")
             self.restart()
         raise AssertionError("DepthAI did not answer three times")
 
@@ -200,23 +212,24 @@ def median(rng: np.random.Generator) -> Filter:
     return "median", {"size": int(rng.choice([3, 5]))}
 
 
-def compare(ours: Ours, depthai: DepthAI, filters: list[Filter], frames: np.ndarray) -> None:
-    wanted, got = depthai.filtered(filters, frames), ours.run(filters, frames)
-    assert got.dtype == wanted.dtype
-    np.testing.assert_array_equal(got, wanted, err_msg=f"{filters} of {frames.dtype} {frames.shape}")
+def compare(ours: Ours, depthai: DepthAI, requests: list[Request]) -> None:
+    for (filters, frames), wanted in zip(requests, depthai.filtered(requests), strict=True):
+        got = ours.run(filters, frames)
+        assert got.dtype == wanted.dtype
+        np.testing.assert_array_equal(got, wanted, err_msg=f"{filters} of {frames.dtype} {frames.shape}")
 
 
-@pytest.mark.parametrize("make", [median, spatial, temporal, speckle])
+MAKES = [median, spatial, temporal, speckle]
+
+
+@pytest.mark.parametrize("make", MAKES)
 def test_each_is_depthais(ours: Ours, depthai: DepthAI, make) -> None:
-    for rng, frames in cases(1, 120):
-        compare(ours, depthai, [make(rng)], frames)
+    compare(ours, depthai, [([make(rng)], frames) for rng, frames in cases(1, 120)])
 
 
 def test_several_in_a_row_are_depthais(ours: Ours, depthai: DepthAI) -> None:
-    for rng, frames in cases(2, 120):
-        makes = [median, spatial, temporal, speckle]
-        filters = [makes[int(rng.integers(4))](rng) for _ in range(int(rng.integers(2, 6)))]
-        compare(ours, depthai, filters, frames)
+    several = lambda rng: [MAKES[int(rng.integers(4))](rng) for _ in range(int(rng.integers(2, 6)))]
+    compare(ours, depthai, [(several(rng), frames) for rng, frames in cases(2, 120)])
 
 
 def test_each_is_depthais_at_full_size(ours: Ours, depthai: DepthAI) -> None:
@@ -224,8 +237,7 @@ def test_each_is_depthais_at_full_size(ours: Ours, depthai: DepthAI) -> None:
     for dtype in (np.uint8, np.uint16):
         for kind in KINDS:
             frames = images(rng, dtype, 3, 800, 1280, kind)
-            for make in (median, spatial, temporal, speckle):
-                compare(ours, depthai, [make(rng)], frames)
+            compare(ours, depthai, [([make(rng)], frames) for make in MAKES])
 
 
 @pytest.mark.parametrize("size", [3, 5, 7])

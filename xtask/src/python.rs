@@ -26,6 +26,15 @@ pub(crate) struct Environment {
     pub(crate) tests: &'static [&'static str],
 }
 
+/// Whether tests can run in an environment.
+pub(crate) enum Readiness {
+    /// The path of its Python.
+    Ready(PathBuf),
+    Failed(String),
+    /// This machine lacks what it is made of.
+    Skipped(String),
+}
+
 /// The tests that compare with other libraries.
 const ORACLES: &[&str] = &["tests/oracles"];
 
@@ -74,7 +83,10 @@ pub(crate) const PEERS: Environment = Environment {
 pub(crate) const TORCH: Environment = Environment {
     name: "torch",
     versions: ((3, 11), None),
-    tests: &["crates/python/tests/test_torch.py"],
+    tests: &[
+        "crates/python/tests/test_torch.py",
+        "crates/python/tests/test_example_isaac_lab_batch.py",
+    ],
 };
 
 /// The oldest versions of the package's own dependencies and nothing else, not even pytest.
@@ -165,6 +177,18 @@ impl Environment {
     /// Prepares the environment with the first suitable interpreter, and returns the path of its Python.
     pub(crate) fn ready(&self) -> Result<PathBuf, String> {
         self.prepare(self.choose(&Interpreter::find_all())?)
+    }
+
+    /// Prepares the environment for tests, which are skipped without a suitable interpreter or the package index.
+    pub(crate) fn readiness(&self, interpreters: &[Interpreter]) -> Readiness {
+        match self.choose(interpreters) {
+            Err(reason) => Readiness::Skipped(reason),
+            Ok(interpreter) => match self.prepare(interpreter) {
+                Ok(python) => Readiness::Ready(python),
+                Err(message) if is_offline(&message) => Readiness::Skipped(OFFLINE.to_owned()),
+                Err(message) => Readiness::Failed(message),
+            },
+        }
     }
 
     /// Creates the environment unless it matches its requirements file, and returns the path of its Python.
@@ -281,13 +305,24 @@ fn prepare_in(
         "--no-deps",
     ]);
     install
-        .args(["--only-binary", ":all:", "--requirement"])
+        .args(["--only-binary", ":all:", "--retries", "5", "--requirement"])
         .arg(pins);
-    output(&mut install).map_err(|error| format!("{error}\nPackages come from PyPI: is it reachable?"))?;
+    output(&mut install).map_err(|error| match is_offline(&error) {
+        true => format!("{error}\n{OFFLINE}"),
+        false => error,
+    })?;
     output(Command::new(&python).args(["-m", "pip", "check", "--disable-pip-version-check"]))?;
     // Last, so that an interrupted installation is made anew.
     fs::write(&stamp_file, stamp).map_err(|error| failed(&stamp_file, &error))?;
     Ok(python)
+}
+
+/// Why an environment is not made without a network.
+const OFFLINE: &str = "the package index cannot be reached; run again with a network";
+
+/// Whether pip failed because it could not reach the package index: it says how many attempts remain, and names the last.
+fn is_offline(message: &str) -> bool {
+    message.contains("Retry(total=0,") || message.contains("Max retries exceeded")
 }
 
 fn is_as(file: &Path, text: &str) -> bool {
@@ -361,6 +396,22 @@ mod tests {
         assert_ne!(pinned(&file("large.txt")).unwrap(), first);
         fs::remove_file(file("light.txt")).unwrap();
         assert!(pinned(&file("large.txt")).unwrap_err().contains("light.txt"));
+    }
+
+    #[test]
+    fn tells_a_missing_network_from_a_wrong_pin() {
+        let retry = |left| {
+            format!(
+                "WARNING: Retrying (Retry(total={left}, connect=None)) after connection broken by 'NewConnectionError'\n"
+            )
+        };
+        let none =
+            "ERROR: Could not find a version that satisfies the requirement numpy==0 (from versions: none)";
+        let others =
+            "ERROR: Could not find a version that satisfies the requirement numpy==0 (from versions: 1, 2)";
+        assert!(is_offline(&[retry(1), retry(0), none.to_owned()].concat()));
+        assert!(!is_offline(others));
+        assert!(!is_offline(&(retry(4) + others)), "the network came back");
     }
 
     #[test]

@@ -5,6 +5,9 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
@@ -15,8 +18,12 @@ import oaktwin
 ROOT = Path(__file__).resolve().parents[3]
 # The NumPy models of the sensors.
 sys.path.append(str(ROOT / "tests/oracles"))
-# Without this, Ray keeps a token in the home folder.
-os.environ["RAY_AUTH_MODE"] = "disabled"
+# Without these, Ray keeps a token in the home folder; DepthAI sends usage statistics, and its processes wait for each other at a
+# lock in the home folder.
+os.environ |= {"RAY_AUTH_MODE": "disabled", "DEPTHAI_TELEMETRY": "0"}
+# Packages that only some environments have, by the names of their modules. A test, or a snippet of the manual, that imports a
+# missing one is skipped.
+PEERS = {"cv2", "open3d", "pxr", "ray", "rerun", "torch"}
 # The focal length in px and the baseline in metres of `matcher`.
 FX, BASELINE = 300.0, 0.075
 
@@ -34,6 +41,33 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         for item in items:
             if item.get_closest_marker("slow"):
                 item.add_marker(pytest.mark.skip(reason="slow: run with --slow"))
+
+
+@contextmanager
+def skipped_without_peers() -> Iterator[None]:
+    """Turns the error about a missing peer, or an error that one caused, into a skipped test."""
+    try:
+        yield
+    except ImportError as error:
+        cause: BaseException | None = error
+        while cause is not None:
+            peer = (getattr(cause, "name", None) or "").partition(".")[0]
+            if isinstance(cause, ModuleNotFoundError) and peer in PEERS and not find_spec(peer):
+                pytest.skip(f"{peer} is not installed")
+            cause = cause.__cause__ or cause.__context__
+        raise
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_setup() -> Iterator[None]:
+    with skipped_without_peers():
+        return (yield)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_call() -> Iterator[None]:
+    with skipped_without_peers():
+        return (yield)
 
 
 def files(folder: Path) -> dict[str, bytes]:
