@@ -1,3 +1,5 @@
+mod export;
+
 use std::fmt::Write;
 use std::path::Path;
 
@@ -13,7 +15,7 @@ use crate::output;
 pub(crate) fn run(context: &Context, args: &CalibrationArgs) -> Result<Exit> {
     match &args.command {
         CalibrationCommand::Show(args) => show(context, args),
-        CalibrationCommand::Export(args) => super::export::run(context, args),
+        CalibrationCommand::Export(args) => export::run(context, args),
     }
 }
 
