@@ -80,14 +80,14 @@ pub(crate) struct Cli {
     #[arg(long, global = true, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(crate) catalog: Option<PathBuf>,
 
-    /// Use at most this much memory, such as 4G; by default what the system allows
+    /// Use at most this much memory, such as 4G [default: what the system allows]
     #[arg(long, global = true, value_name = "SIZE", value_parser = memory::parse_size)]
     pub(crate) memory_limit: Option<u64>,
 }
 
 #[derive(Subcommand, Debug)]
 pub(crate) enum Command {
-    /// Write the assets of the parameter sheet, a calibrated twin, a room rendered by them, and comparison tables
+    /// Write a folder of examples: USD assets, a calibrated twin, a rendered room, comparison tables
     Demo(DemoArgs),
     /// List the models
     Models(ModelsArgs),
@@ -99,7 +99,7 @@ pub(crate) enum Command {
     Compare(CompareArgs),
     /// Inspect a DepthAI calibration, or export it to other formats
     Calibration(CalibrationArgs),
-    /// Write the calibrations of units of a model that differ as real units do
+    /// Write calibrations with realistic unit-to-unit variation
     Population(PopulationArgs),
     /// Write a model as a USD asset
     Asset(AssetArgs),
@@ -111,20 +111,20 @@ pub(crate) enum Command {
     Generate(Box<GenerateArgs>),
     /// Simulate a model's depth sensor on existing depth images
     Sense(Box<SenseArgs>),
-    /// Simulate a model's depth sensor live, between topics of ROS 2
+    /// Simulate a model's depth sensor live, between ROS 2 topics
     #[cfg(feature = "bridge")]
     Bridge(Box<BridgeArgs>),
-    /// Match stereo pairs like an OAK
+    /// Run OAK-style stereo matching on image pairs
     Stereo(Box<StereoArgs>),
-    /// Measure a model's depth accuracy by the vendor's method, and compare with its specification
+    /// Measure a model's depth accuracy by the vendor's method, and compare it with the specification
     Accuracy(Box<AccuracyArgs>),
-    /// Rank poses and models by the share of a surface that their depth sensors measure
+    /// Rank poses and models by how much of a surface their depth sensors measure
     Coverage(Box<CoverageArgs>),
     /// Fit error-model parameters to recordings of a flat target
     Fit(Box<FitArgs>),
     /// Check the cameras and depth sensors of a USD file
     Check(CheckArgs),
-    /// Serve a page to choose, tune, place and understand an OAK by looking
+    /// Serve a local web page to choose, tune and place OAKs
     Studio(StudioArgs),
     /// Print a shell completion script
     Completions(CompletionsArgs),
@@ -149,14 +149,14 @@ pub(crate) struct ModelsArgs {
 
 #[derive(Args, Debug)]
 pub(crate) struct DemoArgs {
-    /// Output folder
+    /// The output folder
     #[arg(short, long, value_name = "DIR", default_value = "oaktwin-demo", value_hint = ValueHint::DirPath)]
     pub(crate) output: PathBuf,
 }
 
 #[derive(Args, Debug)]
 pub(crate) struct ShowArgs {
-    /// Model
+    /// The model
     pub(crate) model: String,
 
     #[command(flatten)]
@@ -173,14 +173,14 @@ pub(crate) struct ShowArgs {
 
 #[derive(Args, Debug)]
 pub(crate) struct ParamsArgs {
-    /// Engine, imager or filters [default: list them]
+    /// The group of parameters: an engine, imager or filters [default: list the groups]
     pub(crate) group: Option<String>,
 
-    /// Platform of the defaults [default: the model's, or rvc2]
+    /// Print the defaults of this platform [default: the model's, or rvc2]
     #[arg(long, value_parser = choice::parser::<Platform>())]
     pub(crate) platform: Option<Platform>,
 
-    /// Model of the defaults
+    /// Print the defaults of this model
     #[arg(long)]
     pub(crate) model: Option<String>,
 
@@ -191,21 +191,21 @@ pub(crate) struct ParamsArgs {
 
 #[derive(Args, Debug)]
 pub(crate) struct CompareArgs {
-    /// Models [default: those of the parameter sheet, and those of --catalog]
+    /// The models [default: the parameter sheet's, and all in --catalog]
     pub(crate) models: Vec<String>,
 
-    /// Output format
+    /// The output format
     #[arg(long, value_parser = choice::parser::<TableFormat>(), default_value_t)]
     pub(crate) format: TableFormat,
 }
 
 #[derive(Args, Debug)]
 pub(crate) struct CheckArgs {
-    /// USD file: usda, usdc, usd or usdz
+    /// The USD file: usda, usdc, usd or usdz
     #[arg(value_hint = ValueHint::FilePath)]
     pub(crate) file: PathBuf,
 
-    /// Model to check against [default: recognised from prim names]
+    /// Check against this model [default: detected from prim names]
     #[arg(long)]
     pub(crate) model: Option<String>,
 
@@ -219,14 +219,14 @@ pub(crate) struct CheckArgs {
 
 #[derive(Args, Debug)]
 pub(crate) struct CompletionsArgs {
-    /// Shell
+    /// The shell
     #[arg(value_enum)]
     pub(crate) shell: clap_complete::Shell,
 }
 
 #[derive(Args, Debug)]
 pub(crate) struct ManArgs {
-    /// Command [default: the program itself]
+    /// The command [default: the program itself]
     pub(crate) command: Vec<String>,
 }
 
