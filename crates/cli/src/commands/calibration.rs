@@ -5,7 +5,7 @@ use std::path::Path;
 
 use oaktwin::calibration::{self, CalibrationSummary, CameraSummary};
 use oaktwin::catalog::Device;
-use oaktwin::diagnostic::{Finding, Level};
+use oaktwin::diagnostic::{self, Finding, Level};
 use oaktwin::unit;
 
 use crate::args::{CalibrationArgs, CalibrationCommand, CalibrationShowArgs};
@@ -125,8 +125,8 @@ fn text(file: &Path, summary: &CalibrationSummary, device: Option<&Device>) -> S
     }
     if !summary.findings.is_empty() {
         let _ = writeln!(out, "\nFindings");
-        for finding in &summary.findings {
-            let _ = writeln!(out, "  {finding}");
+        for group in diagnostic::group(&summary.findings) {
+            let _ = writeln!(out, "  {group}");
         }
     }
     out
