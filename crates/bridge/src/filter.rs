@@ -91,7 +91,7 @@ impl Filter {
         &self.options
     }
 
-    /// Changes the options of the sensor, which begins afresh if they differ.
+    /// Changes the options of the sensor. If they differ, its temporal filters forget earlier frames.
     ///
     /// # Errors
     /// Returns an error if an option is invalid; the filter remains as it was.

@@ -29,7 +29,7 @@ reasons! {
     "Something nearer hides the surface from the other camera." Occluded "occluded";
     "The image has too little texture for a reliable match." NoTexture "no_texture";
     "The image is overexposed." Saturated "saturated";
-    "The match from the left to the right image differs from that of the right to the left." LeftRightCheck "left_right_check";
+    "The matches from left to right and from right to left differ." LeftRightCheck "left_right_check";
     "The pixel is among those that the sensor drops at random." Dropout "dropout";
     "The pixel is in the invalid columns at the image's border." Border "border";
     "Qualcomm's hole filling found no reliable disparity around the pixel." HoleFilling "hole_filling";

@@ -56,7 +56,7 @@ impl Format {
             (_, LensModel::Pinhole) => None,
             (Self::Mcap, lens) => ros_lens_loss(lens),
             (Self::Rrd, _) => {
-                Some("Rerun supports pinholes only; the frustum is that of the lens without distortion")
+                Some("Rerun supports only pinholes; the frustum ignores the lens's distortion")
             }
         }
     }

@@ -67,7 +67,7 @@ pub(super) fn positive(doc: &Document<'_>, place: &str, value: f64) -> Checked {
     } else {
         Err(doc.error(
             place,
-            format!("{value} where only more than 0 makes sense"),
+            format!("{value} is not above 0"),
             "give a positive number",
         ))
     }
@@ -79,7 +79,7 @@ pub(super) fn not_negative(doc: &Document<'_>, place: &str, value: f64) -> Check
     } else {
         Err(doc.error(
             place,
-            format!("{value} where less than 0 makes no sense"),
+            format!("{value} is below 0"),
             "give 0 or more",
         ))
     }

@@ -269,7 +269,7 @@ fn each_of_several_pairs_can_be_chosen() {
         "tof",
     ]);
     assert!(
-        light.contains("is no stereo pair; choose Camera_pseudo_depth_stereo"),
+        light.contains("is not a stereo pair; choose Camera_pseudo_depth_stereo"),
         "{light}"
     );
 }

@@ -74,7 +74,7 @@ impl SensorImage {
         let (mut frame, mut findings) =
             renderer.annotate(&input, &annotators, Backend::Auto, &AnnotateOptions::default());
         let pair = rig.pair.as_ref().map(|pair| pair.look(renderer, pose, 0));
-        // Each candidate's sensor starts afresh, so that its result does not depend on the others.
+        // Each candidate has a new sensor, so that its result does not depend on the others.
         let mut sensor = rig.sensor.clone();
         sense_frame(&mut sensor, &input.camera, 0, pair.as_ref(), &ASKED, &mut frame);
         let view = candidate.view();

@@ -47,7 +47,7 @@ pub(super) fn of_one_size(seen: &[Observation], recordings: &[TargetRecording]) 
                 .map(|files| files.sensed.clone())
                 .unwrap_or_default();
             let message = format!(
-                "its size is {}, but that of {} is {}",
+                "it is {}, but {} is {}",
                 other.size, first.name, first.size
             );
             Err(FileError::new(&path, message, "give images of one camera in one mode").into())

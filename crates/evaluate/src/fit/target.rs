@@ -207,7 +207,7 @@ fn differs(files: &Files, size: ImageSize, first: ImageSize, before: &Files) -> 
     FileError::new(
         &files.sensed,
         format!(
-            "its size is {size}, but that of {} is {first}",
+            "it is {size}, but {} is {first}",
             before.sensed.display()
         ),
         "give images of one camera in one mode",

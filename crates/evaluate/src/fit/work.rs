@@ -18,7 +18,7 @@ impl Work<'_> {
         for name in names {
             self.report.not_found.push(NotFound {
                 name,
-                why: format!("{} has errors and no images", path.display()),
+                why: format!("{} contains errors instead of images", path.display()),
             });
         }
     }

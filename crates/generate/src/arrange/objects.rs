@@ -75,7 +75,7 @@ impl fmt::Display for Rejected {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let counts = [
             (self.without_surface, "found no horizontal surface"),
-            (self.unsupported, "reached beyond the edge of a surface"),
+            (self.unsupported, "extended beyond the edge of a surface"),
             (self.colliding, "collided"),
             (self.outside, "left the region"),
         ];

@@ -12,7 +12,7 @@ choice! {
         Upright = "upright",
         /// On a horizontal surface on one of the faces on which they are stable, turned by any angle.
         Resting = "resting",
-        /// In any orientation, lowered until they touch something: heaps in bins. There is no physics, so they may lean on nothing.
+        /// In any orientation, lowered until they touch something: heaps in bins. There is no physics, so some stay unsupported.
         Piled = "piled",
         /// Anywhere in the region, in any orientation.
         Floating = "floating",

@@ -222,7 +222,7 @@ fn lens_findings(twin: &Twin, cameras: &[PlacedCamera]) -> Option<Finding> {
             "no-fisheye-camera",
             Level::Note,
             &twin.device.name,
-            "none of the rendered cameras has the fisheye lens; depth is that of a pinhole",
+            "none of the rendered cameras has the fisheye lens; depth is a pinhole's",
             "choose the left or the right camera",
         )
     })

@@ -111,7 +111,7 @@ impl FrameRecorder {
     pub fn add_imu(&mut self, samples: &ImuSimulation) -> Option<Finding> {
         let file = self.file.as_mut()?;
         if file.format() != Format::Mcap {
-            let message = "the samples of the inertial sensor are not recorded in this format";
+            let message = "this format cannot record the inertial sensor";
             return Some(Finding::new(
                 "imu-not-recorded",
                 Level::Warning,

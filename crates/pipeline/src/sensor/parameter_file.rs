@@ -74,7 +74,7 @@ impl ParameterFile {
             None => {
                 return Err((
                     "engine: missing".to_owned(),
-                    "write engine = \"stereo-noise\", say, in the first line".to_owned(),
+                    "begin the file with the engine, such as engine = \"stereo-noise\"".to_owned(),
                 ));
             }
         };

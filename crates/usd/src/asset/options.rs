@@ -66,7 +66,7 @@ choice! {
 choice! {
     /// The file format of an asset.
     Format {
-        /// Text with the extension that Isaac Sim's asset paths use.
+        /// USD text named .usd, as in Isaac Sim's asset paths.
         Usd = "usd",
         /// Text.
         Usda = "usda",
