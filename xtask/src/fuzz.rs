@@ -138,7 +138,7 @@ fn fuzzer(task: &str, build: &Path) -> Command {
         .current_dir(root())
         .args(["+nightly", "fuzz", task, "--target-dir"])
         .arg(build);
-    // Those of the toolchain that runs xtask.
+    // The variables of the toolchain that runs xtask.
     for variable in ["CARGO", "RUSTC", "RUSTUP_TOOLCHAIN", "RUSTFLAGS"] {
         command.env_remove(variable);
     }

@@ -77,7 +77,7 @@ pub(crate) const TORCH: Environment = Environment {
     tests: &["crates/python/tests/test_torch.py"],
 };
 
-/// The oldest versions of the package's own dependencies and nothing else, not even pytest.
+/// The oldest versions of the package's own dependencies, without anything else such as pytest.
 pub(crate) const BARE: Environment = Environment {
     name: "bare",
     versions: ((3, 10), Some((3, 11))),
@@ -285,7 +285,7 @@ fn prepare_in(
         .arg(pins);
     output(&mut install).map_err(|error| format!("{error}\nPackages come from PyPI: is it reachable?"))?;
     output(Command::new(&python).args(["-m", "pip", "check", "--disable-pip-version-check"]))?;
-    // Last, so that an interrupted installation is made anew.
+    // Last, so that an interrupted installation is repeated.
     fs::write(&stamp_file, stamp).map_err(|error| failed(&stamp_file, &error))?;
     Ok(python)
 }
@@ -346,7 +346,7 @@ mod tests {
         make("one").unwrap();
         assert!(rubbish.exists(), "an environment with the right stamp is kept");
         make("two").unwrap();
-        assert!(!rubbish.exists(), "a changed pin makes it anew");
+        assert!(!rubbish.exists(), "a changed pin makes it again");
     }
 
     #[test]

@@ -17,7 +17,7 @@ const TEST_DATA: &str = "OAKTWIN_TEST_DATA";
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// Formatter, clippy and the Rust tests only, without those of every model and option (`exhaustive_…`) and with fewer random
+    /// Formatter, clippy and the Rust tests only, without the tests of every model and option (`exhaustive_…`) and with fewer random
     /// cases: under 3 minutes on two cores from a warm target
     #[arg(long, conflicts_with_all = ["all", "peers", "portable"])]
     fast: bool,
@@ -127,7 +127,7 @@ fn rust_tests(args: &Args, features: &[&str]) -> Command {
     test.args(["test", "--workspace", "--no-fail-fast"]);
     test.args(features);
     if args.fast {
-        // Each documentation test is a program of its own to compile.
+        // Each documentation test is a separate program to compile.
         test.arg("--tests");
         // A quarter of the default.
         test.env("PROPTEST_CASES", "64");

@@ -9,7 +9,7 @@ use crate::convert::Encoding;
 pub struct BridgeOptions {
     /// The topic of the exact depth.
     pub depth: String,
-    /// The topic of its camera info; without it, the field of view is that of the filter's options, or the model's.
+    /// The topic of its camera info; without it, the field of view is from the filter's options, else the model's.
     pub info: Option<String>,
     /// The topic of the colour images of the same camera and stamps.
     pub rgb: Option<String>,
@@ -45,7 +45,7 @@ pub struct Topics {
 }
 
 impl BridgeOptions {
-    /// Returns the names of the topics, those of the vendor's driver below the namespace.
+    /// Returns the names of the topics: the vendor driver's, below the namespace.
     ///
     /// # Errors
     /// Returns an error if a name is invalid, or if a published topic is also subscribed to.

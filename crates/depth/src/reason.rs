@@ -9,7 +9,7 @@ use crate::filter::{self, Filter};
 
 macro_rules! reasons {
     ($($doc:literal $variant:ident $name:literal;)+) => {
-        /// Why a pixel has no value. The number is its code in images; those of filters follow ([`Reason::FILTERS`]).
+        /// Why a pixel has no value. The number is its code in images; the codes of filters follow ([`Reason::FILTERS`]).
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[repr(u8)]
         pub enum Reason {
@@ -39,7 +39,7 @@ reasons! {
 }
 
 impl Reason {
-    /// The code of the first of [`filter::NAMES`]; those of other filters follow.
+    /// The code of the first of [`filter::NAMES`]; the codes of the other filters follow.
     pub const FILTERS: u8 = 32;
 
     /// The number of codes, those without a meaning included: one more than the last.

@@ -88,7 +88,9 @@ mod tests {
 
     #[test]
     fn a_line_lists_a_limited_number_of_places() {
-        let findings: Vec<Finding> = (1..=10).map(|i| finding("legacy", &format!("/{i}"), "old")).collect();
+        let findings: Vec<Finding> = (1..=10)
+            .map(|i| finding("legacy", &format!("/{i}"), "old"))
+            .collect();
         assert_eq!(
             lines(&findings),
             ["note[legacy]: /1, /2, /3, /4, /5, /6, /7, /8 and 2 more: old"]

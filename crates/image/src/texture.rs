@@ -101,7 +101,7 @@ impl<P> From<reduced::Reduced<P>> for Fitted<P> {
 
 /// Decodes a texture to sRGB with alpha (255 if the file has none). High dynamic range is clipped at 1.
 ///
-/// `extension` is that of the file, without the dot. It is used only if the bytes do not identify the format (TGA).
+/// `extension` is the file's, without the dot. It is used only if the bytes do not identify the format (TGA).
 ///
 /// # Errors
 /// Returns an error if the format is not supported, the file is damaged, or the image has 2³¹ pixels or more.

@@ -55,9 +55,7 @@ impl Format {
         match (self, lens) {
             (_, LensModel::Pinhole) => None,
             (Self::Mcap, lens) => ros_lens_loss(lens),
-            (Self::Rrd, _) => {
-                Some("Rerun supports only pinholes; the frustum ignores the lens's distortion")
-            }
+            (Self::Rrd, _) => Some("Rerun supports only pinholes; the frustum ignores the lens's distortion"),
         }
     }
 }

@@ -26,7 +26,7 @@ pub struct Population {
 pub struct Unit {
     /// Its number.
     pub number: u64,
-    /// The twin. Unlike the twin of a calibration file, its body frame is that of the housing: the pair's viewing direction differs
+    /// The twin. Unlike the twin of a calibration file, its body frame is the housing's: the pair's viewing direction differs
     /// from it by the unit's boresight error.
     pub twin: Twin,
 }

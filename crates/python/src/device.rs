@@ -218,8 +218,8 @@ impl Device {
         roles.map(|role| Ok((role, self.placed(role)?))).collect()
     }
 
-    /// Returns the camera of a depth sensor's images: a pinhole with the depth sensor's clipping range. That of a calibrated
-    /// stereo pair is the device's rectified left camera, as `StereoMatcher` has: rotated, and on RVC2 with the right camera's K.
+    /// Returns the camera of a depth sensor's images: a pinhole with the depth sensor's clipping range. For a calibrated
+    /// stereo pair, it is the device's rectified left camera, as in `StereoMatcher`: rotated, and on RVC2 with the right camera's K.
     ///
     /// sensor: "stereo", "tof" or a prim; by default "tof" if the device has it.
     #[pyo3(signature = (sensor = None))]
@@ -248,7 +248,7 @@ impl Device {
         Ok(sensors)
     }
 
-    /// (4, 4) float64, target_from_source: takes points in the frame of one part to that of another, metres.
+    /// (4, 4) float64, target_from_source: takes points in the frame of one part to the frame of another, metres.
     ///
     /// source, target: a camera's role ("rgb", "left", "right", "tof"), "imu" or "body".
     ///
@@ -390,7 +390,7 @@ impl Device {
         self.exported(py, oaktwin::calibration::export::Format::Kalibr)
     }
 
-    /// Returns DepthAI's calibration JSON: a mapping from a file name to its text; for a nominal device that of the ideal unit.
+    /// Returns DepthAI's calibration JSON: a mapping from a file name to its text; for a nominal device, the ideal unit's.
     fn to_depthai<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.exported(py, oaktwin::calibration::export::Format::DepthAi)
     }

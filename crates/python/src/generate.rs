@@ -125,7 +125,7 @@ impl Recipe {
     /// output: the folder of the data set.
     /// frames: the first frame and the frame after the last one, such as (0, 100); by default all frames of the recipe.
     /// resume: whether an existing data set is completed or extended.
-    /// workers: the number of frames that are made at the same time; by default that of the processors, if there is enough memory.
+    /// workers: the number of frames to make at once; by default one per processor, or fewer if memory is short.
     /// only_frames: whether files that span frames are left to another call with resume=True. Several processes, also on several
     ///     machines with a common folder, can make different frames of one data set in this way.
     /// ray: whether Ray distributes the frames: True, or the address of a cluster, such as "auto", "host:6379" or

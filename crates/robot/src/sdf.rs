@@ -1,7 +1,7 @@
 //! `SDFormat` 1.9, the newest version that Debian's parser reads, for Gazebo.
 //!
 //! A principal point counts from the border of the image, so the centre of the first pixel is at 0.5. Depth has no noise: Gazebo's is
-//! constant over distance, unlike that of a stereo camera.
+//! constant over distance, unlike a stereo camera's.
 
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DMat3, DVec3};

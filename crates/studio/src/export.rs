@@ -70,7 +70,7 @@ fn robot(studio: &Studio, request: &ExportRequest, format: &str) -> Result<File,
     })
 }
 
-/// Measures the requested state anew.
+/// Measures the requested state again.
 fn measured(
     studio: &Studio,
     request: &ExportRequest,

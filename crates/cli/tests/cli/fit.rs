@@ -10,7 +10,7 @@ use crate::program::Program;
 const SIDE: [u32; 2] = [60, 160];
 const SHAPE: [usize; 2] = [SIDE[0] as usize, SIDE[1] as usize];
 
-/// The optics of a small matcher whose disparities are those of a real one.
+/// The optics of a small matcher with the disparities of a real one.
 const OPTICS: [&str; 6] = ["--stereo-width", "160", "--focal-px", "800", "--region", "25"];
 
 /// What a device reports of a board: its disparity off by −0.2 px and by locking, and noise from frame to frame that
@@ -123,7 +123,7 @@ fn a_recording_that_tells_little_ends_with_findings() {
     insta::assert_snapshot!(format!("{}{}", ended.stdout, ended.stderr));
 }
 
-/// What `sense` makes of walls at these distances, with errors of its own.
+/// What `sense` makes of walls at these distances, with its own errors.
 fn record_tof(program: &Program, folder: &str, distances: &[f64]) {
     fs::create_dir(program.path(folder)).unwrap();
     let mut table = "file,distance_m\n".to_owned();

@@ -31,7 +31,7 @@ impl Bits {
 }
 
 parameters! {
-    /// An image sensor. The defaults are those of an OAK's mono camera, an OV9282.
+    /// An image sensor. The defaults describe an OAK's mono camera, an OV9282.
     pub struct Parameters("imager", platform) {
         /// Whether exposure follows the mean of the images.
         auto_exposure: bool = true => ("autoExposure".own("a camera's default")),

@@ -36,7 +36,7 @@ parameters! {
         /// Whether the periodic error is corrected, down to `wigglingResidual`.
         enable_wiggle_correction: bool = true => ("enableWiggleCorrection"),
         /// The amplitude w of the correlation's harmonics relative to its own. The phase error is −atan(w·sin 4φ), the
-        /// amplitude changes by the factor 1 + w·cos 4φ. 0.071 is that of a triangle wave, 1/9 − 1/25: an estimate for
+        /// amplitude changes by the factor 1 + w·cos 4φ. 0.071 describes a triangle wave, 1/9 − 1/25: an estimate for
         /// square-wave modulation.
         wiggling: f64 = 0.071 => ("wiggling".range(0.0..=0.5).estimate()),
         /// The phase error that remains after the correction, as `wiggling`.

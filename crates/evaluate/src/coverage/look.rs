@@ -128,7 +128,7 @@ impl SensorImage {
     }
 
     /// Whether the centre of a point's pixel, where the depth is `truth`, shows the surface around the point. That surface need not
-    /// be plane: its depth may differ from that of the point by twice what the slope of the face explains, and the width of two pixels.
+    /// be plane: its depth may differ from the point's by twice what the slope of the face explains, and the width of two pixels.
     fn resolves(&self, point: &SurfacePoint, line: &Line, truth: f32) -> bool {
         let camera = &self.sight.view.camera;
         let (x, y) = line.pixel;

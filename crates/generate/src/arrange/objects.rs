@@ -223,7 +223,7 @@ fn region_of(context: &Context, base: &Base, rule: usize) -> Result<Bounds, Gene
     })
 }
 
-/// A name as that of a prim.
+/// A name as a prim's name.
 fn identifier(name: &str) -> String {
     let mut text: String = name
         .chars()
@@ -248,7 +248,7 @@ struct Place<'a> {
     rule: &'a ObjectRule,
     region: Bounds,
     hull: &'a Hull,
-    /// From the file's axes to those of the world, upright.
+    /// From the file's axes to the world's, upright.
     upright: DMat3,
     others: &'a [Placed],
 }

@@ -42,7 +42,7 @@ pub struct ObjectRule {
     pub pose: Pose,
     /// The prims of the base scene on which objects stand, with their descendants; by default every horizontal surface.
     pub on: Texts,
-    /// The region of the objects' centres, or for objects that stand or rest, of the points below them; by default that of the
+    /// The region of the objects' centres, or for objects that stand or rest, of the points below them; by default the region of the
     /// prims in `on`, or of the base scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub region: Option<Region>,

@@ -62,7 +62,10 @@ pub fn stereo_cameras(twin: &Twin, name: Option<&str>) -> Result<(Role, Role), P
         let stereo: Vec<&str> = stereo.map(|sensor| sensor.spec.prim.as_str()).collect();
         ParameterError {
             name: "sensor".to_owned(),
-            what: format!("{} of {} is not a stereo pair", sensor.spec.prim, twin.device.name),
+            what: format!(
+                "{} of {} is not a stereo pair",
+                sensor.spec.prim, twin.device.name
+            ),
             remedy: match stereo.is_empty() {
                 true => "choose a model with a stereo pair".to_owned(),
                 false => format!("choose {}", stereo.join(" or ")),

@@ -1,4 +1,4 @@
-//! Parameters of an engine in a file of their own, as a fit writes them.
+//! Parameters of an engine in a file, as a fit writes them.
 //!
 //! ```toml
 //! engine = "stereo-noise"
@@ -106,8 +106,8 @@ impl ParameterFile {
         Ok(file)
     }
 
-    /// Gives the values to a sensor: those that its options already name count more, and so does its seed of a device
-    /// for what the file leaves open.
+    /// Sets the options of a sensor to the file's values, except for parameters that the options already set. Their device seed
+    /// draws what the file does not determine.
     ///
     /// # Errors
     /// The options ask for another engine.

@@ -32,7 +32,7 @@ def generate(
     formats: the names of formats instead of the recipe's, such as ["bop", "coco"].
     seed: the seed instead of the recipe's.
     catalog: a folder of TOML files with additional devices and sensors.
-    workers: the number of frames that are made at the same time; by default that of the processors, if there is enough memory.
+    workers: the number of frames to make at once; by default one per processor, or fewer if memory is short.
     only_frames: whether files that span frames are left to another call with resume=True. Several processes, also on several
         machines with a common folder, can make different frames of one data set in this way.
     ray: whether Ray distributes the frames: True for the cluster that this process is connected to, that of RAY_ADDRESS or this

@@ -88,8 +88,8 @@ class Device:
     def cameras(self) -> dict[str, Camera]:
         """The cameras by role: "rgb", "left", "right", "tof"."""
     def depth_camera(self, sensor: _Sensor | str | None = None) -> Camera:
-        """Returns the camera of a depth sensor's images: a pinhole with the depth sensor's clipping range. That of a calibrated
-        stereo pair is the device's rectified left camera, as `StereoMatcher` has: rotated, and on RVC2 with the right camera's K.
+        """Returns the camera of a depth sensor's images: a pinhole with the depth sensor's clipping range. For a calibrated
+        stereo pair, it is the device's rectified left camera, as in `StereoMatcher`: rotated, and on RVC2 with the right camera's K.
 
         sensor: "stereo", "tof" or a prim; by default "tof" if the device has it.
         """
@@ -99,7 +99,7 @@ class Device:
         include units.
         """
     def extrinsics(self, source: _Part, target: _Part) -> _Float64:
-        """(4, 4) float64, target_from_source: takes points in the frame of one part to that of another, metres.
+        """(4, 4) float64, target_from_source: takes points in the frame of one part to the frame of another, metres.
 
         source, target: a camera's role ("rgb", "left", "right", "tof"), "imu" or "body".
 
@@ -183,7 +183,7 @@ class Device:
         Warns with oaktwin.FindingWarning about information that the format cannot represent.
         """
     def to_depthai(self) -> dict[str, str]:
-        """Returns DepthAI's calibration JSON: a mapping from a file name to its text; for a nominal device that of the ideal unit."""
+        """Returns DepthAI's calibration JSON: a mapping from a file name to its text; for a nominal device, the ideal unit's."""
     def report(self) -> _Json:
         """Everything known about the device, each number with its source: what `oaktwin show --json` prints."""
 

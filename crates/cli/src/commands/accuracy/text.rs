@@ -303,7 +303,7 @@ fn distance(row: &Row) -> String {
     text[..digits].to_owned()
 }
 
-/// Formats an error: that of several devices is absolute and has no sign.
+/// Formats an error. The error of several devices is absolute and has no sign.
 fn error(reading: &Reading, many: bool) -> String {
     if many {
         fixed(reading.error_percent, 2)

@@ -59,7 +59,7 @@ fn open(
     Ok((raw, calibration, findings))
 }
 
-/// Returns the file of the model's inertial sensor: of the named model, or of that of the calibration's product name.
+/// Returns the file of the inertial sensor of the named model, or of the model that the calibration's product name determines.
 fn imu(context: &Context, name: &str, calibration: &Calibration) -> Export {
     let catalog = &context.catalog;
     let device = catalog
