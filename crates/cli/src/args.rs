@@ -241,3 +241,41 @@ choice! {
         Json = "json",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use clap::{Command, CommandFactory};
+
+    use super::Cli;
+
+    /// Adds the help texts of a command and its subcommands that break the rules.
+    fn check(command: &Command, wrong: &mut Vec<String>) {
+        let about = command.get_about().map(ToString::to_string).unwrap_or_default();
+        if about.is_empty() || about.chars().count() >= 100 {
+            wrong.push(format!("{}: {about}", command.get_name()));
+        }
+        for arg in command.get_arguments().filter(|arg| !arg.is_hide_set()) {
+            let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
+            let text = help.split(" [default: ").next().unwrap_or_default();
+            let is_last = text == help || help.ends_with(']');
+            let is_short = !help.is_empty() && help.chars().count() < 100;
+            if !is_last
+                || !is_short
+                || text.to_lowercase().contains("default:")
+                || text.contains("by default")
+            {
+                wrong.push(format!("{} {}: {help}", command.get_name(), arg.get_id()));
+            }
+        }
+        command
+            .get_subcommands()
+            .for_each(|command| check(command, wrong));
+    }
+
+    #[test]
+    fn help_texts_are_short_and_end_with_the_default() {
+        let mut wrong = Vec::new();
+        check(&Cli::command(), &mut wrong);
+        assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    }
+}

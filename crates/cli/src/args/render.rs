@@ -30,15 +30,18 @@ fn after_help() -> String {
 #[command(
     next_line_help = true,
     mut_arg("engine", |arg| arg.hide_possible_values(true).help(
-        "The error model: stereo-noise, time-of-flight, stereo-matching (with --model) [default: single-view]"
+        "The error model: stereo-noise, time-of-flight, stereo-matching, single-view [default: single-view]"
+    ).long_help(
+        "The error model: stereo-noise, time-of-flight, stereo-matching, single-view [default: single-view]\n\n\
+         stereo-matching requires --model and renders its stereo pair."
     )),
     mut_arg("isaac", |arg| arg.help(
         "Use single-view's defaults of this Isaac Sim version [default: the version of the scene's asset]"
     )),
     mut_arg("annotators", |arg| arg.help(
-        "The annotators to render, comma-separated, or all [default: rgb,distance_to_image_plane,camera_params]"
+        "The annotators, comma-separated, or all [default: rgb,distance_to_image_plane,camera_params]"
     ).long_help(
-        "The annotators to render, comma-separated, or all [default: rgb,distance_to_image_plane,camera_params]\n\n\
+        "The annotators, comma-separated, or all [default: rgb,distance_to_image_plane,camera_params]\n\n\
          With an option of the depth sensor, the default also contains depth_sensor_distance."
     )),
     mut_arg("ply", |arg| arg.help(

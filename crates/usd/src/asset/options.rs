@@ -66,7 +66,7 @@ choice! {
 choice! {
     /// The file format of an asset.
     Format {
-        /// USD text named .usd, as in Isaac Sim's asset paths.
+        /// USD text in a .usd file, the extension in Isaac Sim's asset paths.
         Usd = "usd",
         /// Text.
         Usda = "usda",
