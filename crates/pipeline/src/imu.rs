@@ -71,7 +71,7 @@ pub enum TrajectoryError {
 /// The options of an inertial sensor.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ImuOptions {
-    /// The samples per second; by default 400, or what the part reports if that is less.
+    /// The samples per second; by default 400, or the part's maximum if lower.
     pub rate_hz: Option<f64>,
     /// The noise seed.
     pub seed: u64,

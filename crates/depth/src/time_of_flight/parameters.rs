@@ -64,7 +64,7 @@ parameters! {
         albedo: f64 = 0.5 => ("albedo".range(0.0..=1.0).estimate()),
         /// The weight of the neighbour on each side in a pixel. 1/8 is a pixel's whole area under linear interpolation.
         pixel_mixing: f64 = 0.125 => ("pixelMixing".range(0.0..=0.25).estimate()),
-        /// The scale of multipath interference: 0 disables it, 1 is physical; more makes up for what the model leaves out.
+        /// The scale of multipath interference: 0 disables it, 1 is physical; larger values compensate for paths that the model leaves out.
         multipath: f64 = 0.0 => ("multipath".range(0.0..=10.0).estimate()),
         /// The velocity of all surfaces away from the camera, where the input has none for each pixel.
         radial_velocity_m_s: f64 = 0.0

@@ -8,7 +8,7 @@ use super::{ImuRule, Quantity, Texts};
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct CameraRule {
-    /// The model, or several of which each arrangement uses one.
+    /// The model. With several, each arrangement uses one of them.
     pub model: Texts,
     /// The cameras of the model to render: `depth`, `rgb`, `left`, `right` or the name of a prim. By default its depth sensors.
     pub cameras: Texts,

@@ -19,7 +19,7 @@ choice! {
     }
 }
 
-/// Objects to place: some of those in files and folders.
+/// Objects to place, chosen from files and folders.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ObjectRule {
