@@ -30,7 +30,7 @@ reasons! {
     "The image has too little texture for a reliable match." NoTexture "no_texture";
     "The image is overexposed." Saturated "saturated";
     "The matches from left to right and from right to left differ." LeftRightCheck "left_right_check";
-    "The pixel is among those that the sensor drops at random." Dropout "dropout";
+    "The sensor dropped the pixel at random." Dropout "dropout";
     "The pixel is in the invalid columns at the image's border." Border "border";
     "Qualcomm's hole filling found no reliable disparity around the pixel." HoleFilling "hole_filling";
     "None of the neighbours has a value." Outlier "outlier";

@@ -36,7 +36,7 @@ fn the_median_of_many_devices() {
     let text = program.good(&arguments);
     assert!(text.contains("the median of 7 devices (seeds 0 to 6)"), "{text}");
     assert!(
-        text.contains("an estimate of the sheet; none is published"),
+        text.contains("an estimate in the parameter sheet; nothing is published"),
         "{text}"
     );
     assert!(
@@ -89,8 +89,8 @@ fn both_readings_are_told_apart() {
         "0.2,5",
     ]);
     for expected in [
-        "The output of this sensor. Depth carried",
-        "The other reading. Depth recomputed",
+        "Output of this sensor. Depth copied",
+        "Alternative interpretation. Depth recomputed",
         "would be outside at 2 of 2",
         "8.75",
         "218.82",
