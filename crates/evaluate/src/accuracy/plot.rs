@@ -104,7 +104,7 @@ fn measured_label(comparison: &Comparison) -> String {
 
 fn names(report: &Report) -> [String; 2] {
     if report.engine == "single-view" {
-        let carried = "depth copied from the rendering: exact by construction".to_owned();
+        let carried = "depth copied: exact by construction".to_owned();
         let recomputed = "depth recomputed from its disparity".to_owned();
         return if report.is_carried() {
             [carried, recomputed]
