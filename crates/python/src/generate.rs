@@ -21,7 +21,7 @@ use crate::{finding, json, threads};
 /// seed: the seed instead of the recipe's.
 /// catalog: a folder of TOML files with additional devices and sensors.
 ///
-/// A frame depends on the recipe, the seed and its number only: it has the same bytes on every machine, whichever frames are made
+/// A frame depends only on the recipe, the seed and its number: it has the same bytes on every machine, whichever frames are made
 /// before it. Unpickling reads the files again.
 ///
 /// Raises oaktwin.Error for an invalid recipe, with the line and the nearest name, FileNotFoundError or another OSError for a file that cannot be
@@ -95,7 +95,7 @@ impl Recipe {
         self.generator.frames()
     }
 
-    /// Returns everything that is drawn at random for a frame: the scene, the objects with their poses, the lights, the camera.
+    /// Returns all random choices of a frame: the scene, the objects with their poses, the lights, the camera.
     ///
     /// Raises oaktwin.Error if an object or the camera has no place.
     fn explain<'py>(

@@ -64,7 +64,7 @@ class Camera:
     @property
     def hfov_deg(self) -> float:
         """Horizontal field of view through the principal point, degrees: the lens's for a fisheye, otherwise
-        the pinhole.
+        the pinhole's.
         """
     @property
     def vfov_deg(self) -> float:

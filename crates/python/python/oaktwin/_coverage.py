@@ -119,7 +119,7 @@ def coverage(
     devices: a device, or several.
     poses: world_from_body, (4, 4), or (N, 4, 4) for several poses, metres; x forward, y left, z up. See `look_at` with
         frame="body".
-    region: the path of a prim, or several: the meshes at and below it are the region; by default everything.
+    region: the path of a prim, or several: the region is the meshes at and below it; by default the whole scene.
     region_box: (2, 3), the minimum and maximum corner of a box in the world, metres: surface outside it does not belong to the
         region.
     height: heights along the up axis that replace the poses', metres, or the program's syntax "0.5:2:0.5".

@@ -70,7 +70,7 @@ class Scene:
         subdivide: the subdivision level of a USD stage's meshes; 0 (default) renders the polygons.
         up: the up axis of a mesh file, "y" or "z"; by default its format's.
         scale: the metres per unit of a mesh file; by default 1.
-        scene_limit: the factor on the limits for composing a USD stage: its prims, references and instances; by default 1.
+        scene_limit: a factor on the limits on a USD stage's prims, references and instances; by default 1.
         allow_outside: whether a glTF file may name buffers and images outside its folder; for trusted files only.
 
         Missing and unsupported contents are listed in `findings`. Raises FileNotFoundError or another OSError if the file cannot
@@ -295,7 +295,7 @@ class Recipe:
     seed: the seed instead of the recipe's.
     catalog: a folder of TOML files with additional devices and sensors.
 
-    A frame depends on the recipe, the seed and its number only: it has the same bytes on every machine, whichever frames are made
+    A frame depends only on the recipe, the seed and its number: it has the same bytes on every machine, whichever frames are made
     before it. Unpickling reads the files again.
 
     Raises oaktwin.Error for an invalid recipe, with the line and the nearest name, FileNotFoundError or another OSError for a file that cannot be
@@ -314,7 +314,7 @@ class Recipe:
     def frames(self) -> int:
         """The number of frames."""
     def explain(self, frame: int) -> _Json:
-        """Returns everything that is drawn at random for a frame: the scene, the objects with their poses, the lights, the camera.
+        """Returns all random choices of a frame: the scene, the objects with their poses, the lights, the camera.
 
         Raises oaktwin.Error if an object or the camera has no place.
         """

@@ -76,7 +76,7 @@ impl Scene {
     /// subdivide: the subdivision level of a USD stage's meshes; 0 (default) renders the polygons.
     /// up: the up axis of a mesh file, "y" or "z"; by default its format's.
     /// scale: the metres per unit of a mesh file; by default 1.
-    /// scene_limit: the factor on the limits for composing a USD stage: its prims, references and instances; by default 1.
+    /// scene_limit: a factor on the limits on a USD stage's prims, references and instances; by default 1.
     /// allow_outside: whether a glTF file may name buffers and images outside its folder; for trusted files only.
     ///
     /// Missing and unsupported contents are listed in `findings`. Raises FileNotFoundError or another OSError if the file cannot
