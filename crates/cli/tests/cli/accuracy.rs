@@ -183,7 +183,7 @@ fn json_and_plots_beside_measurements() {
 }
 
 #[test]
-fn what_makes_no_sense_is_refused() {
+fn invalid_requests_are_rejected() {
     let program = Program::new();
     program.put("empty.csv", "");
     program.put("columns.csv", "distance,error\n1,2\n");

@@ -115,7 +115,7 @@ fn parameters_are_read_by_the_others() {
 }
 
 #[test]
-fn a_recording_that_tells_little_ends_with_findings() {
+fn an_uninformative_recording_ends_with_findings() {
     let program = Program::new();
     record(&program, "one", &[2.3]);
     let ended = program.run(&[&["fit", "one", "--model", "oak4-d"], &OPTICS[..]].concat());
@@ -201,7 +201,7 @@ fn a_recording_of_time_of_flight() {
 }
 
 #[test]
-fn what_makes_no_sense_of_time_of_flight_is_refused() {
+fn invalid_requests_for_time_of_flight_are_rejected() {
     let program = Program::new();
     record_tof(&program, "tof", &[0.7, 2.3]);
     let mut all = String::new();
@@ -228,7 +228,7 @@ fn what_makes_no_sense_of_time_of_flight_is_refused() {
 }
 
 #[test]
-fn what_makes_no_sense_is_refused() {
+fn invalid_requests_are_rejected() {
     let program = Program::new();
     record(&program, "good", &[1.6, 2.3]);
     let table = |name: &str, text: &str| {

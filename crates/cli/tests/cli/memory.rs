@@ -114,7 +114,7 @@ def Mesh "Cube" {
 }
 
 #[test]
-fn sizes_that_are_none() {
+fn invalid_sizes() {
     let program = program();
     let ended = program.run(&["models", "--memory-limit", "plenty"]);
     assert_eq!(ended.code, 2);
