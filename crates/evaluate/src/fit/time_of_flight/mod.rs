@@ -201,7 +201,7 @@ impl Method for Tof {
             }),
             None => {
                 let why = format!(
-                    "these distances do not separate it from the signal, which assumes {} electrons of it",
+                    "these distances do not separate it from the signal; the fit assumes {} electrons of it",
                     self.p.ambient_e
                 );
                 work.not_found(
