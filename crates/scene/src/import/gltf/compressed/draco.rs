@@ -28,7 +28,7 @@ pub(super) fn decode(root: &mut Value, buffers: &mut Vec<Vec<u8>>) -> Result<(),
             let fault = |message: &str| {
                 Fault::damaged(
                     &place,
-                    format!("its data compressed by Draco is invalid: {message}"),
+                    format!("its Draco-compressed data is invalid: {message}"),
                 )
             };
             let view = number(&extension, "bufferView").and_then(|view| root.get("bufferViews")?.get(view));
