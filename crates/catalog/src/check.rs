@@ -1,4 +1,4 @@
-//! What must hold in a file beyond its form.
+//! Checks of a file's contents that go beyond its schema.
 
 mod depth;
 mod inertial;

@@ -1,4 +1,4 @@
-//! What can be taken away: assets, images, numbers, and the commands that reproduce them.
+//! Exports: assets, images, numbers, and the commands that reproduce them.
 
 use oaktwin::depth::parameters::choose;
 use oaktwin::image::{Image, millimetres, npy, png};

@@ -1,4 +1,4 @@
-//! Decodes the buffers that are compressed by meshopt or Draco, so that the rest of the importer sees none of it.
+//! Decodes the buffers that are compressed by meshopt or Draco, so that the rest of the importer reads plain buffers.
 
 mod draco;
 mod meshopt;
