@@ -19,7 +19,7 @@ const FLAGS: [&str; 5] = [
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// Only these targets; all by default
+    /// Only these targets [default: all]
     target: Vec<String>,
     /// Duration of all targets together
     #[arg(long, default_value_t = 10.0)]

@@ -259,11 +259,8 @@ mod tests {
             let text = help.split(" [default: ").next().unwrap_or_default();
             let is_last = text == help || help.ends_with(']');
             let is_short = !help.is_empty() && help.chars().count() < 100;
-            if !is_last
-                || !is_short
-                || text.to_lowercase().contains("default:")
-                || text.contains("by default")
-            {
+            let prose = text.to_lowercase();
+            if !is_last || !is_short || prose.contains("by default") || prose.contains("default:") {
                 wrong.push(format!("{} {}: {help}", command.get_name(), arg.get_id()));
             }
         }

@@ -26,10 +26,7 @@ pub(super) fn decode(root: &mut Value, buffers: &mut Vec<Vec<u8>>) -> Result<(),
             }
             let place = format!("meshes[{mesh}].primitives[{primitive}]");
             let fault = |message: &str| {
-                Fault::damaged(
-                    &place,
-                    format!("its Draco-compressed data is invalid: {message}"),
-                )
+                Fault::damaged(&place, format!("its Draco-compressed data is invalid: {message}"))
             };
             let view = number(&extension, "bufferView").and_then(|view| root.get("bufferViews")?.get(view));
             let bytes = view
