@@ -142,7 +142,7 @@ pub(crate) struct ModelsArgs {
     #[arg(long, value_parser = choice::parser::<DepthFilter>())]
     pub(crate) depth: Option<DepthFilter>,
 
-    /// Print JSON
+    /// Print the result as JSON
     #[arg(long)]
     pub(crate) json: bool,
 }
@@ -166,7 +166,7 @@ pub(crate) struct ShowArgs {
     #[arg(long)]
     pub(crate) provenance: bool,
 
-    /// Print JSON (always with provenance)
+    /// Print the result as JSON, always with provenance
     #[arg(long)]
     pub(crate) json: bool,
 }
@@ -184,7 +184,7 @@ pub(crate) struct ParamsArgs {
     #[arg(long)]
     pub(crate) model: Option<String>,
 
-    /// Print JSON
+    /// Print the result as JSON
     #[arg(long)]
     pub(crate) json: bool,
 }
@@ -212,7 +212,7 @@ pub(crate) struct CheckArgs {
     #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = limit::parse, help = limit::HELP)]
     pub(crate) scene_limit: SceneLimit,
 
-    /// Print JSON
+    /// Print the result as JSON
     #[arg(long)]
     pub(crate) json: bool,
 }

@@ -24,7 +24,7 @@ pub(crate) struct BridgeArgs {
     #[arg(long, value_name = "TOPIC")]
     pub(crate) depth: String,
 
-    /// The topic of the depth images' camera info [default: none, the field of view is the model's]
+    /// The topic of the depth images' camera info [default: --fx, --hfov or the model's field of view]
     #[arg(long, value_name = "TOPIC", conflicts_with_all = ["fx", "hfov"])]
     pub(crate) info: Option<String>,
 

@@ -29,7 +29,7 @@ pub(crate) struct CalibrationShowArgs {
     #[arg(long)]
     pub(crate) model: Option<String>,
 
-    /// Print JSON
+    /// Print the result as JSON
     #[arg(long)]
     pub(crate) json: bool,
 }

@@ -85,7 +85,7 @@ pub(crate) struct FitArgs {
     #[command(flatten, next_help_heading = "Output")]
     pub(crate) threads: ThreadArgs,
 
-    /// Print JSON
+    /// Print the result as JSON
     #[arg(long, help_heading = "Output")]
     pub(crate) json: bool,
 }
