@@ -35,13 +35,13 @@ pub(crate) struct ExportArgs {
     #[arg(long, value_parser = parser::<Mount>(), default_value_t)]
     mount: Mount,
 
-    /// The position of this point in the parent's frame, in metres [default: 0 0 0]
-    #[arg(long, num_args = 3, allow_negative_numbers = true, value_names = ["X", "Y", "Z"])]
-    xyz: Option<Vec<f64>>,
+    /// The position of this point in the parent's frame, in metres
+    #[arg(long, num_args = 3, allow_negative_numbers = true, value_names = ["X", "Y", "Z"], default_values_t = [0.0; 3])]
+    xyz: Vec<f64>,
 
-    /// The device's roll, pitch and yaw in the parent's frame, in radians [default: 0 0 0]
-    #[arg(long, num_args = 3, allow_negative_numbers = true, value_names = ["R", "P", "Y"])]
-    rpy: Option<Vec<f64>>,
+    /// The device's roll, pitch and yaw in the parent's frame, in radians
+    #[arg(long, num_args = 3, allow_negative_numbers = true, value_names = ["R", "P", "Y"], default_values_t = [0.0; 3])]
+    rpy: Vec<f64>,
 
     /// Print the written files and findings as JSON
     #[arg(long)]
@@ -50,10 +50,7 @@ pub(crate) struct ExportArgs {
 
 impl ExportArgs {
     pub(crate) fn attachment(&self) -> Result<Attachment, RobotError> {
-        let three = |values: &Option<Vec<f64>>| {
-            let values = values.as_deref().and_then(|values| values.first_chunk());
-            values.copied().unwrap_or_default()
-        };
+        let three = |values: &[f64]| values.first_chunk().copied().unwrap_or_default();
         Ok(Attachment {
             name: self.name.clone(),
             parent: self.parent.clone(),
