@@ -78,7 +78,7 @@ fn outside_of_a_band_is_a_finding() {
 }
 
 #[test]
-fn both_readings_are_told_apart() {
+fn both_interpretations_are_reported() {
     let program = Program::new();
     let text = program.good(&[
         "accuracy",

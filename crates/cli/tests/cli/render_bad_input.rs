@@ -170,7 +170,7 @@ fn outputs_that_cannot_be_written() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn an_image_that_fits_no_memory_says_what_it_needs() {
+fn an_image_that_does_not_fit_in_memory_reports_its_size() {
     let program = program();
     let error = program.refused(&[
         "render",
