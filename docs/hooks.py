@@ -152,7 +152,7 @@ def write_stub(folder: Path) -> dict[str, list[str]]:
     texts = [file.read_text("utf-8") for file in sorted(package.glob("_*.pyi"), key=lambda file: file.name != "_types.pyi")]
     relative = r"__all__ = \[.*?\]|from \.\w* import (?:\(.*?^\)|.*?$)"
     stub = "\n".join(re.sub(rf"^(?:{relative})\n", "", text, flags=re.M | re.S) for text in texts)
-    # The package wraps these in functions of its own.
+    # The package wraps these in its own functions.
     stub = re.sub(r"^def (accuracy|coverage|fit)\(", r"def _\1(", stub, flags=re.M)
     (folder / "oaktwin").mkdir()
     (folder / "oaktwin/__init__.pyi").write_text(f"from __future__ import annotations\n{stub}", "utf-8")

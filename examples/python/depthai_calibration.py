@@ -59,7 +59,7 @@ def camera_rows(handler, device, role):
     for coefficients, found in zip(both, [handler.getDistortionCoefficients(where), camera.distortion]):
         coefficients[: len(found)] = found
     yield row(f"{role} distortion, {camera.lens}", "", *both)
-    # getFov() ignores the lens; hfov_deg of a fisheye camera is that of its lens.
+    # getFov() ignores the lens; hfov_deg of a fisheye camera is its lens's.
     field = np.degrees(2 * np.arctan(camera.size[0] / 2 / camera.K[0, 0]))
     yield row(f"{role} field of view", "deg", handler.getFov(where, useSpec=False), field)
     note = "getFov() gives the data sheet's; oaktwin's follows from the calibrated fx"

@@ -24,7 +24,7 @@ In Isaac Lab, `OakDepth` below is a modifier of an observation term of a TiledCa
     )
 
 with a camera whose PinholeCameraCfg(focal_length=..., horizontal_aperture=...) has the same field of view (printed by this
-script). Isaac Lab itself was not run; names are those of version 2. GPU tensors are copied to the CPU and back.
+script). Isaac Lab itself was not run; names are from version 2. GPU tensors are copied to the CPU and back.
 """
 
 import argparse

@@ -6,7 +6,7 @@
     python examples/python/ray_frames.py -o frames/ --local                   # the same bytes without Ray, in one process
 
 A frame is a function of (scene, pose, seed, number) only, so it does not matter which worker renders it, when,
-in which order, or how often: a frame is rendered again if its worker is killed, and the files are identical to those of a single
+in which order, or how often: a frame is rendered again if its worker is killed, and the files are identical to the files of a single
 process. A worker opens the scene once and writes the files of its frames itself; only poses and hashes are transferred.
 All machines of a cluster need oaktwin, and access to the scene and the output folder.
 

@@ -7,7 +7,7 @@ r"""Adds the depth that an OAK would measure to a Replicator data set, in place.
 
 Walks a folder written by Replicator's BasicWriter or `oaktwin render`: the files of one camera, or of several in folders by camera,
 or by camera and annotator. Beside each distance_to_image_plane_0007.npy (float32 metres, inf for a miss) it writes
-depth_sensor_distance_0007.npy (float32 metres, 0 where invalid) atomically. The result is identical to that of
+depth_sensor_distance_0007.npy (float32 metres, 0 where invalid) atomically. The result is identical to the output of
 `oaktwin sense frames/ --model OAK4-D`; a script is useful for what the command does not support: other names, other arrays,
 several sensors at once.
 """

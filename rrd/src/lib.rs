@@ -142,7 +142,7 @@ impl<W: Write> Recorder for Rrd<W> {
         let station = self.cameras.get_mut(camera.0).ok_or(RecordingError::NoCamera)?;
         moment.check(&station.camera)?;
         let stream = &self.stream;
-        // The time is that of the calling thread, which may differ between calls.
+        // The time belongs to the calling thread, which may differ between calls.
         stream.set_time(TIMELINE, Duration::from_nanos(moment.time.nanoseconds()));
         stream
             .log(station.mount.as_str(), &transform(&moment.world_from_mount))

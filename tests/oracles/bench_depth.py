@@ -1,7 +1,7 @@
 """The peers of `cargo xtask bench depth`: the sensor models in NumPy, DepthAI's host filters, OpenCV's median.
 
 `bench_depth.py FOLDER [NAME]` works on the images of FOLDER and prints a JSON object a case (those with NAME in theirs): seconds
-a frame by the clock and of processor time. A DepthAI filter's time is that of a pipeline with it, less that of one whose
+a frame by the clock and of processor time. A DepthAI filter's time is the time of a pipeline with it, less the time of one whose
 filter is switched off: what passing images costs is not counted.
 """
 

@@ -1,7 +1,7 @@
 """The triangles of a USD stage as OpenUSD composes it: `extract_triangles.py STAGE POSITIONS TRIANGLES`.
 
 Writes the world positions in metres as float32 (n, 3) and the corners as uint32 (m, 3), bare numbers, little-endian.
-Meshes only: visible ones of purpose default and render, those of PointInstancers included, faces fanned from their
+Meshes only: visible ones of purpose default and render, including those of PointInstancers, faces fanned from their
 first vertex, holes left out.
 """
 

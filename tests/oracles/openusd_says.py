@@ -2,7 +2,7 @@
 
 Arguments choose among the checks; without any, all run.
 
-A program of its own, because the schemas that OpenUSD knows are fixed when its process starts.
+A separate program, because the schemas that OpenUSD knows are fixed when its process starts.
 """
 
 import json
@@ -27,7 +27,7 @@ except ImportError:
 
 @contextmanager
 def console(into: list[str]) -> Iterator[None]:
-    """Captures all output to the two console descriptors, including that of C++ code."""
+    """Captures all output to the two console descriptors, including output of C++ code."""
     sys.stdout.flush()
     sys.stderr.flush()
     saved = os.dup(1), os.dup(2)

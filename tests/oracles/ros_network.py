@@ -1,4 +1,4 @@
-"""A network of its own for a bridge and its peers, where that is permitted; otherwise the loopback interface of the machine."""
+"""A separate network for a bridge and its peers, where that is permitted; otherwise the loopback interface of the machine."""
 
 import json
 import os

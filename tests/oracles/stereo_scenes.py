@@ -31,7 +31,7 @@ def pair(random, height, width, layers, blur=1.0, sigma=0.0, samples=4):
     """Left, right (uint8), the left image's disparity, and where the right image sees the same.
 
     A layer is `(inside, plane)`: `inside(x, y)` says what of the left image it covers, `plane` gives a, b, c of its
-    disparity a + b·x + c·y. Layers come one before the other; each has a texture of its own.
+    disparity a + b·x + c·y. Layers come one before the other; each has its own texture.
     """
     reach = 2 * width
     textures = [noise(random, height, 2 * reach, blur) for _ in layers]

@@ -1,4 +1,4 @@
-"""The exported Blender script, whose cameras Cycles renders: its depth agrees with that of `oaktwin render`."""
+"""The exported Blender script, whose cameras Cycles renders: its depth agrees with `oaktwin render`'s."""
 
 import subprocess
 import sys

@@ -378,7 +378,7 @@ def test_the_manifest_has_every_file(root: Path) -> None:
 
 
 def test_webdataset(root: Path) -> None:
-    """Read by its own package; the arrays and images are those of BasicWriter."""
+    """Read by its own package; the arrays and images are BasicWriter's."""
     shards = sorted(str(path) for path in (root / "webdataset").glob("*.tar"))
     assert [Path(shard).name for shard in shards] == ["shard-000000.tar", "shard-000001.tar"]
     samples = list(webdataset.WebDataset(shards, shardshuffle=False).decode("rgb8"))

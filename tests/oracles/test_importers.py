@@ -117,7 +117,7 @@ def test_one_mesh_in_every_format(dump, tmp_path, name, options):
     ours, described = dump(tmp_path / name)
     assert_same(ours, mesh.triangles)
     assert_same(ours, theirs(tmp_path / name))
-    # Shared points stay shared, and those of STL are shared again.
+    # Shared points stay shared, and STL's points are shared again.
     assert described["meshes"][0]["positions"]["shape"][0] == len(mesh.vertices)
 
 

@@ -1,4 +1,4 @@
-"""Units of a population: DepthAI reads their calibrations, and their spread is that of real calibrations."""
+"""Units of a population: DepthAI reads their calibrations, and their spread matches real calibrations."""
 
 import csv
 import json

@@ -218,7 +218,7 @@ def test_mujoco_sees_what_the_twin_sees(exports: Exports, tmp_path: Path) -> Non
 
 
 def test_a_calibrated_unit(exports: Exports, tmp_path: Path) -> None:
-    """The pose between the cameras and the principal point are those of the calibration file."""
+    """The pose between the cameras and the principal point match the calibration file."""
     command = [exports.program, "calibration", "export", "OAK-D Pro PoE", "--to", "depthai"]
     calibration = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
     cameras = dict(calibration["cameraData"])

@@ -249,7 +249,7 @@ def blank_pair(random, height=200, width=1280, level=60, sigma=2.0):
 
 
 def test_a_blank_wall_of_rvc4(matched):
-    """RVC4's steps reduce its fill rate, and leave that of a textured wall unchanged."""
+    """RVC4's steps reduce its fill rate, and leave a textured wall's unchanged."""
     random = np.random.default_rng(11)
     rvc4 = {"platform": "RVC4", "noiseThresholdOffset": 1, "noiseThresholdScale": 1}
     plain = {**rvc4, "holeFilling_enable": False, "adaptiveMedianFilter_enable": False}

@@ -1,7 +1,7 @@
 """The stereo matcher, compared with OpenCV's on rendered pairs with lens blur and noise.
 
-The views were chosen by a random number generator's seed, not by what they show. Those of the first seed were looked at while
-the matcher's defaults were chosen, those of the second were not.
+The views were chosen by a random number generator's seed, not by what they show. The views of the first seed were looked at while
+the matcher's defaults were chosen, the views of the second were not.
 """
 
 import json

@@ -32,7 +32,7 @@ def offsets(camera: dict, column: sheet.Camera, sign: str) -> tuple[float, float
 
 
 def rectified_role(case: Case, role: str) -> str:
-    """The camera whose intrinsics a rectified image has: on RVC2 both images have those of the right one."""
+    """The camera whose intrinsics a rectified image has: on RVC2 both images have the right one's."""
     return "right" if role == "left" and "4" not in case.model.name else role
 
 
@@ -120,7 +120,7 @@ def test_overrides(builder: Builder, model: sheet.Model, renamed: dict[str, str]
     layer = Sdf.Layer.FindOrOpen(str(over))
     specifiers: list[tuple[str, Sdf.Specifier]] = []
     layer.Traverse("/", lambda path: path.IsPrimPath() and specifiers.append((str(path), layer.GetPrimAtPath(path).specifier)))
-    assert specifiers and {kind for _, kind in specifiers} <= {Sdf.SpecifierOver}, "nothing is defined anew"
+    assert specifiers and {kind for _, kind in specifiers} <= {Sdf.SpecifierOver}, "nothing is defined again"
 
     stage, before = Usd.Stage.Open(str(over)), Usd.Stage.Open(str(vendor))
     assert stage.GetDefaultPrim().GetPath() == before.GetDefaultPrim().GetPath()

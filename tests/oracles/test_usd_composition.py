@@ -307,4 +307,4 @@ def test_point_instancers(tmp_path, scene_dump, extension):
     inside = next(thing for path, thing in got.things().items() if path.endswith("/Trunk"))
     assert inside["labelled"][0].startswith("/World/Outer[") and inside["labelled"][0].endswith("]/Tree")
     assert inside["labelled"][1] == "/World/Outer"
-    assert len(got.scene["meshes"]) == 5, "the thing elsewhere has one of its own"
+    assert len(got.scene["meshes"]) == 5, "the thing elsewhere has its own"

@@ -1,7 +1,7 @@
 """Runs the program and the package for a long time: memory and descriptors must stay flat, and results the same.
 
 Run by `cargo xtask soak`, which builds both. Each load repeats its inputs, so that its outputs can be compared with earlier
-ones, and runs in a process of its own, whose memory and descriptors Linux reports below /proc. Prints a table; the exit code
+ones, and runs in its own process, whose memory and descriptors Linux reports below /proc. Prints a table; the exit code
 is 1 if a load failed.
 """
 
@@ -142,7 +142,7 @@ def write_trajectory(folder, poses):
 
 
 def render(program, seconds, folder):
-    """A trajectory recorded into a pipe; the exact images of a pose repeat, those of the sensor have new noise."""
+    """A trajectory recorded into a pipe; the exact images of a pose repeat, the sensor's images have new noise."""
     pipe = folder / "soak.mcap"
     os.mkfifo(pipe)
     poses = write_trajectory(folder, int(seconds * 200) + 10 * PERIOD)

@@ -19,7 +19,7 @@ const FLAGS: [&str; 5] = [
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// Only these targets; all by default
+    /// Only these targets [default: all]
     target: Vec<String>,
     /// Duration of all targets together
     #[arg(long, default_value_t = 10.0)]
@@ -138,7 +138,7 @@ fn fuzzer(task: &str, build: &Path) -> Command {
         .current_dir(root())
         .args(["+nightly", "fuzz", task, "--target-dir"])
         .arg(build);
-    // Those of the toolchain that runs xtask.
+    // The variables of the toolchain that runs xtask.
     for variable in ["CARGO", "RUSTC", "RUSTUP_TOOLCHAIN", "RUSTFLAGS"] {
         command.env_remove(variable);
     }

@@ -89,7 +89,7 @@ pub(crate) const TORCH: Environment = Environment {
     ],
 };
 
-/// The oldest versions of the package's own dependencies and nothing else, not even pytest.
+/// The oldest versions of the package's own dependencies, without anything else such as pytest.
 pub(crate) const BARE: Environment = Environment {
     name: "bare",
     versions: ((3, 10), Some((3, 11))),
@@ -312,7 +312,7 @@ fn prepare_in(
         false => error,
     })?;
     output(Command::new(&python).args(["-m", "pip", "check", "--disable-pip-version-check"]))?;
-    // Last, so that an interrupted installation is made anew.
+    // Last, so that an interrupted installation is repeated.
     fs::write(&stamp_file, stamp).map_err(|error| failed(&stamp_file, &error))?;
     Ok(python)
 }
@@ -381,7 +381,7 @@ mod tests {
         make("one").unwrap();
         assert!(rubbish.exists(), "an environment with the right stamp is kept");
         make("two").unwrap();
-        assert!(!rubbish.exists(), "a changed pin makes it anew");
+        assert!(!rubbish.exists(), "a changed pin makes it again");
     }
 
     #[test]

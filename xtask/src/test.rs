@@ -7,7 +7,7 @@ use std::thread;
 use crate::counts::{self, Counts};
 use crate::docs;
 use crate::python::{
-    self, BARE, BLENDER, ENVIRONMENTS, Environment, Interpreter, PACKAGE, PEERS, RENDER, TORCH,
+    self, BARE, BLENDER, ENVIRONMENTS, Environment, Interpreter, PACKAGE, PEERS, RENDER, Readiness, TORCH,
 };
 use crate::report::Report;
 use crate::{targets, web, workflows, workspace};
@@ -17,7 +17,7 @@ const TEST_DATA: &str = "OAKTWIN_TEST_DATA";
 
 #[derive(clap::Args)]
 pub(crate) struct Args {
-    /// Formatter, clippy and the Rust tests only, without those of every model and option (`exhaustive_…`) and with fewer random
+    /// Formatter, clippy and the Rust tests only, without the tests of every model and option (`exhaustive_…`) and with fewer random
     /// cases: under 3 minutes on two cores from a warm target
     #[arg(long, conflicts_with_all = ["all", "peers", "portable"])]
     fast: bool,
@@ -45,13 +45,6 @@ struct Built {
     depth_eval: PathBuf,
     scene_dump: PathBuf,
     module: PathBuf,
-}
-
-/// The state of a Python environment.
-enum Readiness {
-    Ready(PathBuf),
-    Failed(String),
-    Skipped(String),
 }
 
 /// Runs the steps; the last line it prints is `N passed, N failed, N skipped`.
@@ -136,7 +129,7 @@ fn rust_tests(args: &Args, features: &[&str]) -> Command {
     test.args(["test", "--workspace", "--no-fail-fast"]);
     test.args(features);
     if args.fast {
-        // Each documentation test is a program of its own to compile.
+        // Each documentation test is a separate program to compile.
         test.arg("--tests");
         // A quarter of the default.
         test.env("PROPTEST_CASES", "64");
@@ -164,17 +157,10 @@ fn wanted(args: &Args) -> Vec<&'static Environment> {
 
 fn prepare_environments(wanted: &[&'static Environment]) -> Vec<(&'static Environment, Readiness)> {
     let interpreters = Interpreter::find_all();
-    let prepare = |environment: &&'static Environment| {
-        let readiness = match environment.choose(&interpreters) {
-            Err(reason) => Readiness::Skipped(reason),
-            Ok(interpreter) => match environment.prepare(interpreter) {
-                Ok(python) => Readiness::Ready(python),
-                Err(message) => Readiness::Failed(message),
-            },
-        };
-        (*environment, readiness)
-    };
-    wanted.iter().map(prepare).collect()
+    wanted
+        .iter()
+        .map(|environment| (*environment, environment.readiness(&interpreters)))
+        .collect()
 }
 
 fn python_steps(

@@ -15,7 +15,7 @@ pub enum BridgeError {
     },
     /// The name of a topic or namespace is invalid.
     #[error(
-        "{0}: is not a name of ROS; write letters, digits and underscores between slashes, such as /camera/depth/image_raw"
+        "{0}: is not a ROS name; use letters, digits and underscores between slashes, such as /camera/depth/image_raw"
     )]
     Name(String),
     /// Two topics have the same name.

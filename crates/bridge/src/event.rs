@@ -10,7 +10,7 @@ use crate::statistics::Percentiles;
 pub enum Event {
     /// The node was created.
     Started(Started),
-    /// Something is missing, late or wrong, or an oddity of the input.
+    /// Something is missing, late, wrong or suspicious.
     Finding(Finding),
     /// The state, every few seconds.
     Status(Status),

@@ -36,7 +36,7 @@ struct Current {
 pub struct FilterInput {
     /// The depth image.
     pub depth: Depth,
-    /// The camera of the image; without it, its field of view is that of the options, or the model's.
+    /// The camera of the image; without it, the field of view is from the options, else the model's.
     pub camera: Option<Camera>,
     /// The colour image of the same camera and size.
     pub rgb: Option<Image<[u8; 4]>>,
@@ -91,7 +91,7 @@ impl Filter {
         &self.options
     }
 
-    /// Changes the options of the sensor, which begins afresh if they differ.
+    /// Changes the options of the sensor. If they differ, its temporal filters forget earlier frames.
     ///
     /// # Errors
     /// Returns an error if an option is invalid; the filter remains as it was.

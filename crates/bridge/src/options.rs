@@ -9,7 +9,7 @@ use crate::convert::Encoding;
 pub struct BridgeOptions {
     /// The topic of the exact depth.
     pub depth: String,
-    /// The topic of its camera info; without it, the field of view is that of the filter's options, or the model's.
+    /// The topic of its camera info; without it, the field of view is from the filter's options, else the model's.
     pub info: Option<String>,
     /// The topic of the colour images of the same camera and stamps.
     pub rgb: Option<String>,
@@ -45,7 +45,7 @@ pub struct Topics {
 }
 
 impl BridgeOptions {
-    /// Returns the names of the topics, those of the vendor's driver below the namespace.
+    /// Returns the names of the topics: the vendor driver's, below the namespace.
     ///
     /// # Errors
     /// Returns an error if a name is invalid, or if a published topic is also subscribed to.
@@ -126,7 +126,7 @@ mod tests {
     fn invalid_names_and_loops_are_rejected() {
         for depth in ["", "/", "/a//b", "/a b", "/1a", "/a/"] {
             let error = options(depth, "/oak").topics().unwrap_err().to_string();
-            assert!(error.contains("is not a name of ROS"), "{depth:?}: {error}");
+            assert!(error.contains("is not a ROS name"), "{depth:?}: {error}");
         }
         let error = options("/oak/stereo/image_raw", "/oak").topics().unwrap_err();
         assert!(

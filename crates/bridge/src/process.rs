@@ -78,7 +78,7 @@ impl Processor {
                 "camera-info-size",
                 Level::Error,
                 info_topic,
-                format!("is of images of {own}, but the depth image is {size}"),
+                format!("describes images of {own}, but the depth image is {size}"),
                 "publish the camera info of the depth image",
             ));
         }
@@ -91,7 +91,7 @@ impl Processor {
                 "same-stamp",
                 Level::Warning,
                 depth_topic,
-                "successive images have the same stamp; their noise is numbered in order of arrival",
+                "successive images have the same stamp; their noise follows the order of arrival",
                 "publish a stamp for each image",
             ));
         }
@@ -101,7 +101,7 @@ impl Processor {
                 "time-went-back",
                 Level::Note,
                 depth_topic,
-                "the stamp is earlier than that of the image before; the filters begin afresh",
+                "the stamp is earlier than the previous image's; the filters are reset",
                 "",
             ));
         }
@@ -141,7 +141,7 @@ impl Processor {
                     "size-changed",
                     Level::Note,
                     &self.topics.depth,
-                    format!("images are {size} instead of {before}; the filters begin afresh"),
+                    format!("images are {size} instead of {before}; the filters are reset"),
                     "",
                 ));
             }

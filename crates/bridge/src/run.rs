@@ -178,7 +178,7 @@ impl Bridge<'_> {
                 "parameters",
                 Level::Note,
                 self.node.name(),
-                "the sensor has new parameters; the filters begin afresh",
+                "the sensor has new parameters; the filters are reset",
                 "",
             ),
             Err(error) => Finding::new(

@@ -67,7 +67,7 @@ impl Watch {
                 Level::Warning,
                 &inputs.topics.depth,
                 format!(
-                    "{} of {} images did not arrive whole",
+                    "{} of {} images arrived incomplete",
                     inputs.lost,
                     inputs.received + inputs.lost
                 ),
@@ -251,7 +251,7 @@ mod tests {
         };
         let lost = check(0);
         assert!(
-            lost[0].contains("/camera/depth: 60 of 120 images did not arrive whole"),
+            lost[0].contains("/camera/depth: 60 of 120 images arrived incomplete"),
             "{lost:?}"
         );
         let lacking = check(2);

@@ -108,7 +108,7 @@ fn resolution(found: &CameraCalibration, camera: &TwinCamera, catalog: &Catalog)
             Level::Warning,
             place,
             format!(
-                "the aspect ratio of {size} is not that of any mode of the {} ({native})",
+                "no mode of the {} ({native}) has the aspect ratio of {size}",
                 sensor.id
             ),
             "images are scaled and cropped about the centre; calibrate at the sensor's own size",

@@ -15,7 +15,7 @@ pub(crate) const WRONG_BASELINE: f64 = 0.10;
 pub(crate) const BASELINE: &str = "baseline-off";
 /// The code of another error that [`force`] downgrades.
 pub(crate) const RESOLUTION: &str = "resolution-off";
-/// The angle between the file's rectification and that of its extrinsics that causes a warning, rad.
+/// The angle between the file's rectification and the rectification by its extrinsics that causes a warning, rad.
 const SUSPICIOUS_RECTIFICATION: f64 = 1e-3;
 
 /// Downgrades the errors that a user may choose to ignore to warnings: a mismatch of the baseline or resolution.

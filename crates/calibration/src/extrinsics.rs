@@ -5,7 +5,7 @@ use crate::{CalibrationError, Socket};
 
 impl Calibration {
     /// Returns `to_from_from`, the transform from camera `from`'s optical frame to camera `to`'s, m. With `use_spec` the
-    /// translations are those of the board's design.
+    /// translations are from the board's design.
     ///
     /// # Errors
     /// Returns an error if a camera is missing, no extrinsics connect the two, or a design translation is missing.
@@ -34,7 +34,7 @@ impl Calibration {
     /// Returns the transform from the inertial unit's frame to a camera's optical frame, m.
     ///
     /// # Errors
-    /// Returns an error if the file has no extrinsics of the inertial unit, and those of [`Self::transform`].
+    /// Returns an error if the file has no extrinsics of the inertial unit, or the errors of [`Self::transform`].
     pub fn camera_from_imu(
         &self,
         camera: Socket,
@@ -46,7 +46,7 @@ impl Calibration {
     /// Returns the transform from the housing's frame to a camera's optical frame, m.
     ///
     /// # Errors
-    /// Returns an error if the file has no extrinsics of the housing, and those of [`Self::transform`].
+    /// Returns an error if the file has no extrinsics of the housing, or the errors of [`Self::transform`].
     pub fn camera_from_housing(
         &self,
         camera: Socket,

@@ -15,10 +15,10 @@ pub fn nominal_calibration(twin: &Twin) -> Raw {
     calibration_of(twin, twin)
 }
 
-/// Converts a twin to a `DepthAI` JSON of version 7, with the translations of another twin of the same device as those of the design.
+/// Converts a twin to a `DepthAI` JSON of version 7, with the translations of another twin of the same device as the design's.
 ///
 /// Principal points are in OpenCV's convention, with the centre of an image at (W − 1)/2. As in factory files, the extrinsics
-/// of left refer to right and those of right to the camera on socket 0.
+/// of left refer to right, and right's to the camera on socket 0.
 #[must_use]
 pub fn calibration_of(twin: &Twin, design: &Twin) -> Raw {
     let device = &twin.device;

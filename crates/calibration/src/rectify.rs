@@ -28,7 +28,7 @@ pub struct StereoPair {
     /// The calibrated extrinsics, m.
     pub right_from_left: RigidTransform,
     /// The rectification by `cv2.stereoRectify` with its default flags, for images of the left camera's size. For fisheye
-    /// lenses, which that function does not support, the rectified intrinsics are those of the left camera.
+    /// lenses, which that function does not support, the rectified intrinsics are the left camera's.
     pub rectification: Rectification,
 }
 

@@ -10,7 +10,7 @@ use crate::{Calibration, CalibrationError};
 /// Creates the twin of one unit: `nominal` with the intrinsics, lenses and poses of a calibration.
 ///
 /// Intrinsics are rescaled to the nominal image size by `DepthAI`'s rule. As in the nominal device, the origin of the body frame
-/// is midway between the left and right optical centres, and its axes are those of the *rectified* stereo pair, like those of
+/// is midway between the left and right optical centres, and its axes follow the *rectified* stereo pair, as do
 /// depth images: y to the left along the baseline, x forward in the mean direction of both cameras. Thus the cameras have
 /// their small calibrated rotations relative to a frame that depends on no single camera. Depth sensors keep their parameters
 /// except the focal length, which is the rounded fx of their camera. Cameras that are missing in the calibration keep their

@@ -7,7 +7,7 @@ use crate::{BaselineAxis, Intrinsics, OpenCv, PixelPoint, RigidTransform, Stereo
 
 parameters! {
     /// The change of a stereo pair since its calibration, to which its images are still rectified. The left camera keeps its
-    /// pose; angles are those of the right camera in the frame of the rectified images (x right, y down, z forward).
+    /// pose; angles rotate the right camera in the frame of the rectified images (x right, y down, z forward).
     pub struct StereoDrift("drift", platform) {
         /// The rotation to the right. It adds f·tan(yaw)·(1 + x²) to disparity, with x = tan of the angle from the optical axis.
         yaw_mrad: f64 = 0.0 => ("yaw".unit("mrad").range(-50.0..=50.0)),

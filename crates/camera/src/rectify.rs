@@ -24,9 +24,9 @@ choice! {
         ZeroDisparity = "zero-disparity",
         /// `cv2.stereoRectify` without that flag: principal points that differ along the baseline.
         FreeDisparity = "free-disparity",
-        /// Those of the left camera, for both: `DepthAI`'s host-side rectification and RVC4 devices.
+        /// The left camera's, for both: `DepthAI`'s host-side rectification and RVC4 devices.
         LeftCamera = "left-camera",
-        /// Those of the right camera, for both: RVC2 devices.
+        /// The right camera's, for both: RVC2 devices.
         RightCamera = "right-camera",
     }
 }

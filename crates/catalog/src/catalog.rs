@@ -61,7 +61,7 @@ impl Catalog {
         }
     }
 
-    /// Returns the devices: those of the sheet in its order, the others by manufacturer, then user-defined ones by file name.
+    /// Returns the devices: the sheet's in its order, the others by manufacturer, then user-defined ones by file name.
     #[must_use]
     pub fn devices(&self) -> &[Device] {
         &self.devices
@@ -193,8 +193,8 @@ impl Catalog {
 }
 
 impl Device {
-    /// Returns the names of the built-in models with a depth sensor, of one kind if it is given, comma-separated: those of the same
-    /// manufacturer if there are any.
+    /// Returns the names of the built-in models with a depth sensor, of one kind if it is given, comma-separated: only the same
+    /// manufacturer's if it has any.
     #[must_use]
     pub fn models_with_depth(&self, kind: Option<DepthKind>) -> String {
         let has = |device: &&Device| {

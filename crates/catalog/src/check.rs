@@ -1,4 +1,4 @@
-//! What must hold in a file beyond its form.
+//! Checks of a file's contents that go beyond its schema.
 
 mod depth;
 mod inertial;
@@ -72,7 +72,7 @@ pub(crate) fn device(doc: &Document<'_>, device: &Device, catalog: &Catalog) -> 
     inertial::imu(doc, device, catalog)?;
     projector(doc, device)?;
     if device.cameras.is_empty() {
-        return Err(doc.error("camera", "a device without cameras", "add a [[camera]]"));
+        return Err(doc.error("camera", "the device has no cameras", "add a [[camera]]"));
     }
     let mut prims: Vec<&str> = vec!["TemplateRenderProducts", "Imu_Sensor", "visuals", "Looks"];
     for (i, spec) in device.cameras.iter().enumerate() {
@@ -189,8 +189,8 @@ fn projector(doc: &Document<'_>, device: &Device) -> Checked {
     if device.body.projector_mm.is_none() {
         return Err(doc.error(
             "projector",
-            "a projector without a place",
-            "give its place in the body as body.projector_mm",
+            "the projector has no position",
+            "give its position in the body as body.projector_mm",
         ));
     }
     if !(1..=MAX_DOTS).contains(&spec.dots) {
@@ -224,9 +224,9 @@ fn camera(doc: &Document<'_>, at: &str, spec: &Camera, catalog: &Catalog) -> Che
     if catalog.sensor(&spec.sensor).is_none() {
         let known: Vec<&str> = catalog.sensors().iter().map(|s| s.id.as_str()).collect();
         let remedy = match nearest(&spec.sensor, known.iter().copied()).first() {
-            Some(near) => format!("did you mean '{near}'? A new sensor needs a file of its own"),
+            Some(near) => format!("did you mean '{near}'? To add a sensor, describe it in a file"),
             None => format!(
-                "known are {}; a new one needs a file of its own",
+                "expected one of {}; to add another, describe it in a file",
                 known.join(", ")
             ),
         };
@@ -302,7 +302,7 @@ fn baseline(doc: &Document<'_>, device: &Device) -> Checked {
             )
         }
         ((Some(_), Some(_)), None) => error(
-            "a stereo pair without a baseline".to_owned(),
+            "the stereo pair has no baseline".to_owned(),
             "add 'stereo_baseline_mm = ...'",
         ),
         (_, Some(baseline_mm)) => error(

@@ -35,7 +35,7 @@ impl Table {
 /// each (mm), the depth sensors, the accuracy by range, and the features.
 ///
 /// # Panics
-/// Panics if the catalog does not contain a sensor of a device; it contains those of its own devices.
+/// Panics if the catalog does not contain a sensor of a device; it contains the sensors of its own devices.
 #[must_use]
 pub fn compare(catalog: &Catalog, devices: &[&Device]) -> Vec<Table> {
     let twins: Vec<Twin> = devices.iter().map(|device| catalog.nominal(device)).collect();
@@ -125,7 +125,7 @@ fn depth_sensors(twins: &[Twin]) -> Table {
     table
 }
 
-/// Returns the accuracy by range: the first table of each device, which is that of the sheet.
+/// Returns the accuracy by range: the first table of each device, which is the sheet's.
 fn accuracy(devices: &[&Device]) -> Table {
     let names = devices.iter().map(|device| match device.accuracy.first() {
         Some(table) if device.depth_sensors.len() > 1 => {

@@ -290,7 +290,7 @@ pub struct LegacyDistortion {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Imu {
-    /// The name, such as `BNO086 (9-axis)`, or `Yes` if the sheet states nothing else.
+    /// The name, such as `BNO086 (9-axis)`, or `Yes` if the sheet states no more.
     pub model: String,
     /// The longer text of the sheet's device table, if it differs.
     #[serde(default, skip_serializing_if = "Option::is_none")]

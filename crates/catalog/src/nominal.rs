@@ -16,7 +16,7 @@ impl Catalog {
     /// resolution and nominal position, facing +x of the body.
     ///
     /// # Panics
-    /// Panics if the catalog does not contain a sensor of the device; it contains those of its own devices.
+    /// Panics if the catalog does not contain a sensor of the device; it contains the sensors of its own devices.
     #[must_use]
     pub fn nominal(&self, device: &Device) -> Twin {
         let cameras = device

@@ -8,7 +8,7 @@ choice! {
     LensChoice {
         /// The pinhole of the parameter sheet.
         Pinhole = "pinhole",
-        /// The nominal fisheye of the wide models, which covers their full field of view.
+        /// The nominal fisheye of the wide models, with their full field of view.
         Fisheye = "fisheye",
     }
 }

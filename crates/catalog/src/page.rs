@@ -109,7 +109,7 @@ const GAPS: [&str; 9] = [
     "rgb-field-of-view",
 ];
 
-/// Writes the notes of a device about what is not known, except of those of the parameter sheet, whose notes are about conflicts.
+/// Writes the notes of the devices about what is not known, except for the parameter sheet's devices, whose notes are about conflicts.
 fn gaps(page: &mut String, device: &Device) {
     if device.source == Source::Document {
         return;

@@ -9,7 +9,7 @@ use oaktwin_camera::{
 
 use crate::{Camera, DepthSensor, Device, Role};
 
-/// A device with the intrinsics, lens and pose of each camera: nominal values of the catalog, or those of one unit's
+/// A device with the intrinsics, lens and pose of each camera: nominal values of the catalog, or the values of one unit's
 /// calibration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Twin {
@@ -93,8 +93,8 @@ impl Twin {
     /// Returns the camera that the images of a depth sensor are from: a pinhole, because depth is rectified.
     ///
     /// The camera of a stereo pair has the left camera's centre. In a calibrated unit, it is rotated like the rectified left
-    /// image, and has the intrinsics that the device's processor gives to both images: those of the right camera on RVC2, of
-    /// the left camera otherwise.
+    /// image, and has the intrinsics that the device's processor gives to both images: the right camera's on RVC2,
+    /// the left camera's otherwise.
     #[must_use]
     pub fn depth_camera(&self, sensor: &TwinDepthSensor) -> Option<TwinCamera> {
         let mut camera = self.camera(sensor.spec.camera)?.clone();

@@ -94,14 +94,14 @@ pub(crate) struct Cli {
     #[arg(long, global = true, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(crate) catalog: Option<PathBuf>,
 
-    /// Use at most this much memory, such as 4G; by default what the system allows
+    /// Use at most this much memory, such as 4G [default: what the system allows]
     #[arg(long, global = true, value_name = "SIZE", value_parser = memory::parse_size)]
     pub(crate) memory_limit: Option<u64>,
 }
 
 #[derive(Subcommand, Debug)]
 pub(crate) enum Command {
-    /// Write the assets of the parameter sheet, a calibrated twin, a room rendered by them, and comparison tables
+    /// Write a folder of examples: USD assets, a calibrated twin, a rendered room, comparison tables
     Demo(DemoArgs),
     /// List the models
     Models(ModelsArgs),
@@ -113,7 +113,7 @@ pub(crate) enum Command {
     Compare(CompareArgs),
     /// Inspect a DepthAI calibration, or export it to other formats
     Calibration(CalibrationArgs),
-    /// Write the calibrations of units of a model that differ as real units do
+    /// Write calibrations with realistic unit-to-unit variation
     Population(PopulationArgs),
     /// Write a model as a USD asset
     Asset(AssetArgs),
@@ -125,19 +125,19 @@ pub(crate) enum Command {
     Generate(Box<GenerateArgs>),
     /// Simulate a model's depth sensor on existing depth images
     Sense(Box<SenseArgs>),
-    /// Simulate a model's depth sensor live, between topics of ROS 2
+    /// Simulate a model's depth sensor live, between ROS 2 topics
     Bridge(Box<BridgeArgs>),
-    /// Match stereo pairs like an OAK
+    /// Run OAK-style stereo matching on image pairs
     Stereo(Box<StereoArgs>),
-    /// Measure a model's depth accuracy by the vendor's method, and compare with its specification
+    /// Measure a model's depth accuracy by the vendor's method, and compare it with the specification
     Accuracy(Box<AccuracyArgs>),
-    /// Rank poses and models by the share of a surface that their depth sensors measure
+    /// Rank poses and models by how much of a surface their depth sensors measure
     Coverage(Box<CoverageArgs>),
     /// Fit error-model parameters to recordings of a flat target
     Fit(Box<FitArgs>),
     /// Check the cameras and depth sensors of a USD file
     Check(CheckArgs),
-    /// Serve a page to choose, tune, place and understand an OAK by looking
+    /// Serve a local web page to choose, tune and place OAKs
     Studio(StudioArgs),
     /// Print a shell completion script
     Completions(CompletionsArgs),
@@ -155,21 +155,21 @@ pub(crate) struct ModelsArgs {
     #[arg(long, value_parser = choice::parser::<DepthFilter>())]
     pub(crate) depth: Option<DepthFilter>,
 
-    /// Print JSON
+    /// Print the result as JSON
     #[arg(long)]
     pub(crate) json: bool,
 }
 
 #[derive(Args, Debug)]
 pub(crate) struct DemoArgs {
-    /// Output folder
+    /// The output folder
     #[arg(short, long, value_name = "DIR", default_value = "oaktwin-demo", value_hint = ValueHint::DirPath)]
     pub(crate) output: PathBuf,
 }
 
 #[derive(Args, Debug)]
 pub(crate) struct ShowArgs {
-    /// Model
+    /// The model
     pub(crate) model: String,
 
     #[command(flatten)]
@@ -179,67 +179,67 @@ pub(crate) struct ShowArgs {
     #[arg(long)]
     pub(crate) provenance: bool,
 
-    /// Print JSON (always with provenance)
+    /// Print the result as JSON, always with provenance
     #[arg(long)]
     pub(crate) json: bool,
 }
 
 #[derive(Args, Debug)]
 pub(crate) struct ParamsArgs {
-    /// Engine, imager or filters [default: list them]
+    /// The group of parameters: an engine, imager or filters [default: list the groups]
     pub(crate) group: Option<String>,
 
-    /// Platform of the defaults [default: the model's, or rvc2]
+    /// Print the defaults of this platform [default: the model's, or rvc2]
     #[arg(long, value_parser = choice::parser::<Platform>())]
     pub(crate) platform: Option<Platform>,
 
-    /// Model of the defaults
+    /// Print the defaults of this model
     #[arg(long)]
     pub(crate) model: Option<String>,
 
-    /// Print JSON
+    /// Print the result as JSON
     #[arg(long)]
     pub(crate) json: bool,
 }
 
 #[derive(Args, Debug)]
 pub(crate) struct CompareArgs {
-    /// Models [default: those of the parameter sheet, and those of --catalog]
+    /// The models [default: the parameter sheet's, and all in --catalog]
     pub(crate) models: Vec<String>,
 
-    /// Output format
+    /// The output format
     #[arg(long, value_parser = choice::parser::<TableFormat>(), default_value_t)]
     pub(crate) format: TableFormat,
 }
 
 #[derive(Args, Debug)]
 pub(crate) struct CheckArgs {
-    /// USD file: usda, usdc, usd or usdz
+    /// The USD file: usda, usdc, usd or usdz
     #[arg(value_hint = ValueHint::FilePath)]
     pub(crate) file: PathBuf,
 
-    /// Model to check against [default: recognised from prim names]
+    /// Check against this model [default: detected from prim names]
     #[arg(long)]
     pub(crate) model: Option<String>,
 
     #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = limit::parse, help = limit::HELP)]
     pub(crate) scene_limit: SceneLimit,
 
-    /// Print JSON
+    /// Print the result as JSON
     #[arg(long)]
     pub(crate) json: bool,
 }
 
 #[derive(Args, Debug)]
 pub(crate) struct CompletionsArgs {
-    /// Shell
+    /// The shell
     #[arg(value_enum)]
     pub(crate) shell: clap_complete::Shell,
 }
 
 #[derive(Args, Debug)]
 pub(crate) struct ManArgs {
-    /// Command [default: the program itself]
+    /// The command [default: the program itself]
     pub(crate) command: Vec<String>,
 }
 
@@ -252,5 +252,40 @@ choice! {
         Markdown = "markdown",
         /// JSON.
         Json = "json",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::{Command, CommandFactory};
+
+    use super::Cli;
+
+    /// Adds the help texts of a command and its subcommands that break the rules.
+    fn check(command: &Command, wrong: &mut Vec<String>) {
+        let about = command.get_about().map(ToString::to_string).unwrap_or_default();
+        if about.is_empty() || about.chars().count() >= 100 {
+            wrong.push(format!("{}: {about}", command.get_name()));
+        }
+        for arg in command.get_arguments().filter(|arg| !arg.is_hide_set()) {
+            let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
+            let text = help.split(" [default: ").next().unwrap_or_default();
+            let is_last = text == help || help.ends_with(']');
+            let is_short = !help.is_empty() && help.chars().count() < 100;
+            let prose = text.to_lowercase();
+            if !is_last || !is_short || prose.contains("by default") || prose.contains("default:") {
+                wrong.push(format!("{} {}: {help}", command.get_name(), arg.get_id()));
+            }
+        }
+        command
+            .get_subcommands()
+            .for_each(|command| check(command, wrong));
+    }
+
+    #[test]
+    fn help_texts_are_short_and_end_with_the_default() {
+        let mut wrong = Vec::new();
+        check(&Cli::command(), &mut wrong);
+        assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     }
 }

@@ -33,7 +33,6 @@ pub(crate) mod models;
 pub(crate) mod params;
 pub(crate) mod population;
 pub(crate) mod render;
-pub(crate) mod robot;
 pub(crate) mod sense;
 pub(crate) mod show;
 pub(crate) mod stereo;

@@ -57,7 +57,7 @@ impl Context {
         Ok(self.catalog.device(name)?)
     }
 
-    /// Returns the named models; by default those of the parameter sheet and those of the user.
+    /// Returns the named models; by default the parameter sheet's and the user's.
     pub(crate) fn devices(&self, names: &[String]) -> Result<Vec<&Device>> {
         if names.is_empty() {
             let is_builtin =

@@ -71,7 +71,7 @@ fn run(cli: &Cli) -> Result<Exit> {
         Command::Calibration(args) => commands::calibration::run(&context, args),
         Command::Asset(args) => commands::asset::run(&context, args),
         Command::Population(args) => commands::population::run(&context, args),
-        Command::Export(args) => commands::robot::run(&context, args),
+        Command::Export(args) => commands::export::run(&context, args),
         Command::Generate(args) => commands::generate::run(&context, args),
         Command::Render(args) => commands::render::run(&context, args),
         Command::Sense(args) => commands::sense::run(&context, args),

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use comfy_table::{CellAlignment, ContentArrangement, ContentLineStyle, LineStyle, TableStyle, presets};
 use oaktwin::catalog::Table;
-use oaktwin::diagnostic::{Finding, Opt};
+use oaktwin::diagnostic::{self, Finding, Opt};
 use serde::Serialize;
 
 use crate::context::Result;
@@ -39,10 +39,11 @@ pub(crate) fn say(message: &str) {
     let _ = writeln!(io::stderr(), "{message}");
 }
 
-/// Prints findings to standard error, each with the file that it refers to.
+/// Prints findings to standard error, each with the file that it refers to. Findings that differ only in their places share
+/// a line.
 pub(crate) fn say_findings(file: &Path, findings: &[Finding]) {
-    for finding in findings {
-        say(&format!("{}: {finding}", file.display()));
+    for group in diagnostic::group(findings) {
+        say(&format!("{}: {group}", file.display()));
     }
 }
 

@@ -54,7 +54,7 @@ pub(crate) fn while_checked<T>(task: impl FnOnce() -> T) -> T {
     task()
 }
 
-/// Handles a signal, on a thread of its own.
+/// Handles a signal, on its own thread.
 fn receive(signal: u8) {
     let is_first = SIGNAL
         .compare_exchange(0, signal, Ordering::SeqCst, Ordering::SeqCst)

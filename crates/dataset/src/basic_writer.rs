@@ -101,7 +101,7 @@ impl Format for BasicWriter {
     }
 }
 
-/// A name as that of a single folder.
+/// A name as the name of a single folder.
 pub(crate) fn folder(name: &str) -> String {
     let kept = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.');
     let name: String = name.chars().map(|c| if kept(c) { c } else { '_' }).collect();

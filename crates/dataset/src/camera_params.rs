@@ -33,7 +33,7 @@ pub struct View {
 /// `u = (x/w + 1)/2 · width`, `v = (1 − y/w)/2 · height`.
 ///
 /// # Lenses
-/// The projection of a pinhole is that of the rendered image, including offsets. For other lenses, as in Isaac Sim, it depends
+/// The projection of a pinhole matches the rendered image, including offsets. For other lenses, as in Isaac Sim, it depends
 /// only on the focal length and the horizontal aperture, and other fields describe the lens:
 ///
 /// | model | `opencv_fx`, `fy`, `optical_centre` | `polynomial` | `lens_p`, `lens_s` |

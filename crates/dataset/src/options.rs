@@ -1,6 +1,6 @@
 use std::num::NonZeroU64;
 
-/// The options of the writers of files. All but the extras and the shards are those of Replicator's `BasicWriter`.
+/// The options of the writers of files. All but the extras and the shards exist in Replicator's `BasicWriter`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
     /// The minimum number of digits of a frame number.

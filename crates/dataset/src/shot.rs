@@ -37,7 +37,7 @@ pub struct Shot {
     pub number: u64,
     /// The pose of the camera's mount: the device's body, or the camera itself. Metres.
     pub world_from_mount: RigidTransform,
-    /// The render product's name, if each of several cameras has a folder of its own. Characters other than letters,
+    /// The render product's name, if each of several cameras has its own folder. Characters other than letters,
     /// digits, `_`, `-` and `.` become `_`.
     pub render_product: Option<String>,
     /// The input that the frame was made from, for writers that name their files after it.
@@ -73,7 +73,7 @@ impl Shot {
 pub struct InputName {
     /// The folder of the outputs.
     pub folder: PathBuf,
-    /// Whether each annotator has a folder of its own.
+    /// Whether each annotator has its own folder.
     pub by_annotator: bool,
     /// The text before the name of an output.
     pub prefix: String,

@@ -40,7 +40,7 @@ pub trait Format: Send + Sync {
     /// Returns an error if the frame lacks something that the format requires, or if a file cannot be written.
     fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError>;
 
-    /// Writes the files of the whole data set, and returns findings about it. The records are those of all frames, by frame and
+    /// Writes the files of the whole data set, and returns findings about it. The records describe all frames, by frame and
     /// camera.
     ///
     /// # Errors

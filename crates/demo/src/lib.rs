@@ -12,7 +12,7 @@ use rayon::prelude::*;
 /// The name of the stage among the [`files`]; its textures lie beside it.
 pub const STAGE: &str = "demo_room.usda";
 
-/// The pose of an OAK in the room, which is also that of the stage's prim `/Room/Oak`: from its body (x forward, y left, z up)
+/// The pose of an OAK in the room, and of the stage's prim `/Room/Oak`: from its body (x forward, y left, z up)
 /// to the world, metres.
 #[must_use]
 pub fn world_from_body() -> RigidTransform {

@@ -94,7 +94,7 @@ pub trait Engine: Comparable + fmt::Debug + Send + Sync {
         Vec::new()
     }
 
-    /// Reports those of the given parameters that have no effect on this engine.
+    /// Reports the given parameters that have no effect on this engine.
     fn without_effect(&self, _place: &str, _names: &[&str]) -> Option<Finding> {
         None
     }

@@ -6,7 +6,7 @@
 //! [`time_of_flight`] models a time-of-flight camera. A [`Sensor`] is an engine with its filters, which may remember
 //! earlier frames.
 //!
-//! Input depth is in metres along the optical axis; values that are not finite and positive are no surface. Output depth
+//! Input depth is in metres along the optical axis; values that are not finite and positive mean no surface. Output depth
 //! is in metres, 0 where nothing was measured. All randomness is counter-based ([`random`]): a pixel's value depends on
 //! the seed, the camera's name, the frame and the pixel, never on threads, tiles, batch order or call history.
 

@@ -9,7 +9,7 @@ use crate::filter::{self, Filter};
 
 macro_rules! reasons {
     ($($doc:literal $variant:ident $name:literal;)+) => {
-        /// Why a pixel has no value. The number is its code in images; those of filters follow ([`Reason::FILTERS`]).
+        /// Why a pixel has no value. The number is its code in images; the codes of filters follow ([`Reason::FILTERS`]).
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[repr(u8)]
         pub enum Reason {
@@ -29,8 +29,8 @@ reasons! {
     "Something nearer hides the surface from the other camera." Occluded "occluded";
     "The image has too little texture for a reliable match." NoTexture "no_texture";
     "The image is overexposed." Saturated "saturated";
-    "The match from the left to the right image differs from that of the right to the left." LeftRightCheck "left_right_check";
-    "The pixel is among those that the sensor drops at random." Dropout "dropout";
+    "The matches from left to right and from right to left differ." LeftRightCheck "left_right_check";
+    "The sensor dropped the pixel at random." Dropout "dropout";
     "The pixel is in the invalid columns at the image's border." Border "border";
     "Qualcomm's hole filling found no reliable disparity around the pixel." HoleFilling "hole_filling";
     "None of the neighbours has a value." Outlier "outlier";
@@ -39,7 +39,7 @@ reasons! {
 }
 
 impl Reason {
-    /// The code of the first of [`filter::NAMES`]; those of other filters follow.
+    /// The code of the first of [`filter::NAMES`]; the codes of the other filters follow.
     pub const FILTERS: u8 = 32;
 
     /// The number of codes, those without a meaning included: one more than the last.

@@ -132,7 +132,7 @@ pub struct OutputCamera {
 }
 
 impl OutputCamera {
-    /// Returns the transform from the frame of this camera to that of the input's camera, metres.
+    /// Returns the transform from this camera's frame to the frame of the input's camera, metres.
     #[must_use]
     pub fn input_from_output(&self) -> RigidTransform {
         RigidTransform::new(DMat3::IDENTITY, DVec3::new(-self.shift_m, 0.0, 0.0))

@@ -11,7 +11,7 @@ pub struct Setup {
     pub platform: Platform,
     /// The focal length at `width_px`, px.
     pub focal_length_px: f64,
-    /// The image width: of a stereo pair, that of the matcher's mode.
+    /// The image width; for a stereo pair, the width of the matcher's mode.
     pub width_px: u32,
     /// The baseline in metres, 0 without a stereo pair.
     pub baseline_m: f64,

@@ -1,6 +1,6 @@
 //! Evaluation of depth sensors, simulated and real.
 //!
-//! * [`accuracy`] measures a twin as the vendor measures its cameras;
+//! * [`accuracy`] measures a twin's depth accuracy by the vendor's method;
 //! * [`coverage`] measures which part of a surface sensors at candidate poses see;
 //! * [`fit`] estimates a sensor's error parameters from recordings of a flat target;
 //! * [`measure`] holds the statistics that they use, and [`figure`] draws their results.

@@ -126,7 +126,7 @@ fn records(text: &str) -> impl Iterator<Item = Result<(usize, StringRecord), Wro
     })
 }
 
-/// The position of a record is that of the blank lines before it.
+/// A record's position is the position of the blank lines before it.
 fn start_line(text: &str, record: &StringRecord) -> usize {
     let position = record.position();
     let [line, byte] = position.map_or([1, 0], |at| [at.line(), at.byte()]);

@@ -22,7 +22,7 @@ const RANDOM_LETTERS: usize = 8;
 /// The maximum length of a file name on the file systems in use, bytes.
 const MAX_NAME: usize = 255;
 
-/// The temporary files of this process, and the folders that were searched for those of others.
+/// The temporary files of this process, and the folders that were searched for other processes' files.
 #[derive(Default)]
 struct Registry {
     files: BTreeSet<PathBuf>,

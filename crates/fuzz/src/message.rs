@@ -184,7 +184,7 @@ fn focal_length(random: &mut Random<'_>) -> f64 {
     }
 }
 
-/// Measures a frame as the bridge does, unless its camera is no camera for the sensor.
+/// Measures a frame as the bridge does, unless the sensor rejects its camera.
 fn measure(input: FilterInput) {
     let options = SenseOptions::default();
     let mut filter = Filter::new(TWIN.clone(), options).unwrap_or_else(|error| panic!("{error}"));

@@ -96,7 +96,7 @@ impl<'a> FrameMaker<'a> {
         self.make_with(frame, &self.context.annotators)
     }
 
-    /// Renders a frame with other annotators than those of the recipe.
+    /// Renders a frame with other annotators than the recipe's.
     ///
     /// # Errors
     /// Returns the errors of [`make`](Self::make).

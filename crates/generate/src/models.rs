@@ -3,7 +3,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use oaktwin_dataset::Model;
 
-/// The file of an object, as an index into those of the recipe, and the bits of its scale.
+/// The file of an object, as an index into the recipe's files, and the bits of its scale.
 type Key = (usize, u64);
 
 /// The models of a data set's objects, created on first use.

@@ -4,7 +4,7 @@ use oaktwin_catalog::Twin;
 /// The units of a model.
 #[derive(Debug)]
 pub(crate) enum Units {
-    /// Always the nominal unit, or that of the recipe's calibration.
+    /// Always the nominal unit, or the unit of the recipe's calibration.
     One(Box<Twin>),
     /// Units that are drawn.
     Population(Box<Population>),

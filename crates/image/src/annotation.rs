@@ -120,7 +120,7 @@ macro_rules! annotators {
         annotators! { @frame [$($fields)* $doc $name $variant $kind ($data),] $($rest)* }
     };
     (@frame [$($doc:literal $name:ident $variant:ident $kind:ident ($data:ty),)+]) => {
-        /// The annotations of one camera at one moment. All images have the camera's size, and those of its depth sensor the
+        /// The annotations of one camera at one moment. All images have the camera's size, and its depth sensor's images the
         /// size of the sensor's output.
         #[derive(Clone, Debug, Default, PartialEq)]
         pub struct Frame {

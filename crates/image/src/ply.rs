@@ -1,6 +1,6 @@
 //! PLY: point clouds, binary and little endian.
 //!
-//! Source: Greg Turk's description of the format; the names of properties are those that `Open3D` reads.
+//! Source: Greg Turk's description of the format; `Open3D` reads these names of properties.
 
 use crate::{CodecError, Image};
 
@@ -20,7 +20,7 @@ pub struct Cloud<'a> {
 /// Encodes a point cloud.
 ///
 /// # Errors
-/// Returns an error if the number of normals or colours is not that of the points.
+/// Returns an error if the number of normals or colours differs from the number of points.
 pub fn encode(cloud: &Cloud<'_>) -> Result<Vec<u8>, CodecError> {
     let count = cloud.points.len();
     let counts = [

@@ -1,5 +1,5 @@
 //! Inertial sensors: what an accelerometer and a gyroscope report along a trajectory. Pure `f64` mathematics; no files, no
-//! random numbers of its own.
+//! random number generator.
 //!
 //! [`Motion`] interpolates poses, [`State::reading`] is what an ideal sensor at some place of the body measures, and a
 //! [`Channel`] adds the errors of a part. [`allan_deviation`] finds these errors in a record again.

@@ -7,8 +7,8 @@ use crate::so3;
 /// A spline through orientations at increasing times, whose angular velocity and angular acceleration are continuous.
 ///
 /// In each segment, the rotation vector from the first orientation is a cubic polynomial (Kang and Park, "Cubic spline
-/// algorithms for orientation interpolation", 1999). The angular velocities at the orientations are those with which the
-/// angular acceleration is continuous; those of the ends are the derivatives of polynomials through the four nearest
+/// algorithms for orientation interpolation", 1999). The angular velocities at the orientations are chosen so that the
+/// angular acceleration is continuous; at the ends, they are the derivatives of polynomials through the four nearest
 /// orientations.
 #[derive(Clone, Debug)]
 pub(crate) struct OrientationSpline {

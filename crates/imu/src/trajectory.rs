@@ -69,7 +69,7 @@ pub struct State {
 pub struct Reading {
     /// The angular velocity, rad/s.
     pub angular_velocity: DVec3,
-    /// The specific force, m/s²: acceleration without that of gravity; +g upwards at rest.
+    /// The specific force, m/s²: acceleration minus gravity; +g upwards at rest.
     pub specific_force: DVec3,
 }
 

@@ -33,7 +33,7 @@ pub(crate) fn files() -> std::io::Result<Vec<(PathBuf, String)>> {
 fn page() -> String {
     let mut out = "# Parameters\n\nThe program prints these tables with `oaktwin params GROUP`, Python with \
                    `oaktwin.parameters(GROUP)`. Names are `DepthAI`'s or NVIDIA's where they have the parameter. Where the \
-                   platforms differ, the default is that of RVC2, then that of RVC4.\n"
+                   platforms differ, RVC2's default comes first, then RVC4's.\n"
         .to_owned();
     for group in GROUPS {
         let _ = write!(out, "\n## {}\n\n{}.\n", group.name, group.about);

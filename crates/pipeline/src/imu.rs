@@ -30,7 +30,7 @@ use crate::render::trajectory::TimedPose;
 /// The rate in Hz unless the part reports less.
 pub const DEFAULT_RATE_HZ: f64 = 400.0;
 
-/// The highest rate in Hz, far above that of any part.
+/// The highest rate in Hz, far above any part's.
 const MAX_RATE_HZ: f64 = 100_000.0;
 
 /// The maximum number of samples: seven hours at 8 kHz, or 25 GB of text.
@@ -63,7 +63,7 @@ pub enum TrajectoryError {
         /// The index of the pose.
         index: usize,
     },
-    /// The poses are no motion.
+    /// The poses do not form a motion.
     #[error(transparent)]
     Motion(#[from] MotionError),
 }
@@ -71,7 +71,7 @@ pub enum TrajectoryError {
 /// The options of an inertial sensor.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ImuOptions {
-    /// The samples per second; by default 400, or what the part reports if that is less.
+    /// The samples per second; by default 400, or the part's maximum if lower.
     pub rate_hz: Option<f64>,
     /// The noise seed.
     pub seed: u64,
@@ -96,7 +96,7 @@ pub struct ImuSimulation {
 /// Returns the inertial part of a device, or the named one instead.
 ///
 /// # Errors
-/// Returns an error if the name is unknown or that of a part without accelerometer or gyroscope, or if no source names a part of
+/// Returns an error if the name is unknown or names a part without accelerometer or gyroscope, or if no source names a part of
 /// the device.
 pub fn inertial_part<'a>(
     catalog: &'a Catalog,

@@ -67,7 +67,7 @@ pub struct DeviceReport {
 }
 
 impl DeviceReport {
-    /// Creates the report of a twin with the lens of its asset; `findings` are those of its calibration.
+    /// Creates the report of a twin with the lens of its asset; `findings` are about its calibration.
     #[must_use]
     pub fn new(catalog: &Catalog, twin: &Twin, lens: LensChoice, findings: Vec<Finding>) -> Self {
         let device = &twin.device;

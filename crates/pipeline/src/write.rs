@@ -73,7 +73,7 @@ impl Producer<'_> {
 /// there are never more than three.
 ///
 /// # Errors
-/// Returns the error of a writer, else that of `produce`.
+/// Returns the error of a writer, else the error of `produce`.
 pub(crate) fn write_while<E: From<WriteError>>(
     writers: &mut [&mut dyn Writer],
     output: &mut OutputFiles,

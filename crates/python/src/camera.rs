@@ -287,8 +287,8 @@ impl Camera {
         self.size().1
     }
 
-    /// Horizontal field of view through the principal point, degrees; with a fisheye lens that of the lens, otherwise that of
-    /// the pinhole.
+    /// Horizontal field of view through the principal point, degrees: the lens's for a fisheye, otherwise
+    /// the pinhole's.
     #[getter]
     fn hfov_deg(&self) -> f64 {
         self.camera.field_of_view()[0].to_degrees()
@@ -392,7 +392,7 @@ impl Camera {
     /// The position in this camera's image of each pixel of an undistorted image, (x, y) in px, (H, W, 2) float32, for
     /// `cv2.remap(image, maps, None, cv2.INTER_LINEAR)`.
     ///
-    /// target: the camera of the undistorted image, a pinhole, whose size and K are used; by default those of this camera.
+    /// target: the camera of the undistorted image, a pinhole, whose size and K are used; by default this camera's.
     ///
     /// Positions may lie outside the image; they are NaN outside the lens's field of view. Raises oaktwin.Error for a target with
     /// distortion.

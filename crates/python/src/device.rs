@@ -165,13 +165,13 @@ impl Device {
         Self::unit(Models::open(catalog)?, raw, model, &path, force, lens)
     }
 
-    /// Returns units of the model that differ as real ones do: their cameras are drawn around the nominal values with the spread of
+    /// Returns units of the model with realistic variation: their cameras are drawn around the nominal values with the spread of
     /// factory calibrations.
     ///
     /// count: the number of units, 1 to 10000.
     /// seed: the seed of the population; a unit depends on the model, the seed and its number.
     ///
-    /// A unit has a calibration, which `oaktwin population` also writes. Its findings tell where the spread comes from. Raises
+    /// A unit has a calibration, which `oaktwin population` also writes. Its findings state the source of the spread. Raises
     /// oaktwin.Error for the device of a calibration.
     #[pyo3(signature = (count, *, seed = 0))]
     fn population(
@@ -218,8 +218,8 @@ impl Device {
         roles.map(|role| Ok((role, self.placed(role)?))).collect()
     }
 
-    /// Returns the camera of a depth sensor's images: a pinhole with the depth sensor's clipping range. That of a calibrated
-    /// stereo pair is the device's rectified left camera, as `StereoMatcher` has: rotated, and on RVC2 with the right camera's K.
+    /// Returns the camera of a depth sensor's images: a pinhole with the depth sensor's clipping range. For a calibrated
+    /// stereo pair, it is the device's rectified left camera, as in `StereoMatcher`: rotated, and on RVC2 with the right camera's K.
     ///
     /// sensor: "stereo", "tof" or a prim; by default "tof" if the device has it.
     #[pyo3(signature = (sensor = None))]
@@ -248,11 +248,11 @@ impl Device {
         Ok(sensors)
     }
 
-    /// (4, 4) float64, target_from_source: takes points in the frame of one part to that of another, metres.
+    /// (4, 4) float64, target_from_source: takes points in the frame of one part to the frame of another, metres.
     ///
     /// source, target: a camera's role ("rgb", "left", "right", "tof"), "imu" or "body".
     ///
-    /// Raises oaktwin.Error for a part that the device has not.
+    /// Raises oaktwin.Error for a part that the device does not have.
     fn extrinsics<'py>(
         &self,
         py: Python<'py>,
@@ -290,7 +290,7 @@ impl Device {
     /// rigid_body: whether to add mass and a collider.
     /// body: whether to add the visible body.
     /// over: an existing asset of the model: the file is then a layer of overrides on it, which refers to it by a relative path.
-    /// scene_limit: the factor on the limits for composing `over`: its prims, references and instances; by default 1.
+    /// scene_limit: a factor on the limits on the prims, references and instances of `over`; by default 1.
     ///
     /// Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an option that the model does not support or an unknown
     /// extension, OSError for files that cannot be written; incomplete files are removed.
@@ -343,9 +343,9 @@ impl Device {
     ///
     /// folder: the folder for the files, which is created.
     /// format: "urdf", "sdf", "mjcf", "webots" or "blender".
-    /// name: the name of the device, which begins the names of its frames.
-    /// parent: the link of a robot that carries the device.
-    /// mount: the point of the device that is placed: "cameras" (midway between the left and the right optical centre), or the centre of
+    /// name: the name of the device, the prefix of its frames.
+    /// parent: the robot's link that carries the device.
+    /// mount: the point of the device that xyz places: "cameras" (midway between the left and the right optical centre), or the centre of
     ///     the housing's face "front", "back", "bottom" or "top".
     /// xyz: the position of that point in the parent's frame in metres; by default its origin.
     /// rpy: roll, pitch and yaw of the device in the parent's frame in radians; by default 0.
@@ -390,7 +390,7 @@ impl Device {
         self.exported(py, oaktwin::calibration::export::Format::Kalibr)
     }
 
-    /// Returns DepthAI's calibration JSON: a mapping from a file name to its text; for a nominal device that of the ideal unit.
+    /// Returns DepthAI's calibration JSON: a mapping from a file name to its text; for a nominal device, the ideal unit's.
     fn to_depthai<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.exported(py, oaktwin::calibration::export::Format::DepthAi)
     }

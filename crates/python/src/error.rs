@@ -25,7 +25,7 @@ pyo3::create_exception!(
     "A non-fatal problem with a result."
 );
 
-/// The arguments whose names differ from those of the program's options.
+/// The arguments whose names differ from the program's options.
 const ARGUMENTS: [(&str, &str); 10] = [
     ("align", "to"),
     ("align-size", "size"),

@@ -7,7 +7,7 @@ use pyo3::types::PyDict;
 use crate::error::error;
 use crate::finding;
 
-/// Returns the files of a format by name. Kalibr's include that of the inertial part.
+/// Returns the files of a format by name. Kalibr's include the inertial part's.
 pub(crate) fn export<'py>(
     py: Python<'py>,
     raw: &Raw,

@@ -21,7 +21,7 @@ use crate::{finding, json, threads};
 /// seed: the seed instead of the recipe's.
 /// catalog: a folder of TOML files with additional devices and sensors.
 ///
-/// A frame depends on the recipe, the seed and its number only: it has the same bytes on every machine, whichever frames are made
+/// A frame depends only on the recipe, the seed and its number: it has the same bytes on every machine, whichever frames are made
 /// before it. Unpickling reads the files again.
 ///
 /// Raises oaktwin.Error for an invalid recipe, with the line and the nearest name, FileNotFoundError or another OSError for a file that cannot be
@@ -95,7 +95,7 @@ impl Recipe {
         self.generator.frames()
     }
 
-    /// Returns everything that is drawn at random for a frame: the scene, the objects with their poses, the lights, the camera.
+    /// Returns all random choices of a frame: the scene, the objects with their poses, the lights, the camera.
     ///
     /// Raises oaktwin.Error if an object or the camera has no place.
     fn explain<'py>(
@@ -125,7 +125,7 @@ impl Recipe {
     /// output: the folder of the data set.
     /// frames: the first frame and the frame after the last one, such as (0, 100); by default all frames of the recipe.
     /// resume: whether an existing data set is completed or extended.
-    /// workers: the number of frames that are made at the same time; by default that of the processors, if there is enough memory.
+    /// workers: the number of frames to make at once; by default one per processor, or fewer if memory is short.
     /// only_frames: whether files that span frames are left to another call with resume=True. Several processes, also on several
     ///     machines with a common folder, can make different frames of one data set in this way.
     /// ray: whether Ray distributes the frames: True, or the address of a cluster, such as "auto", "host:6379" or

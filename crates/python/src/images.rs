@@ -66,7 +66,7 @@ impl Shape {
         self.rows().into_iter().chain(channel).collect()
     }
 
-    /// The dimensions without that of the channel.
+    /// The dimensions without the channel's.
     pub(crate) fn rows(self) -> Vec<usize> {
         let rows = [self.size.height as usize, self.size.width as usize];
         self.batch.into_iter().chain(rows).collect()

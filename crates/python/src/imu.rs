@@ -24,7 +24,7 @@ const BATCH: usize = 1 << 16;
 ///
 /// times: (N,) the times of the poses in seconds, increasing; at least two.
 /// poses: (N, 4, 4) world_from_body: the poses of the device's body, metres.
-/// rate: the samples per second; by default 400, or what the part reports if that is less.
+/// rate: the samples per second; by default 400, or the part's maximum if lower.
 /// part: the inertial part, such as "BMI270"; by default the device's.
 /// seed: the noise seed.
 /// up: the vertical axis of the world, "z" or "y".

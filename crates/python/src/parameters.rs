@@ -52,7 +52,7 @@ pub(crate) fn by_name<'py, N: AsRef<str>>(
     engine: &str,
     values: impl IntoIterator<Item = (N, String)>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    // The types are those of both platforms.
+    // Both platforms have these types.
     let known = tables::group(engine).map_err(error)?.list(Platform::Rvc2);
     let parameters = PyDict::new(py);
     for (name, value) in values {

@@ -43,7 +43,7 @@ struct State {
     moments: usize,
 }
 
-/// A camera, and that of its measured images if it is another one.
+/// A camera, and the camera of its measured images if it is another one.
 type Known = (camera::Camera, Option<MeasuredCamera>);
 
 #[pymethods]

@@ -12,7 +12,7 @@ use crate::threads;
 
 /// The rectification of a stereo pair: the matrices of cv2.stereoRectify, and the maps for cv2.remap.
 ///
-/// left, right: the cameras, with their poses on the device. `Device.rectification` returns that of a device.
+/// left, right: the cameras, with their poses on the device. `Device.rectification` returns a device's.
 /// intrinsics: the intrinsics of the rectified images: "zero-disparity" (default, OpenCV's default), "free-disparity" (OpenCV without
 ///     CALIB_ZERO_DISPARITY), "left-camera" (DepthAI's host and RVC4), "right-camera" (RVC2).
 ///

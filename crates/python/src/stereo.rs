@@ -34,7 +34,7 @@ use source::Source;
 )]
 /// The stereo matcher of an OAK: a left and a right image in, depth out. Equivalent to `oaktwin stereo` for files.
 ///
-/// device: the device that took the images; or None for any rectified pair, with fx (or hfov_deg) and baseline.
+/// device: the device that took the images, or None for another maker's rectified pair, with fx (or hfov_deg) and baseline.
 /// sensor: the depth sensor whose pair took the images, by prim, such as "Camera_pseudo_depth_50mm" of the OAK-D LR; by default
 ///     the device's first pair.
 /// raw: whether the images are unrectified and have to be rectified first, as on the device; by default True for a

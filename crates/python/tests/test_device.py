@@ -115,7 +115,7 @@ def test_a_calibrated_unit(program, calibration):
         oaktwin.Device.from_calibration(calibration, "OAK-D ToF")
 
 
-def test_calibrations_that_are_none(tmp_path, program):
+def test_invalid_calibrations(tmp_path, program):
     with pytest.raises(FileNotFoundError, match="there is no such file; check the path"):
         oaktwin.Device.from_calibration(tmp_path / "none.json")
     with pytest.raises(IsADirectoryError):

@@ -19,15 +19,15 @@ NOT_RUN = {
     "cargo xtask ": "it runs this test",
     "pip install ": "the package and its peers are installed",
     "./python.sh ": "it needs Isaac Sim",
-    "oaktwin studio": "it serves a page until it is stopped, and has tests of its own",
-    "oaktwin bridge": "it runs until it is stopped, and has tests of its own",
+    "oaktwin studio": "it serves a page until it is stopped, and has its own tests",
+    "oaktwin bridge": "it runs until it is stopped, and has its own tests",
     "rerun ": "it opens a window",
     "ros2 ": "it needs ROS 2",
-    "python examples/python/": "the program has a test of its own",
+    "python examples/python/": "the program has its own test",
 }
 # Commands that end with 1 where they report findings, as they may about these inputs.
 REPORTS_FINDINGS = {"accuracy", "check", "fit", "stereo"}
-# Pages whose snippets are excerpts of an example's program, which has a test of its own: only their syntax is checked.
+# Pages whose snippets are excerpts of an example's program, which has its own test: only their syntax is checked.
 EXCERPTS = {
     "docs/python/imu.md",
     "docs/python/record_wall.md",

@@ -1,4 +1,4 @@
-"""Compares the files of Ray's workers, one of which is killed, with those of a single process."""
+"""Compares the files of Ray's workers, one of which is killed, with the files of a single process."""
 
 import hashlib
 import json

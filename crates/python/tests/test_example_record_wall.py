@@ -95,7 +95,7 @@ def test_the_pipeline_uses_only_members_of_depthai(example, platform):
     assert not (processing.speckleFilter.enable or processing.spatialFilter.enable or processing.temporalFilter.enable)
     assert processing.decimationFilter.decimationFactor == 1
     assert stereo.setSubpixelFractionalBits.called == (platform == "RVC2")
-    # The arguments that the example passes are those of the overloads.
+    # The arguments that the example passes exist in the overloads.
     for method, words in [
         (dai.node.Camera.requestOutput, ["size", "type", "fps"]),
         (dai.Node.Output.createOutputQueue, ["maxSize", "blocking"]),

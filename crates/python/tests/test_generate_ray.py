@@ -1,4 +1,4 @@
-"""Data sets whose frames Ray distributes: the bytes are those of one process, also if a worker is killed."""
+"""Data sets whose frames Ray distributes: the bytes are the same as with one process, even if a worker is killed."""
 
 import json
 import os
@@ -120,7 +120,7 @@ def test_errors(recipe, tmp_path, monkeypatch):
 
 
 def test_a_recipe_may_change_between_runs(recipe, tmp_path):
-    """Also if the workers, which keep a recipe open, are those of the run before."""
+    """Also if the workers, which keep a recipe open, are from the previous run."""
     changed = tmp_path / "recipe.toml"
     ray.init(num_cpus=1, include_dashboard=False, log_to_driver=False, object_store_memory=80 << 20)
     try:

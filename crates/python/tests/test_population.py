@@ -14,7 +14,7 @@ def test_units_are_calibrated_devices(tmp_path):
     assert len(units) == 40 and units[7].origin == "oak_d_pro_poe_000007.json"
     focal = np.array([unit.cameras["left"].K[0, 0] for unit in units])
     assert 0.003 < focal.std() / focal.mean() < 0.008 and len(set(focal)) == 40
-    # A unit does not depend on how many there are, and differs from those of another seed.
+    # A unit does not depend on how many there are, and differs from the units of another seed.
     again, other = nominal.population(8, seed=2)[7], nominal.population(8)[7]
     assert np.array_equal(again.extrinsics("left", "right"), units[7].extrinsics("left", "right"))
     assert not np.array_equal(other.extrinsics("left", "right"), units[7].extrinsics("left", "right"))

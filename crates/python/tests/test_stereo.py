@@ -167,7 +167,7 @@ def test_pairs_of_a_device_with_three(wall, sensor, baseline):
 def test_pairs_that_a_device_lacks(wall):
     with pytest.raises(oaktwin.Error, match="has no depth sensor 'Camera_pseudo_depth_60mm'; did you mean"):
         oaktwin.StereoMatcher(oaktwin.Device("OAK-D LR"), sensor="Camera_pseudo_depth_60mm")
-    with pytest.raises(oaktwin.Error, match="is no stereo pair; choose Camera_pseudo_depth_stereo"):
+    with pytest.raises(oaktwin.Error, match="is not a stereo pair; choose Camera_pseudo_depth_stereo"):
         wall.render_pair(oaktwin.Device("OAK-D ToF"), AHEAD, sensor="tof")
 
 

@@ -1,4 +1,4 @@
-"""The docstrings of the stubs are those of the native module. `OAKTWIN_UPDATE_STUBS=1` writes them."""
+"""The docstrings of the stubs match the native module's. `OAKTWIN_UPDATE_STUBS=1` writes them."""
 
 import ast
 import inspect
@@ -32,7 +32,7 @@ def documented(body: list[ast.stmt], owner: object) -> list[tuple[ast.ClassDef |
 
 
 def with_docstrings(source: str) -> str:
-    """Returns a stub with the docstrings of the native module in place of its own."""
+    """Returns a stub with the native module's docstrings instead of its own."""
     lines = source.splitlines()
     nodes = documented(ast.parse(source).body, oaktwin._oaktwin)
     for node, text in sorted(nodes, key=lambda pair: pair[0].lineno, reverse=True):

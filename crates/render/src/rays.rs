@@ -12,14 +12,14 @@ use crate::ray::{RayTable, ray_through};
 pub(crate) struct Rays<'a> {
     view: &'a View,
     along_axis: bool,
-    /// For ideal pinholes: the difference from a pixel's ray to that of the next pixel to the right, and below.
+    /// For ideal pinholes: the difference from a pixel's ray to the ray of the next pixel to the right, and below.
     steps: Option<[DVec3; 2]>,
     /// The rays of other lenses, if they are known.
     table: Option<Arc<RayTable>>,
 }
 
 impl<'a> Rays<'a> {
-    /// Creates the rays of a view. Those of a lens with distortion are computed when they are needed.
+    /// Creates the rays of a view. For a lens with distortion, they are computed when they are needed.
     pub(crate) fn new(view: &'a View) -> Self {
         let camera = &view.camera;
         let steps = [DVec3::X / camera.intrinsics.fx, DVec3::Y / camera.intrinsics.fy];
@@ -31,7 +31,7 @@ impl<'a> Rays<'a> {
         }
     }
 
-    /// Creates the rays of a view. Those of a lens with distortion are taken from `table`.
+    /// Creates the rays of a view. For a lens with distortion, they are taken from `table`.
     pub(crate) fn with_table(view: &'a View, table: impl FnOnce() -> Arc<RayTable>) -> Self {
         let mut rays = Self::new(view);
         if rays.steps.is_none() {

@@ -9,7 +9,7 @@ use oaktwin_camera::{Camera, RigidTransform};
 pub struct View {
     /// The intrinsics, which include the size of the image, and the lens.
     pub camera: Camera,
-    /// The camera pose in metres; the camera's axes are those of `OpenCV`.
+    /// The camera pose in metres; the camera's axes are `OpenCV`'s.
     pub world_from_camera: RigidTransform,
     /// The clipping range.
     pub clip: Clip,

@@ -180,7 +180,7 @@ impl Description {
         })
     }
 
-    /// Returns the cameras and those of the depth sensors.
+    /// Returns the cameras, including the depth sensors'.
     pub(crate) fn all_cameras(&self) -> impl Iterator<Item = &CameraFrame> {
         let depths = self.depth_sensors.iter().map(|sensor| &sensor.camera);
         self.cameras.iter().chain(depths)

@@ -6,15 +6,15 @@ use oaktwin_catalog::Body;
 use crate::RobotError;
 
 choice! {
-    /// The point of a device that is placed at its parent's frame.
+    /// The point of a device that its pose in the parent's frame places.
     Mount {
-        /// The origin of the body frame: midway between the left and the right optical centre.
+        /// The origin of the body frame, midway between the left and the right optical centre.
         Cameras = "cameras",
         /// The centre of the front face.
         Front = "front",
         /// The centre of the rear face.
         Back = "back",
-        /// The centre of the lower face, where tripods are.
+        /// The centre of the lower face, where a tripod is mounted.
         Bottom = "bottom",
         /// The centre of the upper face.
         Top = "top",

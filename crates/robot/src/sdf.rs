@@ -1,7 +1,7 @@
 //! `SDFormat` 1.9, the newest version that Debian's parser reads, for Gazebo.
 //!
 //! A principal point counts from the border of the image, so the centre of the first pixel is at 0.5. Depth has no noise: Gazebo's is
-//! constant over distance, unlike that of a stereo camera.
+//! constant over distance, unlike a stereo camera's.
 
 use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::RigidTransform;
@@ -27,7 +27,7 @@ pub(crate) fn export(of: &Description) -> Export {
             "parent-ignored",
             Level::Warning,
             "parent",
-            format!("SDF cannot name {parent}, a link of another file; the pose is that of the whole model"),
+            format!("SDF cannot name {parent}, a link of another file; the pose is the whole model's"),
             "include the model in the robot's, and add a fixed joint from its link",
         ));
     }
@@ -209,7 +209,7 @@ fn imu_sensor(of: &Description, imu: &ImuFrame) -> Element {
     Element::new("sensor")
         .set("name", format!("{}_imu", of.name))
         .set("type", "imu")
-        .commented("The standard deviations are those of single samples: noise density times the square root of the rate.")
+        .commented("Standard deviations of single samples: noise density times the square root of the rate.")
         .with(pose(&imu.body_from_imu))
         .with(Element::text("always_on", "true"))
         .with(Element::text("update_rate", number(IMU_RATE)))

@@ -1,5 +1,5 @@
 //! URDF with the frames of the vendor's ROS package (luxonis/depthai-ros, `depthai_descriptions`): `oak`, `oak_left_camera_frame`,
-//! `oak_left_camera_optical_frame`, `oak_imu_frame`. Beside them, each depth sensor has a frame: that of its rectified camera.
+//! `oak_left_camera_optical_frame`, `oak_imu_frame`. Each depth sensor also has a frame, its rectified camera's.
 
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DMat3, DVec3};

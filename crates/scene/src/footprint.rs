@@ -3,7 +3,7 @@
 use crate::{Attribute, Instance, Mesh, Scene, TextureSource};
 
 impl Scene {
-    /// Returns the number of rendered triangles: those of a mesh count once per instance.
+    /// Returns the number of rendered triangles: a mesh counts once per instance.
     #[must_use]
     pub fn triangle_count(&self) -> u64 {
         let of_instance = |instance: &Instance| {
@@ -14,7 +14,7 @@ impl Scene {
         self.instances.iter().map(of_instance).sum()
     }
 
-    /// Returns the number of stored triangles: those of a mesh count once.
+    /// Returns the number of stored triangles: a mesh counts once.
     #[must_use]
     pub fn stored_triangle_count(&self) -> u64 {
         self.meshes.iter().map(|mesh| mesh.triangles.len() as u64).sum()

@@ -86,7 +86,7 @@ pub struct Instance {
     /// The transform from the mesh's frame to the world, metres. Always invertible: the importer bakes a mesh with a
     /// singular transform into a new mesh.
     pub world_from_mesh: DAffine3,
-    /// The semantic labels: its own first, then those of its parent, and so on.
+    /// The semantic labels: its own first, then its parent's, and so on.
     pub labels: Vec<Label>,
     /// Added to the mesh's indices of materials, so that instances of one mesh can look different. 0 in every file.
     pub material_offset: u32,

@@ -26,7 +26,7 @@ pub struct Mesh {
 /// Consecutive triangles with the same material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MaterialSpan {
-    /// The index after that of the last triangle.
+    /// The index after the last triangle's.
     pub end: u32,
     /// An index into the scene's materials, if it has one.
     pub material: Option<u32>,

@@ -7,7 +7,7 @@ impl Instance {
     /// Returns the pose of the instance, and the rest of its transform: `world_from_mesh = pose * rest`, where the rest is the
     /// scale, shear and reflection.
     ///
-    /// The axes of the pose are those of the mesh, made orthonormal in the order x, y, z.
+    /// The axes of the pose are the mesh's, made orthonormal in the order x, y, z.
     #[must_use]
     pub fn pose_and_rest(&self) -> (RigidTransform, DAffine3) {
         let whole = self.world_from_mesh;

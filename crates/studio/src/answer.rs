@@ -55,7 +55,7 @@ pub(crate) fn file(file: File) -> Response {
     (headers, bytes).into_response()
 }
 
-/// Writes JSON in which other characters than those of ASCII are escaped.
+/// Writes JSON in which all characters outside ASCII are escaped.
 fn ascii(value: &impl Serialize) -> String {
     let json = serde_json::to_string(value).unwrap_or_default();
     let mut units = [0; 2];

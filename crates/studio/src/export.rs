@@ -1,4 +1,4 @@
-//! What can be taken away: assets, images, numbers, and the commands that reproduce them.
+//! Exports: assets, images, numbers, and the commands that reproduce them.
 
 use oaktwin::depth::parameters::choose;
 use oaktwin::image::{Image, millimetres, npy, png};
@@ -70,7 +70,7 @@ fn robot(studio: &Studio, request: &ExportRequest, format: &str) -> Result<File,
     })
 }
 
-/// Measures the requested state anew.
+/// Measures the requested state again.
 fn measured(
     studio: &Studio,
     request: &ExportRequest,

@@ -42,7 +42,7 @@ impl Guard {
 
     /// Checks the headers and the query of a request.
     fn check(&self, headers: &HeaderMap, query: Option<&str>) -> Result<(), &'static str> {
-        let host = single(headers, &header::HOST)?.ok_or("a request without a Host")?;
+        let host = single(headers, &header::HOST)?.ok_or("a request without a Host header")?;
         if self.token.is_none() && !self.hosts.iter().any(|own| own == host) {
             return Err("a request for another host");
         }

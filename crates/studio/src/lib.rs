@@ -1,4 +1,4 @@
-//! The page of `oaktwin studio`: choose, tune, place and understand an OAK by looking.
+//! The server of `oaktwin studio`: a local web page to choose, tune and place OAKs.
 //!
 //! [`serve`] answers a browser on the local machine. All numbers and images come from the crate `oaktwin`; this crate keeps what was
 //! rendered, encodes it for the page and decides who may ask. The page's sources are in `web/`, and `web/src/protocol.ts`

@@ -1,6 +1,6 @@
 //! Meshes for the page's 3D view.
 //!
-//! The layout is that of `MeshHeader` in `web/src/protocol.ts`.
+//! The layout matches `MeshHeader` in `web/src/protocol.ts`.
 
 use std::collections::HashMap;
 

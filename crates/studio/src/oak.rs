@@ -35,7 +35,7 @@ impl OakState {
             (Some(id), None) => studio.calibrations.twin(catalog, device, id),
             (Some(_), Some(_)) => {
                 let error =
-                    "a calibration is that of one unit; choose the calibration or a unit of the population";
+                    "a calibration describes one unit; choose the calibration or a unit of the population";
                 Err(Failure::of("populationSeed", error))
             }
         }

@@ -13,7 +13,7 @@ use crate::mesh;
 use crate::pose::pose_of;
 use crate::protocol::{Failure, Pose, SceneInfo, SceneObject};
 
-/// The number of dropped scenes that are kept, beside that of the command line.
+/// The number of dropped scenes that are kept, besides the command line's.
 const KEPT: usize = 3;
 /// The number of objects that the page can name; others are part of the scene only.
 const MAX_OBJECTS: usize = 20_000;

@@ -11,7 +11,7 @@ use oaktwin::unit;
 
 use crate::protocol::{Failure, OakState};
 
-/// The number of the unit: each seed has a population of its own, so that one number identifies a unit.
+/// The number of the unit: each seed has its own population, so that one number identifies a unit.
 const NUMBER: u64 = 0;
 
 /// A unit of a model's population.

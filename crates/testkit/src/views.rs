@@ -4,7 +4,7 @@ use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform};
 use oaktwin_render::{Clip, View};
 
-/// The horizontal field of view, degrees, like that of an OAK-D's stereo cameras.
+/// The horizontal field of view, degrees, like an OAK-D's stereo cameras'.
 const HFOV_DEG: f64 = 77.0;
 
 /// Returns a view from `eye` to `target`, 77° wide.

@@ -10,7 +10,7 @@ use crate::lens::{self, Lens, MODEL};
 use crate::nvidia::{CAMERA_SCHEMA, PRODUCT_SCHEMA};
 use crate::stage::{Prim, RenderProduct, SceneCamera};
 
-/// The default image width, that of Isaac Sim's viewport.
+/// The default image width, the width of Isaac Sim's viewport.
 pub const DEFAULT_WIDTH: u32 = 1280;
 
 choice! {

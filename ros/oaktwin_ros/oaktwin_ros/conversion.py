@@ -31,7 +31,7 @@ def _pixels(message: Any, dtype: np.dtype, channels: int) -> np.ndarray:
         raise ValueError(f"width, height: an image of {width}x{height} has no pixels; publish images with pixels")
     row = width * channels * dtype.itemsize
     if step < row:
-        raise ValueError(f"step: {step} bytes for rows of {row}; publish the bytes from one row to the next")
+        raise ValueError(f"step: {step} bytes for rows of {row}; set step to the number of bytes from one row to the next")
     data = np.frombuffer(message.data, np.uint8)
     needed = step * (height - 1) + row
     if len(data) < needed:

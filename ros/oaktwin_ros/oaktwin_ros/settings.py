@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-# A test compares the names with those of oaktwin.DepthSensor.
+# A test compares the names with oaktwin.DepthSensor's.
 OPTIONS: dict[str, Any] = {
     "engine": "",
     "preset": "",

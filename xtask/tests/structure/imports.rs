@@ -10,7 +10,7 @@ use syn::{Attribute, Item, ItemUse, UseTree};
 /// The path of a module from the root of its crate.
 pub(crate) type Module = Vec<String>;
 
-/// The modules of a crate without those of its tests.
+/// The modules of a crate, except for its tests.
 pub(crate) struct Modules {
     files: BTreeMap<Module, PathBuf>,
 }

@@ -72,7 +72,7 @@ fn modules_have_no_cycles() {
     assert!(imports > 1000, "only {imports} imports were found");
     assert!(
         cycles.is_empty(),
-        "these modules import each other; move what they share to a module of its own:\n{}",
+        "these modules import each other; move what they share to a separate module:\n{}",
         cycles.join("\n")
     );
 }

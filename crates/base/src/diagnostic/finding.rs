@@ -48,6 +48,15 @@ impl Finding {
             remedy: remedy.into(),
         }
     }
+
+    /// Writes the finding with another text for its place.
+    pub(crate) fn write_at(&self, f: &mut fmt::Formatter<'_>, place: &str) -> fmt::Result {
+        write!(f, "{}[{}]: {place}: {}", self.level, self.code, self.message)?;
+        match self.remedy.is_empty() {
+            true => Ok(()),
+            false => write!(f, "; {}", self.remedy),
+        }
+    }
 }
 
 impl fmt::Display for Level {
@@ -63,15 +72,7 @@ impl fmt::Display for Level {
 /// `warning[baseline-off]: extrinsics: …; remedy`
 impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "{}[{}]: {}: {}",
-            self.level, self.code, self.place, self.message
-        )?;
-        match self.remedy.is_empty() {
-            true => Ok(()),
-            false => write!(f, "; {}", self.remedy),
-        }
+        self.write_at(f, &self.place)
     }
 }
 

@@ -87,7 +87,7 @@ impl fmt::Display for Opt {
 /// A text with references to options in it.
 ///
 /// The text is complete with each option in its neutral spelling (see [`Opt`]), so a message can be used like a `str`.
-/// The positions of the options are kept beside it: [`with_style`] replaces these and nothing else, whatever a path
+/// The positions of the options are kept beside it: [`with_style`] replaces only these, whatever a path
 /// or a name in the text may look like. [`message!`](crate::message) builds one from its parts. An error stores
 /// its message as a `Message`: formatting it into a string would fix the options in their neutral spelling.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]

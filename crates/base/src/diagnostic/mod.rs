@@ -5,11 +5,13 @@
 //! puts an [`Opt`] into a [`Message`], and the front end prints the message [`with_style`], its own spelling of options.
 
 mod finding;
+mod group;
 mod message;
 pub mod stored;
 mod suggest;
 
 pub use crate::message;
 pub use finding::{Finding, Level};
+pub use group::{FindingGroup, group};
 pub use message::{Message, Opt, Style, opt, with_style};
 pub use suggest::{fold_name, nearest, suggest, suggestion};

@@ -32,7 +32,7 @@ choice! {
 }
 
 parameters! {
-    /// The attributes of `OmniSensorDepthSensorSingleViewAPI`, in their units. The defaults are those of Isaac Sim 5.0 and
+    /// The attributes of `OmniSensorDepthSensorSingleViewAPI`, in their units. The defaults match Isaac Sim 5.0 and
     /// 5.1.
     pub struct Attributes("single-view", platform) {
         /// The distance between the imagers; its sign is the side of the second one.

@@ -28,7 +28,7 @@ impl Points {
     }
 
     /// Returns one point per pixel, row by row, NaN where nothing was measured; colours are packed into a number, like PCL's.
-    /// The images are those of the camera.
+    /// The images belong to the camera.
     #[must_use]
     pub fn message(
         &self,

@@ -22,7 +22,7 @@ fn rows(message: &Image, bytes_per_pixel: u32) -> Result<impl Iterator<Item = &[
                 "{step} bytes for rows of {row} ({width} pixels, {})",
                 message.encoding
             ),
-            "publish the bytes from one row to the next",
+            "set step to the number of bytes from one row to the next",
         ));
     }
     // The bytes after the last row are optional.

@@ -35,9 +35,9 @@ pub struct Frames {
 pub struct Stamped {
     /// The number of the frame, which keys its noise.
     pub number: u64,
-    /// Whether the stamp is that of the frame before.
+    /// Whether the stamp equals the previous frame's.
     pub is_repeated: bool,
-    /// Whether the stamp is earlier than that of the frame before: the simulation began again.
+    /// Whether the stamp is earlier than the previous frame's: the simulation began again.
     pub is_earlier: bool,
 }
 

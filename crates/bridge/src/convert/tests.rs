@@ -68,7 +68,7 @@ fn bytes_between_rows_are_skipped() {
 fn unusable_images_are_rejected() {
     assert_eq!(
         error(&image("32FC1", 4, vec![0; 16])),
-        "step: 4 bytes for rows of 8 (2 pixels, 32FC1); publish the bytes from one row to the next"
+        "step: 4 bytes for rows of 8 (2 pixels, 32FC1); set step to the number of bytes from one row to the next"
     );
     assert_eq!(
         error(&image("rgb8", 6, vec![0; 12])),

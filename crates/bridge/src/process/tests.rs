@@ -185,7 +185,7 @@ fn unusable_frames_are_reported_with_their_topic() {
     assert_eq!(
         other_size,
         [
-            "error[camera-info-size]: /info: is of images of 65x40, but the depth image is 64x40; publish the camera info of the \
+            "error[camera-info-size]: /info: describes images of 65x40, but the depth image is 64x40; publish the camera info of the \
           depth image"
         ]
     );

@@ -26,7 +26,7 @@ choice! {
         OpenCv = "opencv",
         /// Kalibr's `camchain.yaml`, and `imu.yaml` of a known model.
         Kalibr = "kalibr",
-        /// `DepthAI`'s JSON in the layout of its own writer.
+        /// `DepthAI`'s JSON, in the layout that `DepthAI` writes.
         DepthAi = "depthai",
     }
 }

@@ -7,7 +7,7 @@ use super::text::{number, rows};
 use super::{Export, camera_name, pair};
 use crate::{Calibration, CalibrationError, CameraCalibration, StereoPair};
 
-/// Creates `FileStorage` files: one per camera with the keys of OpenCV's `calibration` sample, and `stereo.yml` with those of its
+/// Creates `FileStorage` files: one per camera with the keys of OpenCV's `calibration` sample, and `stereo.yml` with the keys of its
 /// `stereo_calib` sample. All 14 coefficients; metres.
 pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationError> {
     let mut export = Export::default();

@@ -26,7 +26,7 @@ pub struct Population {
 pub struct Unit {
     /// Its number.
     pub number: u64,
-    /// The twin. Unlike the twin of a calibration file, its body frame is that of the housing: the pair's viewing direction differs
+    /// The twin. Unlike the twin of a calibration file, its body frame is the housing's: the pair's viewing direction differs
     /// from it by the unit's boresight error.
     pub twin: Twin,
 }
@@ -59,10 +59,10 @@ impl Population {
         let device = &self.nominal.device.name;
         let message = match self.basis {
             Basis::Measured => {
-                format!("units differ as {units} factory calibrations of {models} models do ({about})")
+                format!("units vary like {units} factory calibrations of {models} models ({about})")
             }
             Basis::Estimate => {
-                format!("the spread is an estimate: that of {units} factory calibrations of {about}")
+                format!("the spread is an estimate from {units} factory calibrations of {about}")
             }
         };
         Finding::new("spread", Level::Note, device, message, "")

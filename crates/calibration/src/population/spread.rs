@@ -43,7 +43,7 @@ pub struct Spread {
 pub enum Basis {
     /// It was computed from calibrations of the family.
     Measured,
-    /// It is that of another family.
+    /// It belongs to another family.
     Estimate,
 }
 

@@ -116,7 +116,7 @@ fn version(reader: &mut Reader, root: &Field<'_>) -> Option<u32> {
             "new-version",
             "version",
             message,
-            "compare the result with that of DepthAI",
+            "compare the result with DepthAI's",
         );
     }
     u32::try_from(version).ok()

@@ -240,7 +240,7 @@ mod tests {
         assert!((lens.undistort(distorted).unwrap() - point).length() < 1e-12);
     }
 
-    /// Coefficients like those of factory calibrations: the numerator is the denominator times a small radial term, so that
+    /// Coefficients like a factory calibration's: the numerator is the denominator times a small radial term, so that
     /// both are large and nearly cancel.
     fn factory() -> impl Strategy<Value = OpenCvPinhole> {
         (

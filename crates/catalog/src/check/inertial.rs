@@ -30,9 +30,9 @@ pub(super) fn imu(doc: &Document<'_>, device: &Device, catalog: &Catalog) -> Che
                 .map(|part| part.id.as_str())
                 .collect();
             let remedy = match nearest(id, known.iter().copied()).first() {
-                Some(near) => format!("did you mean '{near}'? A new part needs a file of its own"),
+                Some(near) => format!("did you mean '{near}'? To add a part, describe it in a file"),
                 None => format!(
-                    "known are {}; a new one needs a file of its own",
+                    "expected one of {}; to add another, describe it in a file",
                     known.join(", ")
                 ),
             };

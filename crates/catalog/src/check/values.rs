@@ -65,11 +65,7 @@ pub(super) fn positive(doc: &Document<'_>, place: &str, value: f64) -> Checked {
     if value > 0.0 {
         Ok(())
     } else {
-        Err(doc.error(
-            place,
-            format!("{value} where only more than 0 makes sense"),
-            "give a positive number",
-        ))
+        Err(doc.error(place, format!("{value} is not above 0"), "give a positive number"))
     }
 }
 
@@ -77,11 +73,7 @@ pub(super) fn not_negative(doc: &Document<'_>, place: &str, value: f64) -> Check
     if value >= 0.0 {
         Ok(())
     } else {
-        Err(doc.error(
-            place,
-            format!("{value} where less than 0 makes no sense"),
-            "give 0 or more",
-        ))
+        Err(doc.error(place, format!("{value} is below 0"), "give 0 or more"))
     }
 }
 

@@ -18,7 +18,7 @@ const RAD_S_PER_MDPS: f64 = 1e-3 * std::f64::consts::PI / 180.0;
 
 /// A chip with an accelerometer, a gyroscope or a magnetometer: `data/imus/*.toml`.
 ///
-/// Units are those of datasheets (g, °/s, µT); [`accelerometer_noise`](Self::accelerometer_noise) and
+/// Units are as in datasheets (g, °/s, µT); [`accelerometer_noise`](Self::accelerometer_noise) and
 /// [`gyroscope_noise`](Self::gyroscope_noise) convert them to SI.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -1,4 +1,4 @@
-//! The schemas in the repository are those of the code, and what they promise holds of the built-in files.
+//! The schemas in the repository agree with the code, and the built-in files are valid by them.
 #![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use std::path::Path;

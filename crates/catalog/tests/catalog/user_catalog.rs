@@ -155,7 +155,7 @@ const INVALID_VALUES: [[&str; 3]; 27] = [
     [
         "sensor = \"OV9282\"",
         "sensor = \"OV928\"",
-        "unknown sensor \"OV928\"; did you mean 'OV9282'? A new sensor needs a file of its own",
+        "unknown sensor \"OV928\"; did you mean 'OV9282'? To add a sensor, describe it in a file",
     ],
     [
         "role = \"right\"",
@@ -170,7 +170,7 @@ const INVALID_VALUES: [[&str; 3]; 27] = [
     [
         "mass_g = 184.0",
         "mass_g = 0.0",
-        "0 where only more than 0 makes sense; give a positive number",
+        "0 is not above 0; give a positive number",
     ],
     [
         "stereo_baseline_mm = 75.0",
@@ -195,7 +195,7 @@ const INVALID_VALUES: [[&str; 3]; 27] = [
     [
         "parts = [\"BNO086\"]",
         "parts = [\"BNO085\"]",
-        "unknown inertial part \"BNO085\"; did you mean 'BNO086'? A new part needs a file of its own",
+        "unknown inertial part \"BNO085\"; did you mean 'BNO086'? To add a part, describe it in a file",
     ],
     [
         "camera = \"left\"",
@@ -281,7 +281,7 @@ fn invalid_values_have_a_line_and_a_remedy() {
     assert_eq!(
         device_error("sensor = \"OV9282\"", "sensor = \"\""),
         format!(
-            "mine.toml:LINE: unknown sensor \"\"; known are {}; a new one needs a file of its own",
+            "mine.toml:LINE: unknown sensor \"\"; expected one of {}; to add another, describe it in a file",
             known.join(", ")
         )
     );
@@ -327,7 +327,7 @@ fn sensors_are_checked_too() {
         (
             "\npixel_size_um = 3.0",
             "\npixel_size_um = -3.0",
-            "sensor.toml:9: -3 where only more than 0 makes sense; give a positive number",
+            "sensor.toml:9: -3 is not above 0; give a positive number",
         ),
     ] {
         let text = SENSOR.replacen(from, to, 1);

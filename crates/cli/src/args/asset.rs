@@ -10,34 +10,34 @@ use super::{UnitArgs, limit};
 
 #[derive(Args, Debug)]
 pub(crate) struct AssetArgs {
-    /// Model, `sheet` for the five of the parameter sheet, or `all`
+    /// The model, `sheet` for the five of the parameter sheet, or `all`
     #[arg(value_name = "MODEL|sheet|all")]
     pub(crate) model: String,
 
-    /// Output file or folder; a folder with `sheet` and `all`
+    /// The output file or folder; a folder with `sheet` and `all`
     #[arg(short, long, value_name = "PATH", value_hint = ValueHint::AnyPath)]
     pub(crate) output: PathBuf,
 
-    /// File format [default: from the output's extension, else usd]
+    /// The file format [default: from the output's extension, else usd]
     #[arg(long, value_parser = parser::<Format>())]
     pub(crate) format: Option<Format>,
 
-    /// Isaac Sim version to write for
+    /// Write for this version of Isaac Sim
     #[arg(long, value_parser = parser::<IsaacVersion>(), default_value_t)]
     pub(crate) isaac: IsaacVersion,
 
-    /// Renderer to write for (ovrtx is experimental)
+    /// Write for this renderer (ovrtx is experimental)
     #[arg(long, value_parser = parser::<Target>(), default_value_t)]
     pub(crate) target: Target,
 
     #[command(flatten)]
     pub(crate) unit: UnitArgs,
 
-    /// Convention of aperture offsets for a calibrated principal point
+    /// The convention of aperture offsets for a calibrated principal point
     #[arg(long, value_parser = parser::<ApertureOffsets>(), default_value_t)]
     pub(crate) aperture_offsets: ApertureOffsets,
 
-    /// Use extended disparity: up to 191 px instead of 95, for nearer objects
+    /// Write the extended mode, with twice the disparity range, for closer objects
     #[arg(long)]
     pub(crate) extended_disparity: bool,
 
@@ -45,7 +45,7 @@ pub(crate) struct AssetArgs {
     #[arg(long)]
     pub(crate) legacy_distortion: bool,
 
-    /// Add a rigid body with mass and collider, which the inertial sensor requires
+    /// Add a rigid body with mass and collider, as the inertial sensor requires
     #[arg(long)]
     pub(crate) rigid_body: bool,
 
@@ -53,7 +53,7 @@ pub(crate) struct AssetArgs {
     #[arg(long)]
     pub(crate) no_body: bool,
 
-    /// Write only a layer with the calibrated values over this asset (the vendor's or Isaac Sim's)
+    /// Write only a layer with the calibrated values over this asset, the vendor's or Isaac Sim's
     #[arg(long, value_name = "ASSET", requires = "calibration", value_hint = ValueHint::FilePath)]
     pub(crate) over: Option<PathBuf>,
 

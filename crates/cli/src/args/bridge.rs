@@ -24,11 +24,11 @@ pub(crate) struct BridgeArgs {
     #[arg(long, value_name = "TOPIC")]
     pub(crate) depth: String,
 
-    /// The topic of the depth images' camera info; without it, set --fx or --hfov, or the model's field of view is used
+    /// The topic of the depth images' camera info [default: --fx, --hfov or the model's field of view]
     #[arg(long, value_name = "TOPIC", conflicts_with_all = ["fx", "hfov"])]
     pub(crate) info: Option<String>,
 
-    /// The topic of colour images with the camera and the stamps of the depth images
+    /// The topic of colour images with the same camera and stamps as the depth images
     #[arg(long, value_name = "TOPIC")]
     pub(crate) rgb: Option<String>,
 
@@ -39,11 +39,11 @@ pub(crate) struct BridgeArgs {
     #[command(flatten)]
     pub(crate) unit: UnitArgs,
 
-    /// The depth sensor by kind (stereo, tof) or prim; by default time of flight if the model has it
+    /// The depth sensor: stereo, tof or a prim [default: time of flight if the model has it]
     #[arg(long, value_name = "KIND|PRIM")]
     pub(crate) sensor: Option<String>,
 
-    /// The kind of depth: along the optical axis or from the optical centre
+    /// The kind of depth: along the optical axis (z) or from the optical centre (range)
     #[arg(long, value_parser = parser::<InputKind>(), default_value_t, help_heading = "Images")]
     pub(crate) input_kind: InputKind,
 
@@ -81,7 +81,7 @@ pub(crate) struct BridgeArgs {
     #[arg(long, help_heading = "Outputs")]
     pub(crate) points: bool,
 
-    /// Require reliable delivery of the inputs; by default, reliable and best-effort publishers match
+    /// Accept only publishers with reliable delivery [default: best-effort ones too]
     #[arg(long, help_heading = "ROS 2")]
     pub(crate) reliable: bool,
 
@@ -101,7 +101,7 @@ pub(crate) struct BridgeArgs {
     #[arg(long, help_heading = "ROS 2")]
     pub(crate) stdin: bool,
 
-    /// Print events and the state every 10 s as JSON, one object per line
+    /// Print events, and the state every 10 s, as JSON lines
     #[arg(long, help_heading = "Execution")]
     pub(crate) json: bool,
 }

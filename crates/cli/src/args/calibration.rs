@@ -13,7 +13,7 @@ pub(crate) struct CalibrationArgs {
 
 #[derive(Subcommand, Debug)]
 pub(crate) enum CalibrationCommand {
-    /// Print a calibration and problems found in it
+    /// Print a calibration and the problems found in it
     Show(CalibrationShowArgs),
     /// Export a calibration to other formats
     Export(CalibrationExportArgs),
@@ -21,30 +21,30 @@ pub(crate) enum CalibrationCommand {
 
 #[derive(Args, Debug)]
 pub(crate) struct CalibrationShowArgs {
-    /// DepthAI calibration (JSON)
+    /// The DepthAI calibration (JSON)
     #[arg(value_hint = ValueHint::FilePath)]
     pub(crate) file: PathBuf,
 
-    /// Model to check against [default: from the calibration's product name]
+    /// Check against this model [default: from the calibration's product name]
     #[arg(long)]
     pub(crate) model: Option<String>,
 
-    /// Print JSON
+    /// Print the result as JSON
     #[arg(long)]
     pub(crate) json: bool,
 }
 
 #[derive(Args, Debug)]
 pub(crate) struct CalibrationExportArgs {
-    /// DepthAI calibration (JSON), or a model for its nominal calibration
+    /// The DepthAI calibration (JSON), or a model for its nominal calibration
     #[arg(value_name = "FILE|MODEL", value_hint = ValueHint::FilePath)]
     pub(crate) from: String,
 
-    /// Format: ROS camera info, OpenCV FileStorage, Kalibr camchain and imu, or DepthAI JSON
+    /// The format
     #[arg(long, value_parser = parser::<Format>())]
     pub(crate) to: Format,
 
-    /// Output file, or folder for formats with several files [default: standard output]
+    /// The output file, or a folder for several files [default: standard output]
     #[arg(short, long, value_name = "PATH", value_hint = ValueHint::AnyPath)]
     pub(crate) output: Option<PathBuf>,
 

@@ -12,12 +12,12 @@ fn after_help() -> String {
         .collect();
     format!(
         "Points are distributed evenly over the surface of the region, and a ray decides whether a camera sees a point. A point is \
-        measured if its pixel of the sensor's image has a value. All faces count, also those that no camera can see, such as the \
+        measured if its pixel in the sensor's image has a value. All faces count, even if no camera can see them, such as the \
         underside of a box on the floor.\n\n\
-        Poses are those of the body (x forward, y left, z up) in metres. A file of poses is a trajectory as for `oaktwin render`. \
+        Poses describe the body (x forward, y left, z up), in metres. A file of poses is a trajectory as for `oaktwin render`. \
         A list is comma-separated numbers and ranges FROM:TO:STEP. Every model is placed at every pose, height and tilt; without \
         --model, the depth sensors of the scene are compared.\n\n\
-        Candidates are ranked by the share that they measure, then by the median of their absolute errors.\n\n\
+        Candidates are ranked by the share of points that they measure, then by their median absolute error.\n\n\
         Reasons why a point is not measured:{reasons}"
     )
 }
@@ -26,7 +26,7 @@ fn after_help() -> String {
 #[command(
     next_line_help = true,
     mut_arg("engine", |arg| arg.hide_possible_values(true).help(
-        "The error model: stereo-noise, time-of-flight, stereo-matching or single-view; by default the model's own"
+        "The error model: stereo-noise, time-of-flight, stereo-matching, single-view [default: the model's]"
     )),
     after_help = after_help()
 )]
@@ -35,11 +35,11 @@ pub(crate) struct CoverageArgs {
     #[arg(value_hint = ValueHint::FilePath)]
     pub(crate) scene: PathBuf,
 
-    /// The path of an object; its meshes and those below it are the region; repeatable; by default everything
+    /// Measure the meshes at and below this path; repeatable [default: the whole scene]
     #[arg(long, value_name = "PRIM")]
     pub(crate) region: Vec<String>,
 
-    /// Restrict the region to the surface inside a box: its minimum and maximum corner in the world, metres
+    /// Measure only the surface inside a box, from its minimum to its maximum corner, in metres
     #[arg(
         long,
         num_args = 6,
@@ -56,18 +56,18 @@ pub(crate) struct CoverageArgs {
     #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(crate) output: Option<PathBuf>,
 
-    /// A model to place in the scene; repeatable
+    /// Place this model in the scene; repeatable
     #[arg(long, help_heading = "OAK")]
     pub(crate) model: Vec<String>,
 
     #[command(flatten, next_help_heading = "OAK")]
     pub(crate) unit: UnitArgs,
 
-    /// The depth sensor by kind (stereo, tof) or prim; by default the device's own
+    /// The depth sensor: stereo, tof or a prim [default: time of flight if the model has it]
     #[arg(long, value_name = "KIND|PRIM", requires = "model", help_heading = "OAK")]
     pub(crate) sensor: Option<String>,
 
-    /// The size of the sensor's image, such as 640x400; by default its own
+    /// The size of the sensor's image, such as 640x400 [default: its own]
     #[arg(long, value_name = "WxH", requires = "model", help_heading = "OAK")]
     pub(crate) resolution: Option<String>,
 

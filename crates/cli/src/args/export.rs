@@ -8,40 +8,40 @@ use super::choice::parser;
 
 #[derive(Args, Debug)]
 pub(crate) struct ExportArgs {
-    /// Model, or a DepthAI calibration (JSON) whose product name tells the model
+    /// The model, or a DepthAI calibration (JSON) whose product name is the model
     #[arg(value_name = "MODEL|FILE")]
     pub(crate) model: String,
 
-    /// Format
+    /// The format
     #[arg(long, value_parser = parser::<Format>())]
     pub(crate) to: Format,
 
-    /// Output folder
+    /// The output folder
     #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(crate) output: PathBuf,
 
     #[command(flatten)]
     pub(crate) unit: UnitArgs,
 
-    /// Name of the device, which begins the names of its frames
+    /// The name of the device, the prefix of its frames
     #[arg(long, default_value = "oak")]
     name: String,
 
-    /// Link of a robot that carries the device
+    /// The robot's link that carries the device
     #[arg(long, value_name = "LINK")]
     parent: Option<String>,
 
-    /// Point of the device that is placed
+    /// The point of the device that --xyz places
     #[arg(long, value_parser = parser::<Mount>(), default_value_t)]
     mount: Mount,
 
-    /// Position of that point in the parent's frame, metres
-    #[arg(long, num_args = 3, allow_negative_numbers = true, value_names = ["X", "Y", "Z"])]
-    xyz: Option<Vec<f64>>,
+    /// The position of this point in the parent's frame, in metres
+    #[arg(long, num_args = 3, allow_negative_numbers = true, value_names = ["X", "Y", "Z"], default_values_t = [0.0; 3])]
+    xyz: Vec<f64>,
 
-    /// Roll, pitch and yaw of the device in the parent's frame, radians
-    #[arg(long, num_args = 3, allow_negative_numbers = true, value_names = ["R", "P", "Y"])]
-    rpy: Option<Vec<f64>>,
+    /// The device's roll, pitch and yaw in the parent's frame, in radians
+    #[arg(long, num_args = 3, allow_negative_numbers = true, value_names = ["R", "P", "Y"], default_values_t = [0.0; 3])]
+    rpy: Vec<f64>,
 
     /// Print the written files and findings as JSON
     #[arg(long)]
@@ -50,10 +50,7 @@ pub(crate) struct ExportArgs {
 
 impl ExportArgs {
     pub(crate) fn attachment(&self) -> Result<Attachment, RobotError> {
-        let three = |values: &Option<Vec<f64>>| {
-            let values = values.as_deref().and_then(|values| values.first_chunk());
-            values.copied().unwrap_or_default()
-        };
+        let three = |values: &[f64]| values.first_chunk().copied().unwrap_or_default();
         Ok(Attachment {
             name: self.name.clone(),
             parent: self.parent.clone(),

@@ -15,17 +15,17 @@ use super::{MeasuredUnitArgs, SensorArgs, ThreadArgs};
     mut_arg("filters", |arg| arg.hide(true)),
     mut_arg("isaac", |arg| arg.hide(true)),
     mut_arg("stereo_width", |arg| arg.help(
-        "The width of its matcher's images: 1280 at 800P, 640 at 480P and 400P"
+        "The width of the matcher's images: 1280 at 800P, 640 at 480P and 400P"
     )),
     after_help = "RECORDING is one of:\n\
-    - A folder of depth images of a flat target, perpendicular to the camera, with a table distances.csv of the columns \
-    file (an image, an NPY batch, or a folder of images) and distance_m. Without true distances only the noise is fitted.\n\
+    - A folder of depth images of a flat target, perpendicular to the camera, with a table distances.csv whose columns are \
+    file (an image, an NPY batch, or a folder of images) and distance_m. Without true distances, only the noise is fitted.\n\
     - A folder in the layout of Replicator's BasicWriter with distance_to_image_plane and depth_sensor_distance.\n\
     - A CSV file of errors with the columns distance_m and depth_error_percent. Only bias, pixel locking and focal length, \
     or bias and wiggling, are fitted.\n\n\
     Depth is along the optical axis, as NPY in metres or as 16-bit PNG, EXR or PFM. Record without post filters, several \
-    frames at each distance. Cover all phases of a pixel of disparity, or for time of flight those of wiggling, which \
-    repeats about every 0.4 m.\n\n\
+    frames at each distance. Choose distances that cover all phases of a pixel of disparity, or for time of flight, of \
+    the wiggling error, which repeats about every 0.4 m.\n\n\
     PARAMS.toml is read by --params of sense, accuracy and render.\n\n\
     The exit code is 1 if a parameter cannot be fitted or the recording has findings."
 )]
@@ -38,19 +38,19 @@ pub(crate) struct FitArgs {
     #[arg(long)]
     pub(crate) model: String,
 
-    /// The file to write the parameters into
+    /// Write the parameters to this file
     #[arg(short, long, value_name = "PARAMS.toml", value_hint = ValueHint::FilePath)]
     pub(crate) output: Option<PathBuf>,
 
-    /// The depth sensor by kind (stereo, tof) or prim; by default that of the engine, or the device's own
+    /// The depth sensor: stereo, tof or a prim [default: the engine's, else time of flight if present]
     #[arg(long, value_name = "KIND|PRIM")]
     pub(crate) sensor: Option<String>,
 
-    /// Fit the focal length as well, which converts distances to disparities
+    /// Also fit the focal length, which converts distances to disparities
     #[arg(long, value_parser = parser::<Also>(), value_name = "WHAT")]
     pub(crate) fit: Vec<Also>,
 
-    /// Ignore errors at smaller distances, metres
+    /// Ignore errors at distances below this, in metres
     #[arg(
         long,
         value_name = "METRES",
@@ -59,11 +59,11 @@ pub(crate) struct FitArgs {
     )]
     pub(crate) from: f64,
 
-    /// The side of the measured central region, percent of the image's side
+    /// The side of the measured central region, in percent of the image's side
     #[arg(long, value_name = "PERCENT", default_value_t = 100.0 * oaktwin::accuracy::REGION, allow_negative_numbers = true)]
     pub(crate) region: f64,
 
-    /// Metres per unit of integer images
+    /// Metres per integer depth unit
     #[arg(
         long,
         value_name = "METRES",
@@ -85,13 +85,13 @@ pub(crate) struct FitArgs {
     #[command(flatten, next_help_heading = "Output")]
     pub(crate) threads: ThreadArgs,
 
-    /// Print JSON
+    /// Print the result as JSON
     #[arg(long, help_heading = "Output")]
     pub(crate) json: bool,
 }
 
 choice! {
-    /// A parameter of the optics that is also fitted.
+    /// A parameter of the optics to fit as well.
     Also {
         /// The focal length.
         Focal = "focal",

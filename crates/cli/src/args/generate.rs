@@ -11,13 +11,13 @@ use super::render::format_value;
 #[derive(Args, Debug)]
 #[command(after_help = "A recipe is a TOML file; two lines are enough:\n\n    \
     scene = \"table.usda\"\n    objects = [{ files = \"cups/\", count = { uniform = [3, 8] } }]\n\n\
-    A frame depends on the recipe and its number only: it has the same bytes on every machine, whichever frames are made before it.")]
+    A frame depends only on the recipe and its number: it has the same bytes on every machine, whichever frames are made before it.")]
 pub(crate) struct GenerateArgs {
-    /// Recipe
+    /// The recipe
     #[arg(required_unless_present = "schema", value_hint = ValueHint::FilePath)]
     pub(crate) recipe: Option<PathBuf>,
 
-    /// Folder of the data set; with --preview the PNG file of the contact sheet
+    /// The folder of the data set, or with --preview the PNG file of the contact sheet
     #[arg(
         short,
         long,
@@ -27,7 +27,7 @@ pub(crate) struct GenerateArgs {
     )]
     pub(crate) output: Option<PathBuf>,
 
-    /// Make only these frames: from A to before B, counted from 0
+    /// Make only the frames from A to B - 1, counted from 0
     #[arg(long, value_name = "A..B", value_parser = frames)]
     pub(crate) frames: Option<Range<u64>>,
 
@@ -35,12 +35,13 @@ pub(crate) struct GenerateArgs {
     #[arg(long)]
     pub(crate) resume: bool,
 
-    /// Leave the files that span frames to a later run with --resume, so that several processes or machines can make different frames
-    /// of one data set in a common folder
+    /// Leave out the files that span frames, so that several machines can share one data set
+    ///
+    /// Each process makes other --frames in a common folder. A last run with --resume writes the files that span frames.
     #[arg(long, conflicts_with = "resume")]
     pub(crate) only_frames: bool,
 
-    /// Formats, separated by commas, instead of the recipe's
+    /// The formats, comma-separated [default: the recipe's]
     #[arg(
         long,
         value_name = "NAMES",
@@ -49,11 +50,11 @@ pub(crate) struct GenerateArgs {
     )]
     pub(crate) formats: Vec<String>,
 
-    /// Seed of all random numbers, instead of the recipe's
+    /// The seed of all random numbers [default: the recipe's]
     #[arg(long, value_name = "N")]
     pub(crate) seed: Option<u64>,
 
-    /// Print everything that is drawn at random for this frame, as JSON
+    /// Print all random choices of this frame as JSON
     #[arg(long, value_name = "FRAME", conflicts_with_all = ["preview", "resume", "frames", "only_frames"])]
     pub(crate) explain: Option<u64>,
 
@@ -65,13 +66,14 @@ pub(crate) struct GenerateArgs {
     #[arg(long, exclusive = true)]
     pub(crate) schema: bool,
 
-    /// Number of frames that are made at the same time; by default that of the processors, if there is enough memory
+    /// The number of frames to make at once [default: one per core, or fewer if memory is short]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(crate) workers: Option<u16>,
 
-    /// Distribute the frames with Ray: local, or the address of a cluster (auto, HOST:PORT, ray://HOST:PORT), whose machines have
-    /// the recipe, its files and the folder under the same paths. Requires `pip install oaktwin[ray]` in the Python that is found as
-    /// python3, or named by `OAKTWIN_PYTHON`
+    /// Distribute the frames with Ray: local, or a cluster's address (auto, HOST:PORT, ray://HOST:PORT)
+    ///
+    /// All machines need the recipe, its files and the folder under the same paths. Requires `pip install oaktwin[ray]` for
+    /// `python3`, or for the interpreter in the variable OAKTWIN_PYTHON.
     #[arg(long, value_name = "ADDRESS", conflicts_with_all = ["explain", "preview", "only_frames"])]
     pub(crate) ray: Option<String>,
 
@@ -84,7 +86,7 @@ pub(crate) struct GenerateArgs {
 }
 
 fn frames(text: &str) -> Result<Range<u64>, String> {
-    let error = || format!("'{text}' is not a range of frames; write 0..100, say");
+    let error = || format!("'{text}' is not a range of frames; write one such as 0..100");
     let (start, end) = text.split_once("..").ok_or_else(error)?;
     let number = |text: &str| text.trim().parse::<u64>().map_err(|_| error());
     let (start, end) = (number(start)?, number(end)?);

@@ -3,7 +3,7 @@
 use oaktwin::usd::stage::SceneLimit;
 
 pub(super) const HELP: &str =
-    "Factor on the limits for composing a USD scene: its prims, references and instances";
+    "Multiply the limits on a USD scene's prims, references and instances by this factor";
 
 /// Parses the factor.
 pub(super) fn parse(text: &str) -> Result<SceneLimit, String> {

@@ -5,7 +5,7 @@ use oaktwin::dataset::Extras;
 #[derive(Args, Debug)]
 #[command(next_help_heading = "Outputs")]
 pub(crate) struct OutputArgs {
-    /// Comma-separated annotators to write
+    /// The annotators to write, comma-separated
     #[arg(long, value_name = "NAMES", value_delimiter = ',', alias = "outputs")]
     pub(crate) annotators: Vec<String>,
 

@@ -10,11 +10,11 @@ use crate::context::Result;
 #[derive(Args, Debug)]
 #[command(next_help_heading = "Stereo pair")]
 pub(crate) struct PairArgs {
-    /// IR dot projector intensity of Pro models, 0 to 1; default 0
+    /// The intensity of the infrared dot projector of Pro models, 0 to 1 [default: 0]
     #[arg(long, value_name = "POWER", allow_negative_numbers = true)]
     pub(crate) projector: Option<f64>,
 
-    /// Ambient light scale; 0 is a dark room; default 1
+    /// The factor on ambient light; 0 is a dark room [default: 1]
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     pub(crate) ambient: Option<f64>,
 
@@ -35,7 +35,7 @@ impl PairArgs {
         .find_map(|(is_given, name)| is_given.then_some(name))
     }
 
-    /// The recording of pairs with this lens.
+    /// The options for recording pairs with this lens.
     pub(crate) fn options(&self, lens: LensChoice) -> Result<PairOptions> {
         let default = PairOptions::default();
         let mut imager = imager::Parameters::default();

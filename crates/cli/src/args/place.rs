@@ -10,7 +10,7 @@ use crate::context::Result;
 #[derive(Args, Debug)]
 #[command(next_help_heading = "OAK")]
 pub(crate) struct PlaceArgs {
-    /// The position of the body in metres, and its rotation as a quaternion
+    /// The body's position in metres, and its rotation as a quaternion
     #[arg(
         long,
         num_args = 7,
@@ -21,8 +21,9 @@ pub(crate) struct PlaceArgs {
     )]
     pose: Option<Vec<f64>>,
 
-    /// The position of the body (EYE), the point it faces (TARGET), and optionally the UP direction (by default the scene's), in
-    /// metres
+    /// The body's position, the point that it faces, and its up direction [default: the scene's]
+    ///
+    /// EX EY EZ and TX TY TZ are in metres; three more numbers are the up direction.
     #[arg(
         long,
         num_args = 6..=9,
@@ -34,7 +35,7 @@ pub(crate) struct PlaceArgs {
 }
 
 impl PlaceArgs {
-    /// Whether neither `--pose` nor `--look-at` is given.
+    /// Whether both `--pose` and `--look-at` are absent.
     pub(crate) fn is_none(&self) -> bool {
         self.pose.is_none() && self.look_at.is_none()
     }

@@ -12,15 +12,15 @@ use super::{ImuArgs, OutputArgs, PairArgs, PlaceArgs, SceneArgs, SensorArgs, Thr
 
 fn after_help() -> String {
     format!(
-        "Files, names and units follow Replicator's BasicWriter; a miss is +inf. The files of a single camera are written \
-        into the output folder, those of several cameras into a folder for each.\n\n\
+        "Files, names and units follow Replicator's BasicWriter; a miss is +inf. With several cameras, each has its own folder \
+        in the output folder.\n\n\
         Annotators:{}\n\n\
         Annotators of cameras with a depth sensor:{}\n\n\
         The sensor's parameters come from the scene's render product or from the model; --param overrides them and \
         --sweep compares several values.\n\n\
         A trajectory is a TUM file (lines of t x y z qx qy qz qw) or a JSON list of {{\"time\": t, \"position\": [x, y, z], \
-        \"orientation\": [qx, qy, qz, qw]}}. Its poses are those of the model's body (x forward, y left, z up) or of the \
-        scene's camera (x right, y down, z forward), in metres.",
+        \"orientation\": [qx, qy, qz, qw]}}. Its poses, in metres, describe the model's body (x forward, y left, z up) or the \
+        scene's camera (x right, y down, z forward).",
         annotators(false),
         annotators(true),
     )
@@ -30,18 +30,22 @@ fn after_help() -> String {
 #[command(
     next_line_help = true,
     mut_arg("engine", |arg| arg.hide_possible_values(true).help(
-        "The error model: single-view (Isaac Sim's, the default), stereo-noise, time-of-flight, or stereo-matching of the \
-         stereo pair of --model"
+        "The error model: stereo-noise, time-of-flight, stereo-matching, single-view [default: single-view]"
+    ).long_help(
+        "The error model: stereo-noise, time-of-flight, stereo-matching, single-view [default: single-view]\n\n\
+         stereo-matching requires --model and renders its stereo pair."
     )),
     mut_arg("isaac", |arg| arg.help(
-        "The Isaac Sim version of single-view's defaults; by default that of the scene's asset"
+        "Use single-view's defaults of this Isaac Sim version [default: the version of the scene's asset]"
     )),
     mut_arg("annotators", |arg| arg.help(
-        "Comma-separated annotators to render; all is everything. Default: rgb, distance_to_image_plane and camera_params, \
-         and depth_sensor_distance if an option of the depth sensor is given"
+        "The annotators, comma-separated, or all [default: rgb,distance_to_image_plane,camera_params]"
+    ).long_help(
+        "The annotators, comma-separated, or all [default: rgb,distance_to_image_plane,camera_params]\n\n\
+         With an option of the depth sensor, the default also contains depth_sensor_distance."
     )),
     mut_arg("ply", |arg| arg.help(
-        "Also write point clouds as PLY: the depth sensor's if its positions are rendered, else the scene's"
+        "Also write point clouds as PLY, the depth sensor's if its positions are rendered, else the scene's"
     )),
     after_help = after_help()
 )]
@@ -50,7 +54,7 @@ pub(crate) struct RenderArgs {
     #[arg(value_hint = ValueHint::FilePath)]
     pub(crate) scene: PathBuf,
 
-    /// The output folder; by default oaktwin-render, or none with --record
+    /// The output folder [default: oaktwin-render, or none with --record]
     #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(crate) output: Option<PathBuf>,
 
@@ -58,17 +62,19 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(crate) record: Option<PathBuf>,
 
-    /// A camera of the scene by path or unique name, or of the model (rgb, left, right, tof, depth); repeatable; by default
-    /// every depth sensor, else every camera of the scene
+    /// Render this camera; repeatable [default: every depth sensor, else every camera of the scene]
+    ///
+    /// A camera of the scene by path or unique name, or with --model rgb, left, right, tof or depth.
     #[arg(long, value_name = "PATH|NAME")]
     pub(crate) camera: Vec<String>,
 
-    /// The image size, such as 1280x800; a model's cameras are resized and cropped as by DepthAI, the scene's keep their
-    /// apertures
+    /// The image size, such as 1280x800 [default: each camera's own]
+    ///
+    /// A model's images are resized and cropped like DepthAI's; a camera of the scene keeps its apertures.
     #[arg(long, value_name = "WxH")]
     pub(crate) resolution: Option<String>,
 
-    /// The interpretation of a scene camera's apertures: Isaac Sim's (square pixels, no offsets) or OpenUSD's
+    /// Interpret the apertures of the scene's cameras like Isaac Sim or like OpenUSD
     #[arg(long, value_parser = parser::<Projection>(), default_value_t)]
     pub(crate) projection: Projection,
 
@@ -80,13 +86,14 @@ pub(crate) struct RenderArgs {
 
     #[arg(
         long = "pair",
-        help = "Also write the images of the pair, for `oaktwin stereo`: left, right, rectified_left, rectified_right PNG",
+        help = "Also write the pair as PNG for `oaktwin stereo`: left, right, rectified_left, rectified_right",
         help_heading = "Stereo pair"
     )]
     pub(crate) writes_pair: bool,
 
-    /// Simulate the sensor with each of these values of a parameter (or engine, preset, seed) and write one comparison sheet;
-    /// a second --sweep makes a table
+    /// Simulate the sensor with each of these values, and write one comparison sheet
+    ///
+    /// NAME is a parameter, or engine, preset or seed. A second --sweep makes a table.
     #[arg(long, value_name = "NAME=V1,V2,…", help_heading = "Depth sensor")]
     pub(crate) sweep: Vec<String>,
 
@@ -116,7 +123,7 @@ pub(crate) struct RenderArgs {
     #[command(flatten, next_help_heading = "Scene and trajectory")]
     pub(crate) scene_options: SceneArgs,
 
-    /// Fail on warnings, such as missing or unsupported scene contents, instead of writing the results
+    /// Write nothing and fail on warnings, such as missing or unsupported scene contents
     #[arg(long, help_heading = "Scene and trajectory")]
     pub(crate) strict: bool,
 
@@ -133,7 +140,7 @@ pub(crate) struct RenderArgs {
     )]
     pub(crate) writer: String,
 
-    /// The visibility backend; auto rasterizes pinholes and casts rays for other lenses
+    /// The backend that finds the visible surface in each pixel
     #[arg(long, value_parser = parser::<Backend>(), default_value_t, help_heading = "Execution")]
     pub(crate) backend: Backend,
 

@@ -7,7 +7,7 @@ use super::choice::parser;
 use super::limit;
 use crate::context::Result;
 
-/// The options of opening a scene.
+/// The options for opening a scene.
 #[derive(Args, Debug)]
 pub(crate) struct SceneArgs {
     /// The time code of a USD stage
@@ -23,15 +23,15 @@ pub(crate) struct SceneArgs {
     )]
     pub(crate) subdivide: u32,
 
-    /// The up axis of a glTF, OBJ, STL or PLY file; by default that of its format
+    /// The up axis of a glTF, OBJ, STL or PLY file [default: its format's]
     #[arg(long, value_parser = parser::<Up>())]
     pub(crate) up: Option<Up>,
 
-    /// Metres per unit of a glTF, OBJ, STL or PLY file
+    /// Metres per unit of a glTF, OBJ, STL or PLY file [default: 1]
     #[arg(long, value_name = "METRES")]
     pub(crate) scale: Option<f64>,
 
-    /// Read buffers and images that a glTF file names outside its folder; for trusted files only
+    /// Let a glTF file name files outside its folder; only for trusted files
     #[arg(long)]
     pub(crate) allow_outside: bool,
 

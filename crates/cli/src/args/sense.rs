@@ -13,14 +13,17 @@ use super::{OutputArgs, SensorArgs, ThreadArgs, UnitArgs};
 #[derive(Args, Debug)]
 #[command(
     next_line_help = true,
-    mut_arg("annotators", |arg| arg.help(format!("Additional outputs of the sensor, comma-separated: {}", sensor_outputs()))),
+    mut_arg("annotators", |arg| {
+        let help = "More outputs of the sensor, comma-separated";
+        arg.help(help).long_help(format!("{help}:\n\n{}", sensor_outputs()))
+    }),
     after_help = "DEPTH is NPY (float16, 32 or 64 in metres, uint16 in --depth-scale; (H, W), (H, W, 1) or batches (N, H, W)), \
     16-bit grey PNG, EXR, PFM, a folder in the layout of Replicator's BasicWriter, or - for standard input. Values that are \
     not finite and above 0 are invalid. The number at the end of a file name is the frame: each has its own noise, and \
-    files whose names differ in it only are a sequence.\n\n\
+    files whose names differ only in this number are a sequence.\n\n\
     The output is depth_sensor_distance as NPY, float32 metres, 0 where nothing was measured; a batch stays a batch. For a \
-    folder it is written beside the ground truth unless -o names another. For standard input without -o the distances, or \
-    with --align the aligned ones, are written to standard output."
+    folder it is written beside the ground truth unless -o names another. For standard input without -o, the distances, or \
+    with --align the aligned distances, are written to standard output."
 )]
 pub(crate) struct SenseArgs {
     /// Depth images, folders of them, or - for standard input
@@ -31,26 +34,28 @@ pub(crate) struct SenseArgs {
     #[arg(long)]
     pub(crate) model: String,
 
-    /// The output folder; by default DEPTH if that is a folder
+    /// The output folder [default: DEPTH if it is a folder]
     #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(crate) output: Option<PathBuf>,
 
     #[command(flatten)]
     pub(crate) unit: UnitArgs,
 
-    /// The depth sensor by kind (stereo, tof) or prim; by default time of flight if the model has it
+    /// The depth sensor: stereo, tof or a prim [default: time of flight if the model has it]
     #[arg(long, value_name = "KIND|PRIM")]
     pub(crate) sensor: Option<String>,
 
-    /// The colour images of the same camera, one per depth image or an NPY array of all; those of a folder are found
+    /// The camera's colour images, one per depth image, or one NPY array [default: a folder's own]
     #[arg(long, value_name = "IMAGE", num_args = 1.., value_hint = ValueHint::FilePath, help_heading = "Images")]
     pub(crate) rgb: Vec<PathBuf>,
 
     #[arg(
         long,
         value_parser = parser::<InputKind>(),
-        help = "The kind of depth: along the optical axis or from the optical centre; required unless the file's name \
-                implies it (distance_to_image_plane, depth: z; distance_to_camera: range)",
+        help = "The kind of depth: along the optical axis (z) or from the optical centre (range)",
+        long_help = "The kind of depth: along the optical axis (z) or from the optical centre (range)\n\n\
+                     Required unless the file's name implies it: distance_to_image_plane and depth are z, distance_to_camera is \
+                     range.",
         help_heading = "Images"
     )]
     pub(crate) input_kind: Option<InputKind>,
@@ -68,7 +73,7 @@ pub(crate) struct SenseArgs {
     #[arg(
         long,
         value_name = "F",
-        help = "The focal length of the images, px; by default that of a folder's camera_params, else of the model's field of view",
+        help = "The focal length of the images, px [default: from a folder's camera_params, else the model's]",
         allow_negative_numbers = true,
         conflicts_with = "hfov",
         help_heading = "Images"
@@ -88,7 +93,7 @@ pub(crate) struct SenseArgs {
     #[arg(long, help_heading = "Images")]
     pub(crate) resample: bool,
 
-    /// Treat the images of a batch as successive frames, not simultaneous ones
+    /// Treat the images of a batch as successive frames [default: as simultaneous ones]
     #[arg(long, help_heading = "Images")]
     pub(crate) sequence: bool,
 
@@ -99,18 +104,18 @@ pub(crate) struct SenseArgs {
     #[arg(long, value_parser = parser::<Role>(), value_name = "CAMERA", help_heading = "Outputs")]
     pub(crate) align: Option<Role>,
 
-    /// The size of aligned images, such as 1280x800, resized by DepthAI's rule; by default the camera's own
+    /// The size of aligned images, resized by DepthAI's rule, such as 1280x800 [default: the camera's]
     #[arg(long, value_name = "WxH", requires = "align", help_heading = "Outputs")]
     pub(crate) align_size: Option<String>,
 
-    /// The splatting of aligned samples: footprint (all covered pixels) or nearest
+    /// The splatting of aligned samples
     #[arg(long, value_parser = parser::<Fill>(), default_value_t, help_heading = "Outputs")]
     pub(crate) align_fill: Fill,
 
     #[command(flatten)]
     pub(crate) outputs: OutputArgs,
 
-    /// The axes of the PLY: x right, y down, z forward, or ROS's x forward, y left, z up
+    /// The axes of the PLY
     #[arg(
         long,
         value_parser = parser::<CloudAxes>(),

@@ -8,7 +8,7 @@ use oaktwin::sensor::{OptionValue, SENSOR_OPTIONS, SensorOption, SensorOptions, 
 use super::choice::possible;
 use crate::context::Result;
 
-/// The options of the depth sensor, those of [`SENSOR_OPTIONS`].
+/// The options of the depth sensor, from [`SENSOR_OPTIONS`].
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SensorArgs(Given);
 

@@ -14,23 +14,26 @@ use super::{MatcherArgs, OutputArgs, ThreadArgs, UnitArgs};
         "Set a parameter of the matcher, listed by `oaktwin params stereo-matching`; repeatable"
     )),
     mut_arg("annotators", |arg| arg.help(
-        "Comma-separated outputs beside depth_sensor_distance: disparity (px), confidence (255 = highest), rectified (both \
-         images), depth_sensor_point_cloud_position, depth_sensor_point_cloud_color"
+        "More outputs, comma-separated, such as disparity,confidence"
+    ).long_help(
+        "More outputs, comma-separated:\n\n\
+         disparity (px), confidence (255 is highest), rectified (both images), depth_sensor_point_cloud_position, \
+         depth_sensor_point_cloud_color"
     )),
     after_help = "Images are PNG, JPEG or NPY: 8-bit grey, 16-bit grey with 10-bit values, or colours, which become grey. In \
     two folders, files whose names are equal except for the words left and right are a pair; one folder may contain both. \
-    Pairs whose names differ in their number only are a sequence, which temporal filters process in order.\n\n\
+    Pairs whose names differ only in their number are a sequence, processed in order by temporal filters.\n\n\
     The output is depth_sensor_distance as NPY, float32 metres of the rectified left image, 0 where nothing was measured, \
     and the outputs of --annotators.\n\n\
     The exit code is 1 for unsuitable images: left and right swapped, a vertical offset, too little texture, saturated, or \
     narrower than the disparity search."
 )]
 pub(crate) struct StereoArgs {
-    /// The left image, or a folder of them
+    /// The left image, or a folder of left images
     #[arg(value_name = "LEFT", value_hint = ValueHint::AnyPath)]
     pub(crate) left: PathBuf,
 
-    /// The right image, or a folder of them
+    /// The right image, or a folder of right images
     #[arg(value_name = "RIGHT", value_hint = ValueHint::AnyPath)]
     pub(crate) right: PathBuf,
 
@@ -38,14 +41,14 @@ pub(crate) struct StereoArgs {
     #[arg(short, long, value_name = "DIR", default_value = "oaktwin-stereo", value_hint = ValueHint::DirPath)]
     pub(crate) output: PathBuf,
 
-    /// The model of the cameras; by default that of the calibration's product name
+    /// The model of the cameras [default: from the calibration's product name]
     #[arg(long, help_heading = "Cameras")]
     pub(crate) model: Option<String>,
 
     #[command(flatten, next_help_heading = "Cameras")]
     pub(crate) unit: UnitArgs,
 
-    /// The depth sensor whose pair took the images, by prim; by default the model's first pair
+    /// The prim of the depth sensor whose pair took the images [default: the model's first pair]
     #[arg(
         long,
         value_name = "PRIM",
@@ -54,7 +57,7 @@ pub(crate) struct StereoArgs {
     )]
     pub(crate) sensor: Option<String>,
 
-    /// The focal length of any rectified pair, px
+    /// The focal length of another maker's rectified pair, px
     #[arg(
         long,
         value_name = "F",
@@ -65,7 +68,7 @@ pub(crate) struct StereoArgs {
     )]
     pub(crate) fx: Option<f64>,
 
-    /// The horizontal field of view of any rectified pair, degrees
+    /// The horizontal field of view of another maker's rectified pair, degrees
     #[arg(
         long,
         value_name = "D",
@@ -76,7 +79,7 @@ pub(crate) struct StereoArgs {
     )]
     pub(crate) hfov: Option<f64>,
 
-    /// The baseline of any rectified pair, metres
+    /// The baseline of another maker's rectified pair, metres
     #[arg(
         long,
         value_name = "METRES",
@@ -86,19 +89,19 @@ pub(crate) struct StereoArgs {
     )]
     pub(crate) baseline: Option<f64>,
 
-    /// Treat the images as raw (the default with a calibration or the fisheye lens)
+    /// Treat the images as raw [default: with a calibration or the fisheye lens]
     #[arg(long, conflicts_with_all = ["rectified", "fx", "hfov"], help_heading = "Cameras")]
     pub(crate) raw: bool,
 
-    /// Treat the images as rectified (the default otherwise)
+    /// Treat the images as rectified [default: without a calibration and the fisheye lens]
     #[arg(long, help_heading = "Cameras")]
     pub(crate) rectified: bool,
 
-    /// The rectification of raw images; by default the device's
+    /// The rectification of raw images [default: the device's]
     #[arg(long, value_parser = parser::<Method>(), conflicts_with_all = ["rectified", "fx", "hfov"], help_heading = "Cameras")]
     pub(crate) rectify: Option<Method>,
 
-    /// The processor whose defaults and presets apply; by default the device's, else RVC2
+    /// The processor whose defaults and presets apply [default: the device's, else rvc2]
     #[arg(long, value_parser = parser::<Platform>(), help_heading = "Depth sensor")]
     pub(crate) platform: Option<Platform>,
 

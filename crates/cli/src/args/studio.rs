@@ -8,19 +8,19 @@ use super::{ThreadArgs, limit};
 
 #[derive(Args, Debug)]
 pub(crate) struct StudioArgs {
-    /// Scene: usd, usda, usdc, usdz, gltf, glb, obj, stl or ply [default: the room of `oaktwin demo`]
+    /// The scene: USD, glTF (gltf, glb), OBJ, STL or PLY [default: the room of `oaktwin demo`]
     #[arg(value_hint = ValueHint::FilePath)]
     pub(crate) scene: Option<PathBuf>,
 
-    /// Model that is shown first
+    /// The first OAK's model
     #[arg(long, default_value = "OAK4-D")]
     pub(crate) model: String,
 
-    /// Port to listen on; 0 chooses a free one
+    /// The port to listen on; 0 chooses a free one
     #[arg(long, default_value_t = 0)]
     pub(crate) port: u16,
 
-    /// Address to listen on, for browsers on other machines [default: this machine only]
+    /// The address to listen on, for browsers on other machines [default: this machine only]
     #[arg(long, value_name = "ADDRESS")]
     pub(crate) host: Option<IpAddr>,
 
@@ -28,7 +28,7 @@ pub(crate) struct StudioArgs {
     #[arg(long)]
     pub(crate) no_open: bool,
 
-    /// Allow a glTF scene to name files outside its folder
+    /// Let a glTF file name files outside its folder; only for trusted files
     #[arg(long)]
     pub(crate) allow_outside: bool,
 

@@ -4,7 +4,7 @@ use oaktwin::render;
 /// The number of threads.
 #[derive(Args, Debug)]
 pub(crate) struct ThreadArgs {
-    /// Number of threads [default: one per core]
+    /// The number of threads [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
     threads: Option<u32>,
 }

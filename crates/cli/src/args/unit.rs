@@ -9,7 +9,7 @@ use super::choice::parser;
 /// The calibration and lens of one unit.
 #[derive(Args, Debug)]
 pub(crate) struct UnitArgs {
-    /// DepthAI calibration (JSON) of one unit
+    /// The DepthAI calibration (JSON) of one unit
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(crate) calibration: Option<PathBuf>,
 
@@ -17,7 +17,7 @@ pub(crate) struct UnitArgs {
     #[arg(long, requires = "calibration")]
     pub(crate) force: bool,
 
-    /// Lens of the left and right cameras of wide models
+    /// The lens of the left and right cameras of wide models
     #[arg(long, value_parser = parser::<LensChoice>(), default_value_t)]
     pub(crate) lens: LensChoice,
 }
@@ -25,7 +25,7 @@ pub(crate) struct UnitArgs {
 /// The optics of one unit whose errors are measured.
 #[derive(Args, Debug)]
 pub(crate) struct MeasuredUnitArgs {
-    /// DepthAI calibration (JSON) of one unit, which provides its optics
+    /// The DepthAI calibration (JSON) of the unit
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(crate) calibration: Option<PathBuf>,
 
@@ -33,11 +33,11 @@ pub(crate) struct MeasuredUnitArgs {
     #[arg(long, requires = "calibration")]
     pub(crate) force: bool,
 
-    /// Focal length of the unit, in pixels at --stereo-width
+    /// The focal length of the unit, in pixels at --stereo-width
     #[arg(long, value_name = "F", allow_negative_numbers = true)]
     pub(crate) focal_px: Option<f64>,
 
-    /// Image width of the unit: 1280 at 800P, 640 at 480P and 400P
+    /// The width of the unit's images: 1280 at 800P, 640 at 480P and 400P
     #[arg(long, value_name = "W")]
     pub(crate) stereo_width: Option<u32>,
 }

@@ -1,9 +1,11 @@
+mod export;
+
 use std::fmt::Write;
 use std::path::Path;
 
 use oaktwin::calibration::{self, CalibrationSummary, CameraSummary};
 use oaktwin::catalog::Device;
-use oaktwin::diagnostic::{Finding, Level};
+use oaktwin::diagnostic::{self, Finding, Level};
 use oaktwin::unit;
 
 use crate::args::{CalibrationArgs, CalibrationCommand, CalibrationShowArgs};
@@ -13,7 +15,7 @@ use crate::output;
 pub(crate) fn run(context: &Context, args: &CalibrationArgs) -> Result<Exit> {
     match &args.command {
         CalibrationCommand::Show(args) => show(context, args),
-        CalibrationCommand::Export(args) => super::export::run(context, args),
+        CalibrationCommand::Export(args) => export::run(context, args),
     }
 }
 
@@ -123,8 +125,8 @@ fn text(file: &Path, summary: &CalibrationSummary, device: Option<&Device>) -> S
     }
     if !summary.findings.is_empty() {
         let _ = writeln!(out, "\nFindings");
-        for finding in &summary.findings {
-            let _ = writeln!(out, "  {finding}");
+        for group in diagnostic::group(&summary.findings) {
+            let _ = writeln!(out, "  {group}");
         }
     }
     out

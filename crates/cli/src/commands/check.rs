@@ -1,6 +1,6 @@
 use std::fmt::Write;
 
-use oaktwin::diagnostic::Level;
+use oaktwin::diagnostic::{self, Level};
 use oaktwin::usd::check::{CameraReport, CheckOptions, DepthReport, Report, ResolutionSource, View, check};
 
 use crate::args::CheckArgs;
@@ -42,14 +42,15 @@ fn text(report: &Report) -> String {
     for sensor in &report.depth_sensors {
         depth_text(&mut out, sensor);
     }
-    if !report.findings.is_empty() {
+    let findings = diagnostic::group(&report.findings);
+    if !findings.is_empty() {
         let _ = writeln!(out);
     }
-    for finding in &report.findings {
-        let _ = writeln!(out, "{finding}");
+    for group in &findings {
+        let _ = writeln!(out, "{group}");
     }
     let count = |level, name: &str| {
-        let n = report.count(level);
+        let n = findings.iter().filter(|group| group.level() == level).count();
         format!("{n} {name}{}", if n == 1 { "" } else { "s" })
     };
     let _ = writeln!(

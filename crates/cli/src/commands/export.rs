@@ -1,87 +1,85 @@
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use oaktwin::calibration::export::{self, Export, Format};
-use oaktwin::calibration::{Calibration, Raw, nominal_calibration};
+use oaktwin::catalog::Twin;
 use oaktwin::diagnostic::Finding;
-use oaktwin::{files, unit};
+use oaktwin::robot;
+use oaktwin::unit;
+use serde::Serialize;
 
-use crate::args::CalibrationExportArgs;
+use crate::args::{ExportArgs, UnitArgs};
 use crate::context::{Context, Exit, Result};
 use crate::{destination, output};
 
-pub(crate) fn run(context: &Context, args: &CalibrationExportArgs) -> Result<Exit> {
-    let file = Path::new(&args.from);
-    let (raw, calibration, mut findings) = open(context, file, args)?;
-    let mut made = export::export(&raw, &calibration, args.to)?;
-    // A single file or standard output has room for one.
-    let is_folder = args.output.as_deref().is_some_and(destination::names_folder);
-    if args.to == Format::Kalibr && is_folder {
-        made.extend(imu(context, &args.from, &calibration));
+/// What `export` has written.
+#[derive(Serialize)]
+struct Written {
+    model: String,
+    files: Vec<PathBuf>,
+    findings: Vec<Finding>,
+    calibration_findings: Vec<Finding>,
+}
+
+pub(crate) fn run(context: &Context, args: &ExportArgs) -> Result<Exit> {
+    let (twin, calibration_findings) = twin(context, args)?;
+    let attachment = args.attachment()?;
+    let made = robot::export(&context.catalog, &twin, &attachment, args.to)?;
+    let calibration = calibration_file(args);
+    for (name, _) in &made.files {
+        destination::spare_inputs(&args.output.join(name), [calibration])?;
     }
-    let Export {
-        files,
-        findings: losses,
-    } = made;
-    findings.extend(losses);
-    output::say_findings(file, &findings);
-    match &args.output {
-        None => output::print(&joined(&files))?,
-        Some(folder) if files.len() > 1 => {
-            for (name, text) in &files {
-                put(&destination::in_folder(folder, name)?, file, text)?;
-            }
-        }
-        Some(path) => {
-            for (name, text) in &files {
-                put(&destination::file_or_folder(path, name)?, file, text)?;
-            }
-        }
+    let written = made.write(&args.output)?;
+    if args.json {
+        output::print_json(&Written {
+            model: twin.device.name.clone(),
+            files: written,
+            findings: made.findings,
+            calibration_findings,
+        })?;
+        return Ok(Exit::Success);
+    }
+    if let Some(calibration) = calibration {
+        output::say_findings(calibration, &calibration_findings);
+    }
+    output::say_findings(&args.output, &made.findings);
+    // The meshes are not worth a line each.
+    for path in written
+        .iter()
+        .filter(|path| path.parent() == Some(args.output.as_path()))
+    {
+        output::print(&format!("{}\n", path.display()))?;
     }
     Ok(Exit::Success)
 }
 
-/// Opens a calibration file or, if there is no such file, the nominal calibration of a model.
-fn open(
-    context: &Context,
-    file: &Path,
-    args: &CalibrationExportArgs,
-) -> Result<(Raw, Calibration, Vec<Finding>)> {
-    if !file.exists() {
-        let device = context
-            .device(&args.from)
-            .map_err(|unknown| format!("{}: no such file, and {unknown}", file.display()))?;
-        let raw = nominal_calibration(&context.catalog.nominal(device));
-        let (calibration, findings) = Calibration::from_raw(&raw)?;
-        return Ok((raw, calibration, findings));
+fn calibration_file(args: &ExportArgs) -> Option<&Path> {
+    let named = Path::new(&args.model);
+    args.unit
+        .calibration
+        .as_deref()
+        .or_else(|| named.is_file().then_some(named))
+}
+
+/// Returns the twin of a model, or of the unit whose calibration is named instead of a model.
+fn twin(context: &Context, args: &ExportArgs) -> Result<(Twin, Vec<Finding>)> {
+    let file = Path::new(&args.model);
+    if !file.is_file() {
+        return context.twin(&args.model, &args.unit);
     }
-    let (raw, calibration, mut findings) = unit::read_calibration(file)?;
-    unit::accept(file, &mut findings, args.force)?;
-    Ok((raw, calibration, findings))
-}
-
-/// Returns the file of the model's inertial sensor: of the named model, or of that of the calibration's product name.
-fn imu(context: &Context, name: &str, calibration: &Calibration) -> Export {
-    let catalog = &context.catalog;
-    let device = catalog
-        .device(name)
-        .or_else(|_| catalog.device(&calibration.board.product_name));
-    let part = device.ok().and_then(|device| catalog.inertial_part_of(device));
-    part.map(export::kalibr_imu).unwrap_or_default()
-}
-
-fn put(path: &Path, input: &Path, text: &str) -> Result<()> {
-    destination::spare_inputs(path, [Some(input)])?;
-    files::write(path, text.as_bytes())?;
-    output::print(&format!("{}\n", path.display()))
-}
-
-/// Joins several files, each under a line with its name. A single file is returned unchanged.
-fn joined(files: &[(String, String)]) -> String {
-    match files {
-        [(_, text)] => text.clone(),
-        _ => files
-            .iter()
-            .map(|(name, text)| format!("# {name}\n{text}\n"))
-            .collect(),
+    if args.unit.calibration.is_some() {
+        return Err(format!("{} is a calibration already; omit --calibration", file.display()).into());
     }
+    let (_, calibration, _) = unit::read_calibration(file)?;
+    let product = &calibration.board.product_name;
+    let unit = UnitArgs {
+        calibration: Some(file.to_owned()),
+        force: args.unit.force,
+        lens: args.unit.lens,
+    };
+    context.twin(product, &unit).map_err(|error| {
+        format!(
+            "{}: {error}; give the model, and the file with --calibration",
+            file.display()
+        )
+        .into()
+    })
 }

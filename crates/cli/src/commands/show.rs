@@ -1,6 +1,7 @@
 use std::fmt::Write;
 
 use oaktwin::catalog::{Sensor, Source, Sourced, Sources};
+use oaktwin::diagnostic;
 use oaktwin::report::{CameraReport, DepthReport, DeviceReport};
 
 use crate::args::ShowArgs;
@@ -59,8 +60,8 @@ fn text(report: &DeviceReport, provenance: bool) -> String {
     }
     if !report.findings.is_empty() {
         let _ = writeln!(out, "\nCalibration");
-        for finding in &report.findings {
-            let _ = writeln!(out, "  {finding}");
+        for group in diagnostic::group(&report.findings) {
+            let _ = writeln!(out, "  {group}");
         }
     }
     out

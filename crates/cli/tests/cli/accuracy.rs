@@ -36,7 +36,7 @@ fn the_median_of_many_devices() {
     let text = program.good(&arguments);
     assert!(text.contains("the median of 7 devices (seeds 0 to 6)"), "{text}");
     assert!(
-        text.contains("an estimate of the sheet; none is published"),
+        text.contains("an estimate in the parameter sheet; nothing is published"),
         "{text}"
     );
     assert!(
@@ -78,7 +78,7 @@ fn outside_of_a_band_is_a_finding() {
 }
 
 #[test]
-fn both_readings_are_told_apart() {
+fn both_interpretations_are_reported() {
     let program = Program::new();
     let text = program.good(&[
         "accuracy",
@@ -89,8 +89,8 @@ fn both_readings_are_told_apart() {
         "0.2,5",
     ]);
     for expected in [
-        "The output of this sensor. Depth carried",
-        "The other reading. Depth recomputed",
+        "Output of this sensor. Depth copied",
+        "Alternative interpretation. Depth recomputed",
         "would be outside at 2 of 2",
         "8.75",
         "218.82",
@@ -183,7 +183,7 @@ fn json_and_plots_beside_measurements() {
 }
 
 #[test]
-fn what_makes_no_sense_is_refused() {
+fn invalid_requests_are_rejected() {
     let program = Program::new();
     program.put("empty.csv", "");
     program.put("columns.csv", "distance,error\n1,2\n");

@@ -53,6 +53,31 @@ fn writes_a_single_asset_to_a_file_or_folder() {
     );
 }
 
+/// `check` prints findings that differ only in their cameras as one line; its JSON has one for each camera.
+#[test]
+fn check_groups_findings_of_several_cameras() {
+    let program = Program::new();
+    program.good(&["asset", "OAK4-D", "-o", "x.usd"]);
+    let text = program.good(&["check", "x.usd"]);
+    let lines: Vec<&str> = text
+        .lines()
+        .filter(|line| line.starts_with("note[legacy-distortion]"))
+        .collect();
+    let json: serde_json::Value = serde_json::from_str(&program.good(&["check", "x.usd", "--json"])).unwrap();
+    let findings = json["findings"].as_array().unwrap().iter();
+    let places: Vec<&str> = findings
+        .filter(|finding| finding["code"] == "legacy-distortion")
+        .map(|finding| finding["place"].as_str().unwrap())
+        .collect();
+    assert!(places.len() > 1, "{places:?}");
+    assert_eq!(lines.len(), 1, "{text}");
+    assert!(
+        lines[0].starts_with(&format!("note[legacy-distortion]: {}: ", places.join(", "))),
+        "{}",
+        lines[0]
+    );
+}
+
 /// `check` reports neither warnings nor errors for any asset that the program writes.
 #[test]
 fn exhaustive_options_of_assets_are_accepted_by_check() {

@@ -96,7 +96,7 @@ fn a_hundred_megabytes_of_nothing() {
 }
 
 #[test]
-fn names_and_options_that_are_none() {
+fn invalid_names_and_options() {
     let program = Program::new();
     let mut all = String::new();
     for arguments in [

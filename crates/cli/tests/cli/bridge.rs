@@ -3,7 +3,7 @@
 use crate::program::Program;
 
 #[test]
-fn what_makes_no_sense_is_rejected() {
+fn invalid_requests_are_rejected() {
     let program = Program::new();
     let mut all = String::new();
     for options in [

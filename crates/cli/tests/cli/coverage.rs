@@ -100,7 +100,7 @@ fn poses_of_a_file_are_compared() {
 }
 
 #[test]
-fn what_makes_no_sense_is_refused() {
+fn invalid_requests_are_rejected() {
     let program = program();
     program.put("empty.txt", "");
     program.put("file", "");

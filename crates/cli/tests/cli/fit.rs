@@ -10,7 +10,7 @@ use crate::program::Program;
 const SIDE: [u32; 2] = [60, 160];
 const SHAPE: [usize; 2] = [SIDE[0] as usize, SIDE[1] as usize];
 
-/// The optics of a small matcher whose disparities are those of a real one.
+/// The optics of a small matcher with the disparities of a real one.
 const OPTICS: [&str; 6] = ["--stereo-width", "160", "--focal-px", "800", "--region", "25"];
 
 /// What a device reports of a board: its disparity off by −0.2 px and by locking, and noise from frame to frame that
@@ -115,7 +115,7 @@ fn parameters_are_read_by_the_others() {
 }
 
 #[test]
-fn a_recording_that_tells_little_ends_with_findings() {
+fn an_uninformative_recording_ends_with_findings() {
     let program = Program::new();
     record(&program, "one", &[2.3]);
     let ended = program.run(&[&["fit", "one", "--model", "oak4-d"], &OPTICS[..]].concat());
@@ -123,7 +123,7 @@ fn a_recording_that_tells_little_ends_with_findings() {
     insta::assert_snapshot!(format!("{}{}", ended.stdout, ended.stderr));
 }
 
-/// What `sense` makes of walls at these distances, with errors of its own.
+/// What `sense` makes of walls at these distances, with its own errors.
 fn record_tof(program: &Program, folder: &str, distances: &[f64]) {
     fs::create_dir(program.path(folder)).unwrap();
     let mut table = "file,distance_m\n".to_owned();
@@ -201,7 +201,7 @@ fn a_recording_of_time_of_flight() {
 }
 
 #[test]
-fn what_makes_no_sense_of_time_of_flight_is_refused() {
+fn invalid_requests_for_time_of_flight_are_rejected() {
     let program = Program::new();
     record_tof(&program, "tof", &[0.7, 2.3]);
     let mut all = String::new();
@@ -228,7 +228,7 @@ fn what_makes_no_sense_of_time_of_flight_is_refused() {
 }
 
 #[test]
-fn what_makes_no_sense_is_refused() {
+fn invalid_requests_are_rejected() {
     let program = Program::new();
     record(&program, "good", &[1.6, 2.3]);
     let table = |name: &str, text: &str| {

@@ -154,7 +154,7 @@ fn bad_input_is_explained() {
         ("generate none.toml -o set", "none.toml: there is no such file"),
         (
             "generate recipe.toml -o set --frames 5..9",
-            "frames: there are no frames 5..9 of 6",
+            "frames: frames 5..9 are beyond the 6 frames of the recipe",
         ),
         ("generate recipe.toml -o set --frames 5..5", "has no frames"),
         (

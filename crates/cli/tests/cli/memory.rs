@@ -112,7 +112,7 @@ def Mesh "Cube" {
 }
 
 #[test]
-fn sizes_that_are_none() {
+fn invalid_sizes() {
     let program = program();
     let ended = program.run(&["models", "--memory-limit", "plenty"]);
     assert_eq!(ended.code, 2);
@@ -130,7 +130,7 @@ fn a_good_stage_is_not_blamed_for_a_lack_of_memory() {
     let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2), "{message}");
     assert!(
-        message.contains("there is no memory for the stack of its reader"),
+        message.contains("not enough memory for the stack of its reader"),
         "{message}"
     );
 }

@@ -9,7 +9,7 @@ use crate::sense::array;
 
 const MODEL: &str = "oak-d-pro-w-poe";
 
-/// The shipped calibration as that of a wide model whose cameras have no distortion.
+/// The shipped calibration, changed to a wide model whose cameras have no distortion.
 fn undistorted() -> String {
     let mut calibration: Value = serde_json::from_slice(&fs::read(EXAMPLE).unwrap()).unwrap();
     calibration["productName"] = json!("OAK-D-PRO-W-POE");

@@ -369,7 +369,7 @@ fn the_same_bytes_on_any_number_of_threads() {
 }
 
 #[test]
-fn what_is_missing_is_told_and_refused_when_strict() {
+fn missing_contents_are_reported_and_rejected_when_strict() {
     let program = program();
     program.put(
         "part.usda",

@@ -38,7 +38,7 @@ fn words(command: &'static str) -> Vec<&'static str> {
 }
 
 #[test]
-fn options_that_make_no_sense() {
+fn invalid_options() {
     let program = program();
     let runs = [
         "room.usda --annotators rgb,distance_to_image",
@@ -72,7 +72,7 @@ fn options_that_make_no_sense() {
 }
 
 #[test]
-fn scenes_that_are_none() {
+fn invalid_scenes() {
     let program = program();
     program.put("empty.usda", "#usda 1.0\n");
     program.put("nothing.usda", "");
@@ -108,7 +108,7 @@ fn scenes_that_are_none() {
 }
 
 #[test]
-fn trajectories_that_are_none() {
+fn invalid_trajectories() {
     let program = program();
     program.put("empty.txt", "");
     program.put("comments.txt", "# nothing\n");
@@ -170,7 +170,7 @@ fn outputs_that_cannot_be_written() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn an_image_that_fits_no_memory_says_what_it_needs() {
+fn an_image_that_does_not_fit_in_memory_reports_its_size() {
     let program = program();
     let error = program.refused(&[
         "render",

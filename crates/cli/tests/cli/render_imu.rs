@@ -147,7 +147,7 @@ fn recordings_have_the_samples_before_their_frames() {
 }
 
 #[test]
-fn invalid_requests_are_refused() {
+fn invalid_requests_are_rejected() {
     let program = program();
     program.put("one.txt", "0 0 0 0 0 0 0 1\n");
     program.put("twice.txt", "0 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n");

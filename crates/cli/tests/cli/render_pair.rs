@@ -159,7 +159,7 @@ fn recorded_without_a_folder() {
 
 /// A sensor's option without a word on what to write is a wish for what the sensor reports.
 #[test]
-fn a_sensors_option_is_heard() {
+fn options_of_the_sensor_apply() {
     let program = program();
     program.good(&[&OAK[..], &["--model", "oak4-d", "--seed", "3", "-o", "out"]].concat());
     assert!(program.names().contains(&format!("out/{SENSED}")));
@@ -172,7 +172,7 @@ fn a_sensors_option_is_heard() {
 }
 
 #[test]
-fn what_makes_no_sense_is_refused() {
+fn invalid_requests_are_rejected() {
     let program = program();
     let mut all = String::new();
     let others: [&[&str]; 3] = [
@@ -269,7 +269,7 @@ fn each_of_several_pairs_can_be_chosen() {
         "tof",
     ]);
     assert!(
-        light.contains("is no stereo pair; choose Camera_pseudo_depth_stereo"),
+        light.contains("is not a stereo pair; choose Camera_pseudo_depth_stereo"),
         "{light}"
     );
 }

@@ -158,7 +158,7 @@ fn a_camera_of_the_scene_without_a_folder() {
 }
 
 #[test]
-fn what_is_refused() {
+fn invalid_requests_are_rejected() {
     let program = program();
     fs::create_dir(program.path("folder.mcap")).unwrap();
     let mut all = String::new();

@@ -175,7 +175,7 @@ fn parameters_are_the_stages_then_the_schemas_then_the_flags() {
 }
 
 #[test]
-fn what_the_stage_says_oddly() {
+fn suspicious_attributes_of_a_stage_are_reported() {
     let program = program();
     program.put(
         "odd.usda",
@@ -201,7 +201,7 @@ fn what_the_stage_says_oddly() {
 }
 
 #[test]
-fn what_is_refused() {
+fn invalid_requests_are_rejected() {
     let program = program();
     let wrong = |name: &str, attribute: &str| {
         let attribute = format!("\n        {attribute}\n");

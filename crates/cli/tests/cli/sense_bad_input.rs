@@ -25,7 +25,7 @@ fn refusals(program: &Program, runs: &[&[&str]]) -> String {
 const TO: [&str; 6] = ["--model", "oak4-d", "--input-kind", "z", "-o", "out"];
 
 #[test]
-fn files_that_are_no_depth() {
+fn files_without_depth() {
     let program = Program::new();
     let good = array(&[20, 32], &depth(32, 20));
     let grey8 = png::encode(&Image::filled(32, 20, 7u8)).unwrap();
@@ -67,7 +67,7 @@ fn files_that_are_no_depth() {
 }
 
 #[test]
-fn options_that_make_no_sense() {
+fn invalid_options() {
     let program = Program::new();
     program.put("depth.npy", array(&[20, 32], &depth(32, 20)));
     program.put("z.npy", array(&[20, 32], &depth(32, 20)));
@@ -186,7 +186,7 @@ fn a_sequence_is_of_one_camera() {
 }
 
 #[test]
-fn camera_params_that_lie() {
+fn contradictory_camera_params() {
     let program = Program::new();
     fs::create_dir(program.path("set")).unwrap();
     program.put(

@@ -69,7 +69,7 @@ fn text(run: &Ended) -> String {
 }
 
 #[test]
-fn depth_and_what_else_is_asked_for() {
+fn depth_and_other_outputs() {
     let program = program();
     let more = [
         "--disparity",

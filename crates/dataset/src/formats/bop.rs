@@ -19,7 +19,7 @@ const NAME: &str = "bop";
 /// The scenewise layout of the BOP benchmark: `train/000000/{rgb,depth,mask,mask_visib}`, `scene_gt.json` and so on, and models in
 /// millimetres.
 ///
-/// A sequence is a scene, and the number of a frame is that of its image. `mask_visib` is exact: the pixels in which the object is rendered,
+/// A sequence is a scene, and an image has the number of its frame. `mask_visib` is exact: the pixels in which the object is rendered,
 /// and not those in which measured depth is within 15 mm of its surface. `px_count_all` counts pixels up to one image size beyond the
 /// borders, as in the benchmark's own tools. If depth is measured, `depth` has the measurement and `depth_exact` the truth.
 #[derive(Debug, Default)]

@@ -62,7 +62,7 @@ impl Format for Colmap {
     }
 }
 
-/// The text model of a sequence. Intrinsics may differ between frames, in which case each has cameras and a rig of its own.
+/// The text model of a sequence. Intrinsics may differ between frames, in which case each has its own cameras and rig.
 #[derive(Default)]
 struct Model {
     /// The cameras by their description and their place in the rig.

@@ -320,7 +320,7 @@ pub(super) fn matrix(transform: &RigidTransform) -> [[f64; 4]; 4] {
     [x, y, z, [0.0, 0.0, 0.0, 1.0]]
 }
 
-/// The folder of a sequence, in which a camera has a folder of its own if there are several.
+/// The folder of a sequence, in which each of several cameras has its own folder.
 pub(super) fn sequence_folder(shot: &Shot) -> PathBuf {
     let sequence = PathBuf::from(format!("{:06}", shot.sequence));
     match &shot.render_product {

@@ -33,7 +33,7 @@ impl Format for Nerfstudio {
             record["depth_file_path"] = format!("depth/{file}").into();
         }
         frame.write(output)?;
-        // From OpenGL's axes to those of OpenCV.
+        // From OpenGL's axes to OpenCV's.
         let flip = RigidTransform::new(DMat3::from_diagonal(DVec3::new(1.0, -1.0, -1.0)), DVec3::ZERO);
         record["transform_matrix"] = json!(matrix(&(view.world_from_camera * flip)));
         let intrinsics = &view.camera.intrinsics;

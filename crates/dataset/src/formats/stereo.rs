@@ -1,4 +1,4 @@
-//! Stereo pairs with exact disparity: Middlebury's layout, KITTI's, and that of Scene Flow.
+//! Stereo pairs with exact disparity in the layouts of Middlebury, KITTI and Scene Flow.
 
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::OpenCv;

@@ -17,11 +17,11 @@ use crate::{Format, Options, Records, Shot, WriteError, json as files};
 /// The blocks of zeros at the end of an archive, bytes.
 const END: usize = 1024;
 
-/// The layout of `WebDataset`: shards `shard-000000.tar` of a fixed number of consecutive frames. The files of a sample are those of
+/// The layout of `WebDataset`: shards `shard-000000.tar` of a fixed number of consecutive frames. A sample has the files of
 /// [`BasicWriter`](crate::BasicWriter), named `KEY.NAME.EXTENSION`, and `KEY.json` with the camera matrix (the first pixel's centre is at
 /// 0) and the pose. The key is the frame's number, and the camera's name if there are several.
 ///
-/// A frame is an archive of its own in `samples/` until its shard is complete.
+/// A frame has its own archive in `samples/` until its shard is complete.
 #[derive(Debug)]
 pub(super) struct WebDataset(pub(super) Options);
 

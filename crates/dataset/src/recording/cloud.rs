@@ -40,7 +40,7 @@ pub fn points<'a>(rays: &'a Image<[f32; 2]>, depth: DepthView<'a>) -> impl Itera
 }
 
 /// Returns the colour of each measured point in the image of the recorded camera, 0 where that does not see it; `None` if
-/// measured depth is an image of the same camera, whose colours are those of the pixels.
+/// measured depth is an image of the same camera, where each pixel has its own colour.
 #[must_use]
 pub fn measured_colors(
     rays: &Image<[f32; 2]>,

@@ -20,7 +20,7 @@ use super::{
 };
 use crate::ImuSample;
 
-/// The size of a chunk of messages, which are compressed together, bytes. Longer messages are chunks of their own.
+/// The size of a chunk of messages, which are compressed together, bytes. A longer message has its own chunk.
 const CHUNK: u64 = 4 << 20;
 
 /// The root of all frames.

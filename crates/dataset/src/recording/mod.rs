@@ -123,7 +123,7 @@ pub struct RecordedCamera {
 pub struct MeasuredCamera {
     /// The intrinsics and the lens.
     pub camera: Camera,
-    /// The transform from its optical frame to that of the recorded camera, metres.
+    /// The transform from its optical frame to the recorded camera's, metres.
     pub camera_from_measured: RigidTransform,
 }
 
@@ -178,7 +178,7 @@ pub struct RecordedImu {
     pub linear_acceleration_deviation: DVec3,
 }
 
-/// The data of a camera at one time. Images have the camera's size; measured ones that of their own camera.
+/// The data of a camera at one time. Images have the camera's size; measured images have their own camera's size.
 #[derive(Clone, Copy, Debug)]
 pub struct Moment<'a> {
     /// The time.

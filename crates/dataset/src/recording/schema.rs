@@ -1,4 +1,4 @@
-//! The definitions of ROS 2 messages in a recording, in the format "ros2msg": fields, followed by those of nested types.
+//! The definitions of ROS 2 messages in a recording, in the format "ros2msg": fields, followed by the fields of nested types.
 
 /// A message type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! The registry of engines.
 //!
-//! A new engine needs a module of its own, an adapter here that implements [`Engine`], and a line in [`ENGINES`].
+//! A new engine needs its own module, an adapter here that implements [`Engine`], and a line in [`ENGINES`].
 
 mod filters;
 mod single_view;

@@ -39,7 +39,7 @@ impl Decimation {
         (shorter(width), shorter(height))
     }
 
-    /// The intrinsics of the decimated image. Its pixels are those of a camera that sees the first pixel of each block, or
+    /// The intrinsics of the decimated image, for a camera that sees the first pixel of each block, or
     /// for medians and means the centre of the block.
     #[must_use]
     pub fn intrinsics(&self, intrinsics: &Intrinsics) -> Intrinsics {

@@ -1,6 +1,6 @@
 //! Filters of depth and disparity images, bit-identical to `DepthAI`'s host implementation. 0 is invalid.
 //!
-//! [`Median`], [`Spatial`], [`Temporal`] and [`Speckle`] reproduce `DepthAI`'s `ImageFilters`, including its oddities.
+//! [`Median`], [`Spatial`], [`Temporal`] and [`Speckle`] reproduce `DepthAI`'s `ImageFilters`, including its quirks.
 //! [`Decimation`], [`Threshold`] and [`Brightness`] exist on devices only and follow `DepthAI`'s description of their
 //! settings. The device's hole filling, adaptive median and bilateral filter have no public definition and are missing.
 //!

@@ -17,7 +17,7 @@ parameters! {
         /// The step that is an edge, in pixel values: along a row if it is larger, along a column also if it is equal.
         /// `DepthAI` keeps 8 bits of it.
         delta: u8 = 3 => ("delta".range(0.0..=255.0)),
-        /// The length to which holes along a row are filled is one pixel less, in each direction.
+        /// Holes along a row are filled up to one pixel less than this, in each direction.
         hole_filling_radius: u8 = 2 => ("radius".alias("holeFillingRadius").unit("px").range(0.0..=255.0)),
         /// The number of iterations.
         num_iterations: u32 = 1 => ("iterations".alias("numIterations").range(0.0..=100.0)),

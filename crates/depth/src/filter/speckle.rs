@@ -29,7 +29,7 @@ pub(super) struct Links<'a> {
     pub left_above: &'a [u8],
     /// The connections with the pixel above.
     pub up: &'a mut [u8],
-    /// The connections with the pixel above that do not follow from those of the pixel on the left.
+    /// The connections with the pixel above that do not follow from the left pixel's connections.
     pub joins: &'a mut [u8],
 }
 

@@ -11,7 +11,7 @@ parameters! {
     pub struct Temporal("temporal filter", platform) {
         /// The weight of the newest frame; 1 disables smoothing.
         alpha: f32 = 0.4 => ("alpha".range(0.0..=1.0)),
-        /// The step from which a pixel starts anew, in pixel values. `DepthAI` keeps 8 bits of it.
+        /// The step from which a pixel restarts, in pixel values. `DepthAI` keeps 8 bits of it.
         delta: u8 = 3 => ("delta".range(0.0..=255.0)),
         /// The number of recent frames in which a pixel must have been valid for its last value to be kept.
         persistency_mode: PersistencyMode = PersistencyMode::Valid2InLast4

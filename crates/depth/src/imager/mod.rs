@@ -81,7 +81,7 @@ impl Imager {
     }
 
     /// Returns the image that the sensor records of linear `light`; NaN and negative values are dark. `intrinsics` are
-    /// those of the image, for vignetting. `random` must be the image's own stream: of its camera,
+    /// the image's, for vignetting. `random` must be the image's own stream: of its camera,
     /// [`Stage::Exposure`](crate::random::Stage::Exposure) and frame.
     #[must_use]
     pub fn record(

@@ -31,7 +31,7 @@ impl Bits {
 }
 
 parameters! {
-    /// An image sensor. The defaults are those of an OAK's mono camera, an OV9282.
+    /// An image sensor. The defaults describe an OAK's mono camera, an OV9282.
     pub struct Parameters("imager", platform) {
         /// Whether exposure follows the mean of the images.
         auto_exposure: bool = true => ("autoExposure".own("a camera's default")),
@@ -52,10 +52,10 @@ parameters! {
         /// Whether noise is added.
         noise: bool = true => ("noise".own("a real sensor")),
         /// The standard deviation of the lens's point spread function. The vendor's lens (2.35 mm, f/2.0, sharp from
-        /// 19.6 cm, so sharpest at 39 cm) makes a disk of 2 px of a point at 2.5 m, whose standard deviation is a quarter
+        /// 19.6 cm, so sharpest at 39 cm) blurs a point at 2.5 m to a disk of 2 px, whose standard deviation is a quarter
         /// of that.
         lens_blur_px: f64 = 0.5 => ("lensBlur".unit("px").range(0.0..=8.0).estimate()),
-        /// The share of cos⁴ falloff. What remains after a device's correction is not published.
+        /// The share of cos⁴ falloff. The rest after a device's own correction is not published.
         vignetting: f64 = 0.0 => ("vignetting".range(0.0..=1.0).estimate()),
         /// The number of bits.
         bits: Bits = Bits::default() => ("bits"),

@@ -136,7 +136,7 @@ pub struct StereoConfig {
     pub hole_filling: HoleFilling,
     /// `adaptiveMedianFilter` of RVC4
     pub adaptive_median: AdaptiveMedian,
-    /// `confidenceThreshold` of `DepthAI` 3, 0 to 255: higher confidences are kept. That of `DepthAI` 2 is 255 minus this.
+    /// `confidenceThreshold` of `DepthAI` 3, 0 to 255: higher confidences are kept. In `DepthAI` 2, it is 255 minus this.
     pub confidence_threshold: u8,
     /// `filteringOrder`
     pub filtering_order: [FilterStage; 5],

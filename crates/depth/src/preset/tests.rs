@@ -26,7 +26,7 @@ fn the_default_of_rvc2() {
 }
 
 #[test]
-fn presets_are_as_depthai_says() {
+fn presets_match_depthai() {
     let rvc2 = |name: &str| StereoConfig::preset(Platform::Rvc2, name).unwrap();
     assert!(rvc2("FACE").extended_disparity && rvc2("HIGH_DETAIL").extended_disparity);
     assert_eq!(rvc2("HIGH_DETAIL").confidence_threshold, 55);
@@ -59,7 +59,7 @@ fn every_named_preset_has_valid_filters() {
 }
 
 #[test]
-fn names_that_are_none_say_what_there_is() {
+fn unknown_names_are_reported_with_the_valid_ones() {
     let error = |platform, name| StereoConfig::preset(platform, name).unwrap_err().to_string();
     assert_eq!(
         error(Platform::Rvc4, "HIGH_ACCURACY"),

@@ -1,4 +1,4 @@
-//! Counter-based random numbers: a function of (seed, camera, stage, frame, item, pixel) and nothing else.
+//! Counter-based random numbers: a function of only (seed, camera, stage, frame, item, pixel).
 //!
 //! The generator is Philox4x32-10 (Salmon, Moraes, Dror, Shaw: *Parallel random numbers: as easy as 1, 2, 3*, SC 2011).
 //! Its key is made of the seed, the camera's name and the stage; its counter is (block of the row, row, frame, item).

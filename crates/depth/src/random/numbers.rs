@@ -2,7 +2,7 @@ use oaktwin_camera::math::{DMat3, DQuat};
 
 use super::Plane;
 
-/// A sequence of random numbers. Functions are those of the crate `libm`, which gives the same bits on every machine.
+/// A sequence of random numbers. Functions are from the crate `libm`, which gives the same bits on every machine.
 #[derive(Clone, Debug)]
 pub struct Numbers {
     plane: Plane,

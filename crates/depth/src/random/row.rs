@@ -118,7 +118,7 @@ impl Plane {
         self.fill::<_, Words>(row, out);
     }
 
-    /// Fills `out` with random bytes: those of the row's words, lowest first.
+    /// Fills `out` with the bytes of the row's random words, lowest first.
     pub fn bytes(&self, row: u32, out: &mut [u8]) {
         self.fill::<_, Bytes>(row, out);
     }

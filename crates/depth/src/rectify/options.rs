@@ -32,12 +32,12 @@ impl Default for EdgeFill {
     }
 }
 
-/// The options of rectification. The defaults are those of RVC2.
+/// The options of rectification. The defaults match RVC2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RectifyOptions {
     /// The method.
     pub method: Method,
-    /// The intrinsics of both images; of two, those of the left one.
+    /// The intrinsics of both images; if they differ, the left one's.
     pub target: RectifiedIntrinsics,
     /// The value of pixels outside the raw image.
     pub edge_fill: EdgeFill,

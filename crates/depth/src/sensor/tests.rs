@@ -132,7 +132,7 @@ fn frames_depend_on_earlier_ones_with_a_temporal_filter_only() {
             let mut alone = make(filters);
             let same = frame(&mut alone, 1) == second;
             let remembers = filters.contains(&"temporal");
-            // Every frame has noise of its own.
+            // Every frame has its own noise.
             assert!(first != second);
             assert!(same || remembers, "{filters:?}");
             in_order.reset();

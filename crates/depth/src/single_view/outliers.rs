@@ -96,7 +96,7 @@ fn find(
     lone: &mut Vec<u64>,
 ) {
     let (range, count) = (plan.outlier_range, words.len());
-    // First the other bits of the same row, then those of the rows above and below.
+    // First the other bits of the same row, then the bits of the rows above and below.
     lone.clear();
     lone.resize(count, 0);
     spread(&all[words.start - 1..][..count + 2], range, lone);

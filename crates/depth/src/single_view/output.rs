@@ -40,7 +40,7 @@ pub struct Output {
 }
 
 impl Output {
-    /// Returns the distance that `showDistance` shows: that of the middle pixel in metres, 0 if nothing was measured;
+    /// Returns the distance that `showDistance` shows, at the middle pixel in metres, 0 if nothing was measured;
     /// `None` for an image without pixels.
     #[must_use]
     pub fn center_m(&self) -> Option<f32> {

@@ -113,7 +113,7 @@ impl Census {
         }
     }
 
-    /// The planes of a row and then its grey levels, [`Census::stride`] apart; without a row, those of the blank row.
+    /// The planes of a row and then its grey levels, [`Census::stride`] apart; without a row, of the blank row.
     pub(super) fn row(&self, y: Option<usize>) -> &[u8] {
         let length = self.stride * (self.planes + 1);
         let y = y.unwrap_or(self.height);

@@ -1,4 +1,4 @@
-//! Extended disparity: merges the disparities of half-size images with those of full-size images.
+//! Extended disparity: merges the disparities of half-size and full-size images.
 
 use oaktwin_image::Image;
 
@@ -18,7 +18,7 @@ pub(super) fn halve(image: &Source<'_>) -> (usize, usize, Vec<i16>) {
 }
 
 /// Merges the disparities of half-size images. Doubled, those beyond `beyond` steps, the range of the full-size images,
-/// replace less confident and invalid ones; all others are less accurate than those of the full-size images and are
+/// replace less confident and invalid ones; all others are less accurate than disparities of the full-size images and are
 /// ignored. `shift` is the disparity shift in steps.
 pub(super) fn merge(
     half: (&Image<u16>, &Image<u8>),

@@ -4,7 +4,7 @@ use oaktwin_simd::{self as simd, Kernel, Level};
 
 use super::plan::{Plan, Zone};
 
-/// A row of the right image as its candidates: of each plane, those of every pixel of the left image.
+/// A row of the right image as its candidates: for each plane, the candidates of every pixel of the left image.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Gathered {
     /// The plane, regrouped by the disparity steps of the zones.

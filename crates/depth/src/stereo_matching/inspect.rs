@@ -273,7 +273,7 @@ impl<'a> Look<'a> {
         Some(mean(sum))
     }
 
-    /// Returns the least sum of differences between a point's window and those of a row of the right image.
+    /// Returns the minimum sum of differences between a point's window and the windows of a row of the right image.
     fn least(&self, [x, y]: [usize; 2], there: usize, is_swapped: bool) -> u32 {
         let [side, up] = WINDOW;
         let row = |image: &'a [u8], y: usize, from: usize, length: usize| {

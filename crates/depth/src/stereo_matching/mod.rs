@@ -1,6 +1,6 @@
 //! Stereo matching of a rectified pair, as in the device's pipeline.
 //!
-//! Disparities are those of the left image's pixels, in pixels of the pair: the point at x in the left image is at x − d
+//! Disparities belong to the left image's pixels, in pixels of the pair: the point at x in the left image is at x − d
 //! in the right one.
 //!
 //! # Steps
@@ -12,7 +12,7 @@
 //!    the number of bits that differ. The published equation shifts right by 5; two more bits are kept here, as only 5
 //!    different costs would remain. Outside the image, a block repeats the border. A candidate outside the right image has the
 //!    cost of one of which three eighths of the bits differ: more than a correct match, less than a wrong one.
-//! 3. **Semi-global aggregation** along [`Parameters::paths`] paths with penalties P1 and P2, those of RVC2 shifted right
+//! 3. **Semi-global aggregation** along [`Parameters::paths`] paths with penalties P1 and P2: RVC2's, shifted right
 //!    by [`Parameters::penalty_shift`]. The sum is divided by [`Parameters::division_factor`].
 //! 4. **Winner takes all**: the smallest sum; of equal sums the smaller disparity.
 //! 5. **Confidence**, 0 to 255 (highest): ⌊255 (s₂ − s₁) / s₂⌋ with the smallest sum s₁ and the smallest sum s₂ that is not

@@ -194,7 +194,7 @@ parameters! {
         hole_filling: HoleFilling = HoleFilling::default() => [
             /// RVC4's hole filling: pixels of low confidence take the mean of their superpixel.
             ///
-            /// Superpixels are those of SLIC, which Qualcomm's interface to the hardware names. Their size is not
+            /// Superpixels are computed by SLIC, which Qualcomm's interface to the hardware names. Their size is not
             /// published: here there is one for each 8×8 pixels of the left image, after two rounds, and an 8-bit grey
             /// level weighs as much as a pixel. Filling does not change the confidence, which is an estimate too.
             struct HoleFilling {
@@ -295,7 +295,7 @@ impl Parameters {
         255 - self.confidence_threshold
     }
 
-    /// Sets the confidence threshold to that of `DepthAI` 2.
+    /// Sets the confidence threshold to `DepthAI` 2's.
     pub const fn set_confidence_threshold_v2(&mut self, threshold: u8) {
         self.confidence_threshold = 255 - threshold;
     }
@@ -309,7 +309,7 @@ impl Parameters {
         }
     }
 
-    /// The largest disparity in the search range, px; in extended mode twice that of one pass.
+    /// The largest disparity in the search range, px; in extended mode twice the range of one pass.
     #[must_use]
     pub const fn max_disparity_px(&self) -> u32 {
         let last = match (self.disparity_width, self.companding) {

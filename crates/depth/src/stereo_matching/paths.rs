@@ -75,7 +75,7 @@ pub(super) enum Sums<'a, H, S> {
     Whole(&'a [H], &'a mut [S]),
 }
 
-/// One row of a scan, with `PATHS` paths: along the row, then those of [`FROM_ROW`].
+/// One row of a scan, with `PATHS` paths: along the row, then the paths of [`FROM_ROW`].
 pub(super) struct Row<'a, P, H, S, const D: usize, const PATHS: usize> {
     /// The costs of each pixel, candidates innermost.
     pub(super) costs: &'a [P],
@@ -175,7 +175,7 @@ pub(super) fn chunk_mut<T, const N: usize>(all: &mut [T], start: usize) -> Optio
     all.get_mut(start..)?.first_chunk_mut()
 }
 
-/// Computes one path's costs at a pixel from those of the previous pixel at `slot`'s guard, adds them to `total`, and
+/// Computes one path's costs at a pixel from the previous pixel's at `slot`'s guard, adds them to `total`, and
 /// stores them less their minimum in the same slot. Returns the minimum.
 ///
 /// The path along the row comes first: it initializes `total` and stores its costs without subtracting their minimum;
@@ -205,7 +205,7 @@ fn relax<P: Lane, H: Lane, const D: usize, const IS_ALONG: bool>(
             let beside = nearer[d].min(farther[d]).plus_saturating(p1);
             let before = same[d].min(beside).min(most).minus(base);
             own[d] = costs[d].plus(before);
-            // In a loop of its own, over 64 values, LLVM would unroll this before it vectorizes, and wait for one value after another.
+            // In a separate loop over 64 values, LLVM would unroll this before it vectorizes, and wait for one value after another.
             least = least.min(own[d]);
         }
     }

@@ -86,7 +86,7 @@ impl Raw {
         }
     }
 
-    /// The cost of a candidate outside the right image. It is below that of a wrong match, in which half of the bits
+    /// The cost of a candidate outside the right image. It is below the cost of a wrong match, in which half of the bits
     /// differ, so that a pixel visible only in the left image is matched there and detected as occluded; and above that
     /// of most correct matches.
     pub(super) fn beyond(self) -> u32 {

@@ -116,7 +116,7 @@ fn marked(plan: &Plan, found: &Found, memory: &Refined, x: usize) -> u16 {
         | if is_seen { 0 } else { OCCLUDED }
 }
 
-/// Returns the difference between a winner's disparity and that of its counterpart in the right image, px; `None` if
+/// Returns the difference between a winner's disparity and its counterpart's in the right image, px; `None` if
 /// the counterpart has none or is outside the image.
 #[inline(always)]
 fn apart(memory: &Refined, own: u16, x: usize) -> Option<u16> {

@@ -76,7 +76,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
         self.follow::<H, D>(view, is_up, Half::Left(half));
     }
 
-    /// Adds the path costs of the next row to those of the other scan, and finds disparity and confidence.
+    /// Adds the path costs of the next row to the other scan's, and finds disparity and confidence.
     pub(super) fn finish_row<H: Lane, const D: usize>(
         &mut self,
         view: View<'_>,

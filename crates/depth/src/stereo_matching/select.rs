@@ -13,7 +13,7 @@ pub(super) struct Found {
     pub(super) best: Vec<u8>,
     /// The sums of the winner and of two candidates on each side; those beyond the range are undefined.
     pub(super) around: [Vec<u16>; 5],
-    /// The smallest sum, except those of the winner and its neighbours.
+    /// The smallest sum, except for the winner and its neighbours.
     pub(super) second: Vec<u16>,
 }
 

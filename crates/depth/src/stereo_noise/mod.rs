@@ -1,12 +1,12 @@
 //! A parametric model of the depth error of an OAK stereo pair, from a depth image alone.
 //!
-//! The image is the rectified left one. Disparities are in matcher pixels, those of the mode's full width S
+//! The image is the rectified left one. Disparities are in matcher pixels, pixels of the mode's full width S
 //! ([`Parameters::width_px`]): d = f·b/z. Quantities in pixels of the image (shadows, borders, windows) are
 //! converted by W/S, so that images of any width W with the same field of view have the same depth error. There is no lens
 //! and no filter here.
 //!
 //! # Steps
-//! 1. **Geometry.** Depth is converted to disparity; values that are not finite and positive are no surface. Optionally the
+//! 1. **Geometry.** Depth is converted to disparity; values that are not finite and positive mean no surface. Optionally the
 //!    matching window widens near objects ([`Parameters::edge_dilation_px`]): a pixel with something more than 1 px nearer
 //!    within reach, in rows and columns, takes the nearest such disparity. Pixels that the second imager does not see are
 //!    invalid ([`Parameters::occlusion`]): those whose position in the right image is covered by something at least one

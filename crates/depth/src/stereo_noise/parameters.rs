@@ -5,7 +5,7 @@ use crate::disparity::{DepthRounding, Fixed, FractionalBits, Subpixel, SubpixelS
 use crate::random::{Stage, Stream, standard_normal};
 
 parameters! {
-    /// The geometry and the errors of a stereo camera. Lengths in pixels are in matcher pixels, those of an image
+    /// The geometry and the errors of a stereo camera. Lengths in pixels are in matcher pixels, pixels of an image
     /// [`width_px`](Self::width_px) wide, whatever the width of the input images.
     pub struct Parameters("stereo-noise", platform) {
         /// The geometry of the rectified pair.

@@ -35,7 +35,7 @@ struct Block {
     after: f32,
 }
 
-/// Rows of disparities; 0 is no surface.
+/// Rows of disparities; 0 means no surface.
 #[derive(Clone, Copy)]
 pub(super) struct Rows<'a> {
     /// The column of each pixel.

@@ -60,7 +60,7 @@ impl Parameters {
             let shape = 1.0 + self.wiggling * (4.0 * TAU * range_m / turn).cos();
             let length = self.contrast * light * shape;
             let phase = phasor / (length * length);
-            // To second order: the noise of an angle grows faster than that of its phasor.
+            // To second order: the noise of an angle grows faster than its phasor's.
             phase * (1.0 + phase) * (turn / TAU) * (turn / TAU)
         });
         let [a, b] = self.weights();

@@ -186,7 +186,7 @@ pub(super) fn plane(middle: f32, beside: [f32; 4], [u, v]: [f32; 2], focal_lengt
     [gx, gy, middle - gx * u - gy * v]
 }
 
-/// Returns the derivative by u or v at the middle: that of the flatter side, and none across an edge.
+/// Returns the derivative by u or v at the middle, from the flatter side; 0 across an edge.
 #[inline(always)]
 fn gradient(before: f32, middle: f32, after: f32, focal_length_px: f32) -> f32 {
     let (a, b) = (middle - before, after - middle);

@@ -4,7 +4,7 @@
 //! pixels), and no filter except the amplitude's.
 //!
 //! # Steps
-//! 1. **Light.** Depth that is not finite, not above 0, or beyond 10 km is no surface and reflects nothing. Elsewhere the
+//! 1. **Light.** Depth that is not finite, not above 0, or beyond 10 km means no surface and reflects nothing. Elsewhere the
 //!    distance along the pixel's ray is r, the light of a sample A = [signal](Parameters::signal_e)·albedo·cos θ/r²
 //!    electrons, and ambient light [ambient](Parameters::ambient_e)·albedo. The normal is derived from the depth: on a
 //!    plane 1/z is linear over the image, so that its gradient is exact; the flatter of the two sides of a pixel is used,

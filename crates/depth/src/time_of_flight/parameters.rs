@@ -36,7 +36,7 @@ parameters! {
         /// Whether the periodic error is corrected, down to `wigglingResidual`.
         enable_wiggle_correction: bool = true => ("enableWiggleCorrection"),
         /// The amplitude w of the correlation's harmonics relative to its own. The phase error is −atan(w·sin 4φ), the
-        /// amplitude changes by the factor 1 + w·cos 4φ. 0.071 is that of a triangle wave, 1/9 − 1/25: an estimate for
+        /// amplitude changes by the factor 1 + w·cos 4φ. 0.071 describes a triangle wave, 1/9 − 1/25: an estimate for
         /// square-wave modulation.
         wiggling: f64 = 0.071 => ("wiggling".range(0.0..=0.5).estimate()),
         /// The phase error that remains after the correction, as `wiggling`.
@@ -64,7 +64,7 @@ parameters! {
         albedo: f64 = 0.5 => ("albedo".range(0.0..=1.0).estimate()),
         /// The weight of the neighbour on each side in a pixel. 1/8 is a pixel's whole area under linear interpolation.
         pixel_mixing: f64 = 0.125 => ("pixelMixing".range(0.0..=0.25).estimate()),
-        /// The scale of multipath interference: 0 disables it, 1 is physical; more makes up for what the model leaves out.
+        /// The scale of multipath interference: 0 disables it, 1 is physical; larger values compensate for paths that the model leaves out.
         multipath: f64 = 0.0 => ("multipath".range(0.0..=10.0).estimate()),
         /// The velocity of all surfaces away from the camera, where the input has none for each pixel.
         radial_velocity_m_s: f64 = 0.0

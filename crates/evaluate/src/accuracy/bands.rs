@@ -33,7 +33,7 @@ pub struct Band {
 }
 
 impl Bands {
-    /// Returns the bands of the vendor's page for a depth sensor, or those of the first other source that has any; `None` if
+    /// Returns the bands of the vendor's page for a depth sensor, or the bands of the first other source that has any; `None` if
     /// there are none.
     #[must_use]
     pub fn of(device: &Device, sensor: &DepthSensor) -> Option<Self> {
@@ -77,7 +77,7 @@ impl Bands {
     }
 }
 
-/// The parts into which the range of a limit that is no constant percentage is split.
+/// The number of parts into which a range is split if its limit is not a constant percentage.
 const STEPS: u32 = 50;
 
 impl Band {

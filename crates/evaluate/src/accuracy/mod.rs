@@ -1,4 +1,4 @@
-//! Measures a twin as the vendor measures the camera.
+//! Measures a twin's depth accuracy by the vendor's method.
 //!
 //! A textured board, perpendicular to the optical axis, is rendered at each distance. The sensor captures it ten times, without
 //! post filters and with five subpixel bits. In a region at the centre of each capture, invalid pixels and the top and bottom 5 %

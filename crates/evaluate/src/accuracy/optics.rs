@@ -1,4 +1,4 @@
-//! Replaces the optics of a twin with those of a measured unit.
+//! Replaces the optics of a twin by a measured unit's.
 
 use super::AccuracyError;
 use oaktwin_camera::{ImageSize, Intrinsics, PixelPoint, Usd};

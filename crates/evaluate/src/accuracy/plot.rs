@@ -104,7 +104,7 @@ fn measured_label(comparison: &Comparison) -> String {
 
 fn names(report: &Report) -> [String; 2] {
     if report.engine == "single-view" {
-        let carried = "depth carried: exact by construction".to_owned();
+        let carried = "depth copied: exact by construction".to_owned();
         let recomputed = "depth recomputed from its disparity".to_owned();
         return if report.is_carried() {
             [carried, recomputed]
@@ -155,7 +155,7 @@ fn bands(published: Option<&Bands>, is_signed: bool) -> Vec<Layer> {
     }
     let source = match published.source {
         Source::VendorPage => "the vendor's accuracy",
-        Source::Estimate => "the sheet's estimate (nothing is published)",
+        Source::Estimate => "the parameter sheet's estimate (nothing is published)",
         _ => "the catalog's accuracy",
     };
     let mut layers = Vec::new();

@@ -74,7 +74,7 @@ impl SensorImage {
         let (mut frame, mut findings) =
             renderer.annotate(&input, &annotators, Backend::Auto, &AnnotateOptions::default());
         let pair = rig.pair.as_ref().map(|pair| pair.look(renderer, pose, 0));
-        // Each candidate's sensor starts afresh, so that its result does not depend on the others.
+        // Each candidate has a new sensor, so that its result does not depend on the others.
         let mut sensor = rig.sensor.clone();
         sense_frame(&mut sensor, &input.camera, 0, pair.as_ref(), &ASKED, &mut frame);
         let view = candidate.view();
@@ -128,7 +128,7 @@ impl SensorImage {
     }
 
     /// Whether the centre of a point's pixel, where the depth is `truth`, shows the surface around the point. That surface need not
-    /// be plane: its depth may differ from that of the point by twice what the slope of the face explains, and the width of two pixels.
+    /// be plane: its depth may differ from the point's by twice what the slope of the face explains, and the width of two pixels.
     fn resolves(&self, point: &SurfacePoint, line: &Line, truth: f32) -> bool {
         let camera = &self.sight.view.camera;
         let (x, y) = line.pixel;

@@ -55,7 +55,7 @@ static REASONS: LazyLock<Vec<Reason>> = LazyLock::new(|| {
         name: name.to_owned(),
         doc: doc.to_owned(),
     });
-    // Those of the sensor's pixels have their own codes.
+    // The reasons of the sensor's pixels have their own codes.
     let of_pixels = reason::legend().into_iter().map(|(code, label)| Reason {
         code,
         name: label.name,
@@ -67,7 +67,7 @@ static REASONS: LazyLock<Vec<Reason>> = LazyLock::new(|| {
     reasons
 });
 
-/// Returns the outcomes in the order of their codes; the first is that of a measured point.
+/// Returns the outcomes in the order of their codes; the first means that the point is measured.
 #[must_use]
 pub fn reasons() -> &'static [Reason] {
     &REASONS

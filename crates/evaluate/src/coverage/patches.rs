@@ -8,7 +8,7 @@ use super::look::look;
 use super::surface::{Part, parts};
 use super::{Candidate, CoverageError, Outcome, Region, SurfacePoint};
 
-/// The default number of patches: those of a wall of 4 m × 2.5 m are 3 cm wide.
+/// The default number of patches: on a wall of 4 m × 2.5 m, they are 3 cm wide.
 pub const PATCHES: u32 = 20_000;
 
 /// The maximum number of triangles of a surface that is divided.

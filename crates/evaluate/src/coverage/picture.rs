@@ -33,7 +33,7 @@ const HIDDEN: [u8; 3] = [0, 114, 178];
 const FACES_AWAY: [u8; 3] = [120, 120, 125];
 const OUTSIDE_VIEW: [u8; 3] = [204, 121, 167];
 
-/// The colours of the engine's reasons, the most frequent first; the last one is that of all others.
+/// The colours of the engine's reasons, the most frequent first; the last one is for all others.
 const NOT_MEASURED: [[u8; 3]; 4] = [[213, 94, 0], [230, 159, 0], [86, 180, 233], [150, 75, 50]];
 
 /// Draws the region of the renderer's scene from the candidate and from outside, with the outcome of the candidate at each pixel, and a

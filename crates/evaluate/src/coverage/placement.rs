@@ -28,7 +28,7 @@ pub enum Base {
 /// A sweep: every combination of a pose, a height and a tilt.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sweep {
-    /// The heights along the scene's up axis in metres; if empty, those of the poses.
+    /// The heights along the scene's up axis in metres; if empty, the heights of the poses.
     pub heights_m: Vec<f64>,
     /// The angles in degrees by which the body's x axis points below the horizontal; they keep its heading and remove its roll. If
     /// empty, the orientation is kept.

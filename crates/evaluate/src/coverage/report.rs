@@ -13,7 +13,7 @@ use crate::measure::quantile;
 pub struct Coverage {
     /// The surface.
     pub region: SampledRegion,
-    /// The results in the order of the candidates. Interrupted, those of the first ones.
+    /// The results in the order of the candidates. After an interruption, only the first ones.
     pub candidates: Vec<CandidateCoverage>,
     /// The indices of the candidates by the share that they measure, then by their median absolute error, best first.
     pub ranking: Vec<usize>,
@@ -46,7 +46,7 @@ pub struct SampledRegion {
     pub area_m2: f64,
     /// The number of points.
     pub samples: u32,
-    /// The largest standard error of a share: that of independent points at a share of a half.
+    /// The largest standard error of a share: for independent points at a share of a half.
     pub standard_error: f64,
 }
 

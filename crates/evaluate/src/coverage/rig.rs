@@ -28,7 +28,7 @@ pub struct RigOptions {
     pub engine: SensorOptions,
     /// The image size, resized by `DepthAI`'s rule; by default the sensor's own.
     pub size: Option<ImageSize>,
-    /// The recording of pairs, for an engine that matches them. The size, seed and bias are those of the other options.
+    /// The recording of pairs, for an engine that matches them. The size, seed and bias are set by the other options.
     pub pair: PairOptions,
 }
 
@@ -156,7 +156,7 @@ impl<'a> Candidate<'a> {
     }
 }
 
-/// Returns every rig at every placement as a candidate, those of the first rig first.
+/// Returns every rig at every placement as a candidate, beginning with the first rig.
 #[must_use]
 pub fn candidates<'a>(rigs: &'a [Rig], placements: &[Placement]) -> Vec<Candidate<'a>> {
     let placed = |rig: &'a Rig| {

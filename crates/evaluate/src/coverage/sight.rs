@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::SurfacePoint;
 
-/// The relative distance before a point within which a surface counts as the point's own: that of coincident faces.
+/// The relative distance before a point within which a surface counts as the point's own, because faces coincide.
 const COINCIDENT: f64 = 1e-6;
 
 /// A view from which points are sighted.

@@ -22,7 +22,7 @@ const INSIDE: f64 = 0.8;
 /// The weight of a point that the candidate sees, relative to one that it does not see.
 const SEEN: f64 = 6.0;
 
-/// Returns the view that shows most of these points, which are evenly distributed over the surface, and above all those that a
+/// Returns the view that shows most of these points, which are evenly distributed over the surface, and above all the points that a
 /// candidate with these outcomes sees.
 pub(super) fn vantage(
     renderer: &Renderer,

@@ -17,7 +17,7 @@ const IMAGE_SCALE: u32 = 2;
 const SAMPLES: u32 = 3;
 /// Units per pixel of an SVG, because the plotting library places marks only at whole units.
 const SVG_SCALE: u32 = 8;
-/// The program that shows an SVG chooses the font; that of Debian, for instance, is 18 % wider than ours.
+/// The program that shows an SVG chooses the font; Debian's, for instance, is 18 % wider than ours.
 const SVG_TEXT_PERCENT: u32 = 120;
 
 /// Draws figures one below the other as an SVG document, 960 × 560 px each.

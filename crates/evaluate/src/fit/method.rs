@@ -25,13 +25,13 @@ pub(super) trait Method: Sync {
     fn noise_names(&self) -> &'static [&'static str];
     /// Estimates the noise of pixels over time.
     fn noise(&mut self, seen: &[Observation], work: &mut Work<'_>);
-    /// Returns the variance of a pixel over time, including that of steps.
+    /// Returns the variance of a pixel over time, including the effect of steps.
     fn variance(&self, one: &Observation) -> Option<f64>;
     /// Returns the variance of the mean of a number of values due to noise.
     fn variance_of_mean(&self, one: &Observation, values: u64) -> Option<f64>;
     /// Returns the variance of such a mean due to rounding.
     fn variance_of_rounding(&self, one: &Observation) -> f64;
-    /// Returns an error with the reason if a point must be ignored.
+    /// Whether a point is fitted; if not, the reason is added to the findings.
     fn is_used(&self, _point: &OfTarget, _work: &mut Work<'_>) -> bool {
         true
     }

@@ -9,23 +9,23 @@
 //! * σ (`jitter`): half of the variance of the differences of consecutive frames, minus the variance of rounding to whole
 //!   steps of disparity and whole millimetres (step²/12), over distances at which a millimetre is not coarser than the noise.
 //! * The window of its correlation (`window`): the covariance of those differences decreases linearly with the distance in
-//!   pixels under a square window. Its interval is that of 200 bootstrap samples of the pairs of frames.
+//!   pixels under a square window. Its interval follows from 200 bootstrap samples of the pairs of frames.
 //! * β (`bias`), a (`pixelLocking`) and, on request, the focal length: robust least squares of the mean over time and region
 //!   at each distance, without mismatches, against the true distance. Points are weighted by their uncertainty due to noise
-//!   and rounding. Intervals are those of the linear approximation, wider if the points scatter more than their noise
+//!   and rounding. Intervals follow from the linear approximation, and are wider if the points scatter more than their noise
 //!   explains.
 //!
 //! # `time_of_flight`
 //! * σ at each distance: half of the variance of such differences, corrected for the noise that consecutive frames share
-//!   (half of it or none, as the differences of every second frame show), minus that of whole millimetres (unit²/12).
+//!   (half of it or none, as the differences of every second frame show), minus the variance of whole millimetres (unit²/12).
 //! * Light (`signal`, `ambient`): robust least squares of the logarithm of σ over distance. Noise determines only
 //!   contrast²·albedo·signal, where the light itself dominates, and (ambient·albedo + read noise²) over
-//!   (contrast·albedo·signal)², where it does not. Contrast, albedo and read noise are those of the engine's parameters, and so
+//!   (contrast·albedo·signal)², where it does not. Contrast, albedo and read noise are the engine's parameters, and so
 //!   is ambient light if the distances are too few or too similar to separate it from the signal.
 //! * Bias (`bias`) and wiggling (`wigglingResidual`, or `wiggling` if its correction is off): the mean over time and region
 //!   against the true distance, as above. Targets beyond the range, or off by whole periods, are ignored.
 //!
-//! The rotation of a target is that of the planes through its images, over all distances; up to a few degrees it is applied
+//! The rotation of a target is computed from the planes through its images, over all distances; up to a few degrees it is applied
 //! to the true distances, pixel by pixel. The stated distances are those at the centre of the region.
 
 mod error_domain;
@@ -71,7 +71,7 @@ use work::Work;
 /// The settings of a fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// The depth sensor by prim or kind; by default that of the engine, or the device's own.
+    /// The depth sensor by prim or kind; by default the engine's, or the device's own.
     pub sensor: Option<String>,
     /// The engine and its known parameters, such as its subpixel bits.
     pub engine: SensorOptions,

@@ -46,10 +46,7 @@ pub(super) fn of_one_size(seen: &[Observation], recordings: &[TargetRecording]) 
                 .first()
                 .map(|files| files.sensed.clone())
                 .unwrap_or_default();
-            let message = format!(
-                "its size is {}, but that of {} is {}",
-                other.size, first.name, first.size
-            );
+            let message = format!("it is {}, but {} is {}", other.size, first.name, first.size);
             Err(FileError::new(&path, message, "give images of one camera in one mode").into())
         }
         None => Ok(()),
@@ -214,7 +211,7 @@ pub(super) fn of_targets(seen: &[Observation], tilts: &Tilts, method: &dyn Metho
     points
 }
 
-/// Groups the places of a target by their true value; `distance_m` is that of the centre.
+/// Groups the places of a target by their true value; `distance_m` is the centre's.
 #[expect(clippy::cast_possible_truncation, reason = "values are below 2⁶³ bins")]
 fn by_truth(
     one: &Observation,

@@ -219,7 +219,7 @@ fn nothing(path: &Path) -> FileError {
     )
 }
 
-/// Returns the depth images of a folder by name, those of a depth sensor if the names distinguish them.
+/// Returns the depth images of a folder by name, only the depth sensor's if the names distinguish them.
 fn images(folder: &Path) -> Result<Vec<PathBuf>, FileError> {
     let is_image = |path: &PathBuf| {
         let extension = path.extension().unwrap_or_default().to_ascii_lowercase();

@@ -110,7 +110,7 @@ pub struct Target {
     pub mismatch_rate: f64,
     /// The rotation of the plane through its points.
     pub tilt_deg: Option<f64>,
-    /// The standard deviation of a pixel over time, including that of steps.
+    /// The standard deviation of a pixel over time, including the effect of steps.
     pub temporal_noise: Option<f64>,
     /// The standard deviation over space of the mean over time: the pattern that is the same in every frame.
     pub fixed_pattern: Option<f64>,

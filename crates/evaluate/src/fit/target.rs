@@ -91,7 +91,7 @@ pub(super) struct Observation {
 }
 
 impl Observation {
-    /// Returns half of the variance of a pixel's differences, including that of steps.
+    /// Returns half of the variance of a pixel's differences, including the effect of steps.
     pub(super) fn variance(&self) -> Option<f64> {
         self.noise()?.at(0)
     }
@@ -206,10 +206,7 @@ pub(super) fn look(recording: &TargetRecording, look: &Look) -> Result<Observati
 fn differs(files: &Files, size: ImageSize, first: ImageSize, before: &Files) -> FileError {
     FileError::new(
         &files.sensed,
-        format!(
-            "its size is {size}, but that of {} is {first}",
-            before.sensed.display()
-        ),
+        format!("it is {size}, but {} is {first}", before.sensed.display()),
         "give images of one camera in one mode",
     )
 }

@@ -18,7 +18,7 @@ impl Work<'_> {
         for name in names {
             self.report.not_found.push(NotFound {
                 name,
-                why: format!("{} has errors and no images", path.display()),
+                why: format!("{} contains errors instead of images", path.display()),
             });
         }
     }
@@ -37,7 +37,7 @@ impl Work<'_> {
         ));
     }
 
-    /// Moves the parameters of the systematic error before those of the noise.
+    /// Moves the parameters of the systematic error before the parameters of the noise.
     pub(super) fn put_first(&mut self, mut parameters: Vec<Parameter>) {
         parameters.append(&mut self.report.parameters);
         self.report.parameters = parameters;

@@ -183,7 +183,7 @@ mod tests {
         assert_eq!(quality.pixel_error_m, Some(0.5));
     }
 
-    /// A tilted board is flat, and its distance is that of its plane.
+    /// A tilted board is flat, and its distance is its plane's.
     #[test]
     fn tilt_is_not_an_error() {
         let normal = DVec3::new(0.2, -0.1, 1.0).normalize();

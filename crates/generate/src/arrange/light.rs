@@ -188,7 +188,7 @@ const WHITE_K: f64 = 6500.0;
 
 /// Returns the linear radiance of a black body of this luminance, 1 for each component at 6500 K.
 ///
-/// The chromaticity is that of Krystek's approximation of the Planckian locus (*An algorithm to calculate correlated colour temperature*,
+/// The chromaticity follows Krystek's approximation of the Planckian locus (*An algorithm to calculate correlated colour temperature*,
 /// 1985), with an error below 8e-5 between 1000 K and 15 000 K.
 #[expect(clippy::cast_possible_truncation, reason = "light is float32")]
 fn emitted(intensity: f64, temperature: f64) -> [f32; 3] {

@@ -23,7 +23,7 @@ use crate::unit::DrawnUnit;
 pub(crate) struct Arrangement {
     /// The number of the arrangement.
     pub(crate) number: u64,
-    /// The base scene, as an index into those of the recipe.
+    /// The base scene, as an index into the recipe's.
     #[serde(skip)]
     pub(crate) base: usize,
     /// Its path in the recipe.

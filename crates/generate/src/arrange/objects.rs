@@ -75,7 +75,7 @@ impl fmt::Display for Rejected {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let counts = [
             (self.without_surface, "found no horizontal surface"),
-            (self.unsupported, "reached beyond the edge of a surface"),
+            (self.unsupported, "extended beyond the edge of a surface"),
             (self.colliding, "collided"),
             (self.outside, "left the region"),
         ];
@@ -223,7 +223,7 @@ fn region_of(context: &Context, base: &Base, rule: usize) -> Result<Bounds, Gene
     })
 }
 
-/// A name as that of a prim.
+/// A name as a prim's name.
 fn identifier(name: &str) -> String {
     let mut text: String = name
         .chars()
@@ -248,7 +248,7 @@ struct Place<'a> {
     rule: &'a ObjectRule,
     region: Bounds,
     hull: &'a Hull,
-    /// From the file's axes to those of the world, upright.
+    /// From the file's axes to the world's, upright.
     upright: DMat3,
     others: &'a [Placed],
 }

@@ -8,11 +8,11 @@ use super::{ImuRule, Quantity, Texts};
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct CameraRule {
-    /// The model, or several of which each arrangement uses one.
+    /// The model. With several, each arrangement uses one of them.
     pub model: Texts,
     /// The cameras of the model to render: `depth`, `rgb`, `left`, `right` or the name of a prim. By default its depth sensors.
     pub cameras: Texts,
-    /// The width and height of the images; by default those of the sensor.
+    /// The width and height of the images; by default the sensor's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub resolution: Option<[u32; 2]>,
     /// The place on a sphere around the target.
@@ -25,7 +25,7 @@ pub struct CameraRule {
     /// pose; after the last pose the trajectory begins again.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub trajectory: Option<String>,
-    /// The inertial sensor, for the format `euroc` with a trajectory. Its time is that of the frames: `output.interval_s` between poses.
+    /// The inertial sensor, for the format `euroc` with a trajectory. It has the frames' times: `output.interval_s` between poses.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub imu: Option<ImuRule>,
     /// The target of the camera: `objects`, `scene`, the path of a prim or a point [x, y, z]. `objects` is one of the objects, and

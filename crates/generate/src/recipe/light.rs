@@ -68,7 +68,7 @@ impl Default for Sun {
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Sky {
-    /// The radiance, or the factor of the image's.
+    /// The radiance, or the factor on the image's radiance.
     pub intensity: Quantity,
     /// Latitude-longitude images and folders of images; without one the sky is uniform.
     pub images: Texts,

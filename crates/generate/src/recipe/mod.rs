@@ -41,7 +41,7 @@ pub struct Recipe {
     /// The base scenes: files that `oaktwin render` opens, relative to the recipe. Each arrangement uses one of them. Without
     /// a scene, objects are placed on a grey floor.
     pub scene: Texts,
-    /// Options of reading scene files.
+    /// Options for reading scene files.
     pub scene_options: SceneRule,
     /// The objects to place.
     pub objects: Vec<ObjectRule>,
@@ -86,7 +86,7 @@ impl Recipe {
     }
 }
 
-/// Options of reading scene files.
+/// Options for reading scene files.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct SceneRule {

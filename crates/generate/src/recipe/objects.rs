@@ -12,14 +12,14 @@ choice! {
         Upright = "upright",
         /// On a horizontal surface on one of the faces on which they are stable, turned by any angle.
         Resting = "resting",
-        /// In any orientation, lowered until they touch something: heaps in bins. There is no physics, so they may lean on nothing.
+        /// In any orientation, lowered until they touch something: heaps in bins. There is no physics, so some stay unsupported.
         Piled = "piled",
         /// Anywhere in the region, in any orientation.
         Floating = "floating",
     }
 }
 
-/// Objects to place: some of those in files and folders.
+/// Objects to place, chosen from files and folders.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ObjectRule {
@@ -42,7 +42,7 @@ pub struct ObjectRule {
     pub pose: Pose,
     /// The prims of the base scene on which objects stand, with their descendants; by default every horizontal surface.
     pub on: Texts,
-    /// The region of the objects' centres, or for objects that stand or rest, of the points below them; by default that of the
+    /// The region of the objects' centres, or for objects that stand or rest, of the points below them; by default the region of the
     /// prims in `on`, or of the base scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub region: Option<Region>,

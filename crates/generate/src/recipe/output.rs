@@ -11,7 +11,7 @@ use super::{Quantity, Texts};
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct SensorRule {
-    /// The engine: `stereo-noise`, `stereo-matching`, `time-of-flight` or `single-view`; by default that of the kind of sensor.
+    /// The engine: `stereo-noise`, `stereo-matching`, `time-of-flight` or `single-view`; by default the one for the kind of sensor.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub engine: Option<String>,
     /// The DepthAI preset. Its temporal filter is not allowed, because a frame does not depend on the frames before it.
@@ -46,7 +46,7 @@ pub enum ParameterValue {
 pub struct OutputRule {
     /// The annotators, as in `oaktwin render --annotators`.
     pub annotators: Texts,
-    /// The formats. With several, each has a folder of its own.
+    /// The formats. With several, each has its own folder.
     pub formats: Texts,
     /// The time between the frames of an arrangement, seconds, in formats with times.
     pub interval_s: f64,

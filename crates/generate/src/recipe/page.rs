@@ -106,7 +106,7 @@ fn kind(value: &Value) -> String {
     }
 }
 
-/// The default as TOML; that of a table is in its own section.
+/// The default as TOML; a table's default is in its own section.
 fn default(value: &Value) -> String {
     match &value["default"] {
         Value::Null => String::new(),

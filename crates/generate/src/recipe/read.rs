@@ -72,7 +72,7 @@ impl Recipe {
                 return Err(wrong(
                     &place,
                     "names no prims",
-                    "add prims = \"/World/Table\", say",
+                    "add prims, such as prims = \"/World/Table\"",
                 ));
             }
             check_look(&format!("looks.{index}.look"), &rule.look)?;
@@ -250,11 +250,11 @@ fn check_camera(camera: &CameraRule) -> Result<(), Wrong> {
     let mut given = places.iter().filter(|(_, is_given)| *is_given);
     if let (Some((first, _)), Some((second, _))) = (given.next(), given.next()) {
         let remedy = format!("remove it or {first}");
-        return Err(wrong(second, "is a second place of the camera", remedy));
+        return Err(wrong(second, "is a second pose of the camera", remedy));
     }
     if camera.imu.is_some() && camera.trajectory.is_none() {
         let remedy = "add camera.trajectory, or remove it";
-        return Err(wrong("camera.imu", "requires poses that are a motion", remedy));
+        return Err(wrong("camera.imu", "requires poses that form a motion", remedy));
     }
     if let Some(rate_hz) = camera.imu.as_ref().and_then(|imu| imu.rate_hz) {
         within("camera.imu.rate_hz", &rate_hz.into(), 1e-3, 1e5)?;
@@ -332,10 +332,10 @@ mod tests {
             ),
             (
                 "[camera.sphere]\n[camera.box]\nmin=[0,0,0]\nmax=[1,1,1]",
-                "second place of the camera",
+                "second pose of the camera",
             ),
             ("[camera.box]\nmin=[0,0,2]\nmax=[1,1,1]", "min is larger"),
-            ("[camera.imu]", "r.toml:1: imu: requires poses that are a motion"),
+            ("[camera.imu]", "r.toml:1: imu: requires poses that form a motion"),
             ("seed = nan", "not a finite number"),
             (
                 "[sensor.parameters]\njitter = [1]",

@@ -12,14 +12,14 @@ choice! {
     }
 }
 
-/// The unit that frames are taken with: by default a nominal one.
+/// The unit that takes the frames; by default the nominal device.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct UnitRule {
     /// The calibration of one unit, a DepthAI export, relative to the recipe.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub calibration: Option<String>,
-    /// The population that units are drawn from: each arrangement is seen by another one. Their calibrations are written to `units/`.
+    /// The population from which each arrangement's unit is drawn. The units' calibrations are written to `units/`.
     #[serde(
         with = "crate::recipe::choice::optional",
         skip_serializing_if = "Option::is_none"

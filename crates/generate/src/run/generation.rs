@@ -38,7 +38,10 @@ impl Generation {
         if wanted.is_empty() || wanted.end > total {
             return Err(context.unfit(
                 "frames",
-                format!("there are no frames {}..{} of {total}", wanted.start, wanted.end),
+                format!(
+                    "frames {}..{} are beyond the {total} frames of the recipe",
+                    wanted.start, wanted.end
+                ),
                 "choose frames of the recipe, or raise its number of frames",
             ));
         }

@@ -34,7 +34,7 @@ pub struct GenerateOptions {
     pub frames: Option<Range<u64>>,
     /// Whether an existing data set is completed.
     pub resume: bool,
-    /// The number of frames that are made at the same time; by default that of the processors, if there is enough memory.
+    /// The number of frames to make at once; by default one per processor, or fewer if memory is short.
     pub workers: Option<usize>,
     /// Whether only frames are made: another process has the lock, and completes the data set.
     pub only_frames: bool,

@@ -15,7 +15,7 @@ use crate::GenerateError;
 use crate::recipe::{Recipe, RecipeFile};
 use crate::unit::DrawnUnit;
 
-/// The folder of the state, within that of the data set.
+/// The folder of the state, within the data set's folder.
 const FOLDER: &str = ".oaktwin";
 /// The maximum size of a record.
 const MAX_BYTES: u64 = 256 << 20;
@@ -229,7 +229,7 @@ pub(crate) fn pretty(value: &impl Serialize) -> Vec<u8> {
     bytes
 }
 
-/// Rejects a recipe that differs from that of the data set in more than the number of frames.
+/// Rejects a recipe that differs from the data set's in more than the number of frames.
 fn reject_change(root: &Path, known: &Value, own: &Value) -> Result<(), GenerateError> {
     let mut changes = Vec::new();
     differences("", known, own, &mut changes);

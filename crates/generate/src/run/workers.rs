@@ -156,7 +156,7 @@ impl<'a> Job<'a> {
     }
 }
 
-/// Returns the number of workers for which there is enough memory, at most that of the processors.
+/// Returns the number of workers for which there is enough memory, at most one per processor.
 fn affordable(context: &Context) -> usize {
     let threads = rayon::current_num_threads();
     // A worker has a copy of a base scene with its search structures, which are about as large.

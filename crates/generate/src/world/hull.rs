@@ -13,7 +13,7 @@ const MIN_THICKNESS: f64 = 1e-3;
 
 /// The convex hull of an object, with which collisions are found.
 ///
-/// A hull of more than 512 corners is replaced by that of the 512 outermost points in as many directions, which is enlarged so
+/// A hull of more than 512 corners is replaced by the hull of the 512 outermost points in as many directions, which is enlarged so
 /// that it contains a sphere of the same size.
 #[derive(Clone, Debug)]
 pub(crate) struct Hull {

@@ -115,7 +115,7 @@ fn they_do_not_depend_on_the_order_of_frames() {
 }
 
 #[test]
-fn what_has_no_samples_is_refused() {
+fn recipes_without_samples_are_rejected() {
     let refused = |from: &str, to: &str| {
         assert!(RECIPE.contains(from));
         let case = case(&RECIPE.replace(from, to));

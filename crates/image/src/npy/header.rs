@@ -4,7 +4,7 @@ use crate::CodecError;
 /// The number of digits that `numpy.save` reserves for the first axis.
 const GROWTH_DIGITS: usize = 21;
 
-/// The maximum length of a header, bytes, which is also that of `NumPy`.
+/// The maximum length of a header, bytes, as in `NumPy`.
 pub(super) const MAX_HEADER: usize = 10_000;
 
 const REMEDY: &str = "save it again with numpy.save";

@@ -1,6 +1,6 @@
 //! `NumPy` arrays in `.npy` files, format version 1.0.
 //!
-//! Written files equal those of `numpy.save` (NumPy 1.23 and later, which reserve space in the header for the first axis to
+//! Written files equal the files of `numpy.save` (NumPy 1.23 and later, which reserve space in the header for the first axis to
 //! grow): little endian, C order. Source: NumPy's documentation of `numpy.lib.format`.
 
 mod header;

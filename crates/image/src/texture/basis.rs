@@ -39,7 +39,7 @@ fn decode_checked(bytes: &[u8]) -> Result<Image<[u8; 4]>, CodecError> {
     Image::new(width, height, pixels).ok_or_else(|| damaged("incomplete"))
 }
 
-/// Rejects levels whose claimed length is too large, because the decoder allocates it. Those of KTX2 (section 3.1 of its
+/// Rejects levels whose claimed length is too large, because the decoder allocates it. The levels of KTX2 (section 3.1 of its
 /// specification): after a header of 80 bytes, three numbers of 64 bits for each level, the last of which is its length
 /// after decompression.
 fn check_levels(bytes: &[u8]) -> Result<(), CodecError> {

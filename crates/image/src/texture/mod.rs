@@ -54,7 +54,7 @@ impl Format {
 
 /// Decodes a texture to sRGB with alpha (255 if the file has none). High dynamic range is clipped at 1.
 ///
-/// `extension` is that of the file, without the dot. It is used only if the bytes do not identify the format (TGA).
+/// `extension` is the file's, without the dot. It is used only if the bytes do not identify the format (TGA).
 ///
 /// # Errors
 /// Returns an error if the format is not supported, the file is damaged, the image has 2³¹ pixels or more, or needs more memory

@@ -123,7 +123,7 @@ fn names() -> String {
     out
 }
 
-/// The Python type of an option without a default of its own.
+/// The Python type of an option without its own default.
 fn type_of(option: &SensorOption) -> String {
     match option.value {
         OptionValue::Flag => "bool".to_owned(),

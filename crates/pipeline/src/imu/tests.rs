@@ -46,7 +46,7 @@ fn samples_have_the_rate_and_the_mean_of_the_truth() {
     }
 }
 
-/// White noise and random walk of the records are those of the part, and of its quantization.
+/// White noise and random walk of the records agree with the part and its quantization.
 #[test]
 fn records_have_the_densities_of_the_part() {
     let part = Catalog::builtin().inertial_part("BNO086").unwrap();

@@ -1,4 +1,4 @@
-//! Folders in the layout of Replicator's `BasicWriter`: the files of one camera in the folder itself, those of several in folders
+//! Folders in the layout of Replicator's `BasicWriter`: the files of one camera in the folder itself, the files of several in folders
 //! by camera and annotator.
 
 use std::fs;
@@ -19,7 +19,7 @@ const DEPTH: [(&str, InputKind); 2] = [
 pub struct CameraFolder {
     /// The path below the opened folder; empty for the folder itself.
     pub name: PathBuf,
-    /// Whether each annotator has a folder of its own.
+    /// Whether each annotator has its own folder.
     pub by_annotator: bool,
     /// The frames, ordered by number.
     pub frames: Vec<FrameFiles>,

@@ -255,7 +255,7 @@ pub fn shifted(intrinsics: Intrinsics, by_px: f64) -> Intrinsics {
     Intrinsics::new(intrinsics.size, intrinsics.fx, intrinsics.fy, moved)
 }
 
-/// The rectification of the device's processor; for an unknown one that of `DepthAI` on a host.
+/// The rectification of the device's processor; for an unknown one, as by `DepthAI` on a host.
 fn device_rectification(twin: &Twin) -> RectifyOptions {
     RectifyOptions::of(twin.platform().unwrap_or(Platform::Rvc4))
 }

@@ -70,7 +70,7 @@ pub struct Pair {
     pub rectified_left: Recorded,
     /// The rectified right image.
     pub rectified_right: Recorded,
-    /// The ground truth of the rectified left camera: z-depth in metres, `+inf` for a miss. It is that of an ideal pinhole;
+    /// The ground truth of the rectified left camera: z-depth in metres, `+inf` for a miss. It describes an ideal pinhole;
     /// after a homography the images still have lens distortion.
     pub z: ZDepth,
     /// The exposure of both cameras.

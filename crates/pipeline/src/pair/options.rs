@@ -14,7 +14,7 @@ pub struct PairOptions {
     pub cameras: (Role, Role),
     /// The image sensors, with their blur in px of the cameras' own resolution. Both have the same exposure.
     pub imager: Parameters,
-    /// The rectification; by default that of the device's processor.
+    /// The rectification; by default as on the device's processor.
     pub rectify: Option<RectifyOptions>,
     /// The intensity of the IR dot projector, 0 to 1: `DepthAI`'s `setIrLaserDotProjectorIntensity`. By default 0 (off), as on
     /// the device.

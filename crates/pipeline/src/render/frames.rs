@@ -89,7 +89,7 @@ impl From<FileError> for FramesError {
 /// Renders a frame for each pose of `path`, or one at the cameras' own poses if `path` is empty, simulates the depth sensors
 /// and writes the results.
 ///
-/// A data set has the files of a single camera in the folder itself, and those of several in folders by camera and
+/// A data set has the files of a single camera in the folder itself, and the files of several cameras in folders by camera and
 /// annotator. A recording is written as a whole or not at all.
 ///
 /// # Errors
@@ -186,7 +186,7 @@ fn render_all(
     Ok(producer.finish())
 }
 
-/// The time of a frame: that of its pose, or 30 frames per second from 0 if a pose has none.
+/// The time of a frame: its pose's, or 30 frames per second from 0 if a pose has none.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -210,7 +210,7 @@ struct Station<'a> {
     /// Whether its sensor, or one of a sweep's, matches a pair.
     matches: bool,
     needed: Vec<Annotator>,
-    /// Whether its files have a folder of their own, because there are several cameras.
+    /// Whether its files have their own folder, because there are several cameras.
     has_folder: bool,
 }
 

@@ -1,6 +1,6 @@
 //! From a scene file to ground truth and sensor outputs.
 //!
-//! A [`SceneFile`] has cameras of its own ([`scene_cameras`]), or an OAK is placed in it ([`oak_cameras`]); both are
+//! A [`SceneFile`] has its own cameras ([`scene_cameras`]), or an OAK is placed in it ([`oak_cameras`]); both are
 //! [`PlacedCamera`]s. A [`Renderer`] renders their views, and [`write_frames`] writes them.
 //!
 //! ```

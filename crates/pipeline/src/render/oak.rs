@@ -39,10 +39,10 @@ struct Candidate<'a> {
 
 /// Returns the cameras of a twin with its body (x forward, y left, z up) at `world_from_body` in metres, and the findings.
 ///
-/// The camera of a depth sensor is that of the rectified image, as in an asset: [`Twin::depth_camera`].
+/// The camera of a depth sensor is the rectified image's, as in an asset: [`Twin::depth_camera`].
 ///
 /// # Errors
-/// Returns an error if a name is not that of a camera or an image size is invalid.
+/// Returns an error if a name is not a camera's or an image size is invalid.
 pub fn oak_cameras(
     twin: &Twin,
     world_from_body: &RigidTransform,
@@ -222,7 +222,7 @@ fn lens_findings(twin: &Twin, cameras: &[PlacedCamera]) -> Option<Finding> {
             "no-fisheye-camera",
             Level::Note,
             &twin.device.name,
-            "none of the rendered cameras has the fisheye lens; depth is that of a pinhole",
+            "none of the rendered cameras has the fisheye lens; depth is a pinhole's",
             "choose the left or the right camera",
         )
     })

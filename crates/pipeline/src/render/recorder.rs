@@ -54,7 +54,7 @@ impl FrameRecorder {
     /// Begins a recording of these cameras with their depth sensors along a trajectory, or at their own poses if it is empty. Annotators that a
     /// recording cannot hold are a warning if it is the only output (`is_alone`).
     ///
-    /// The times are those of the trajectory if all its poses have one, else 30 frames per second from 0.
+    /// The times come from the trajectory if all its poses have one, else there are 30 frames per second from 0.
     ///
     /// # Errors
     /// Returns an error if the file cannot be written or a time is out of range.

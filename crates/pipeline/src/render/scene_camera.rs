@@ -20,14 +20,14 @@ pub struct SceneCameraOptions<'a> {
     /// The cameras by path or unique name; the path or name of a render product selects its camera. If empty, the camera of
     /// every depth sensor's product, else every camera.
     pub cameras: &'a [String],
-    /// The image size of every camera; by default that of its product, else
-    /// [that of its apertures](optics::default_size).
+    /// The image size of every camera; by default its product's, else
+    /// [its apertures'](optics::default_size).
     pub size: Option<ImageSize>,
     /// The interpretation of apertures.
     pub projection: Projection,
 }
 
-/// A camera, by its own path or that of its render product.
+/// A camera, by its own path or its render product's.
 #[derive(Clone, Copy)]
 struct Candidate<'a> {
     path: &'a str,

@@ -23,7 +23,7 @@ pub struct OpenOptions {
     pub subdivide: u32,
     /// The factor on the limits of what a USD stage may compose.
     pub limit: SceneLimit,
-    /// The up axis of a mesh file; by default that of its format. A USD stage has its own.
+    /// The up axis of a mesh file; by default its format's. A USD stage has its own.
     pub up: Option<Up>,
     /// The metres per unit of a mesh file; by default 1. A USD stage has its own.
     pub scale: Option<f64>,
@@ -141,7 +141,7 @@ impl SceneFile {
 /// A mesh file's camera as the attributes of a prim: the vertical field of view as a focal length for an aperture 10 high.
 fn as_prim(camera: &ImportedCamera, meters_per_unit: f64) -> SceneCamera {
     const HEIGHT: f64 = 10.0;
-    // Without an aspect ratio in the file: that of an OAK's stereo cameras.
+    // Without an aspect ratio in the file, use an OAK's stereo cameras'.
     let aspect = camera.aspect.unwrap_or(1.6);
     let clip = Clip::default();
     let attributes = [

@@ -17,7 +17,7 @@ use oaktwin_files::{self as files, FileError};
 /// The maximum size of a `camera_params` file.
 const MAX_BYTES: u64 = 1 << 20;
 
-/// Returns the camera of depth images of a size. Its field of view is the given one, or else that of the sensor's `own` camera.
+/// Returns the camera of depth images of a size. Its field of view is the given one, else the field of view of the sensor's `own` camera.
 ///
 /// # Errors
 /// Returns an error if the field of view is invalid.

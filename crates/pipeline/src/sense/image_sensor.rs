@@ -51,7 +51,7 @@ impl ImageSensor {
         Ok((Self { images, sensor }, findings))
     }
 
-    /// Measures a depth image in metres and its colour image. Each frame has noise of its own, and equal frames equal noise.
+    /// Measures a depth image in metres and its colour image. Each frame has its own noise, and equal frames have equal noise.
     ///
     /// # Errors
     /// Returns an error if an image does not have the sensor's size.

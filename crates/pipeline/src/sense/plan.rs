@@ -76,7 +76,7 @@ pub(super) fn sequences<'a>(
                     .unwrap_or_default()
                     .to_string_lossy()
                     .into_owned();
-                // A file without a number is a sequence of its own.
+                // A file without a number is a separate sequence.
                 let base = if name.number.is_some() {
                     name.base
                 } else {
@@ -134,7 +134,7 @@ fn chosen_sensor(twin: &Twin, chosen: &TwinDepthSensor) -> Finding {
     )
 }
 
-/// The cameras of a folder: those of the model's depth sensors if there are any, else all.
+/// The cameras of a folder: only the model's depth sensors if there are any, else all.
 fn folder<'a>(
     twin: &'a Twin,
     chosen: &'a TwinDepthSensor,

@@ -40,9 +40,9 @@ pub(super) fn aligner(
         SenseError::option(message![
             opt("align").with(to.camera),
             format!(
-                ": {} has no such camera; expected {}",
+                ": {} has no such camera; expected one of {}",
                 twin.device.name,
-                has.join(" or ")
+                has.join(", ")
             )
         ])
     })?;

@@ -62,7 +62,10 @@ pub fn stereo_cameras(twin: &Twin, name: Option<&str>) -> Result<(Role, Role), P
         let stereo: Vec<&str> = stereo.map(|sensor| sensor.spec.prim.as_str()).collect();
         ParameterError {
             name: "sensor".to_owned(),
-            what: format!("{} of {} is no stereo pair", sensor.spec.prim, twin.device.name),
+            what: format!(
+                "{} of {} is not a stereo pair",
+                sensor.spec.prim, twin.device.name
+            ),
             remedy: match stereo.is_empty() {
                 true => "choose a model with a stereo pair".to_owned(),
                 false => format!("choose {}", stereo.join(" or ")),
@@ -96,7 +99,7 @@ mod tests {
         assert_eq!(
             (error.what.as_str(), error.remedy.as_str()),
             (
-                "Camera_pseudo_depth_tof of OAK-D ToF is no stereo pair",
+                "Camera_pseudo_depth_tof of OAK-D ToF is not a stereo pair",
                 "choose Camera_pseudo_depth_stereo"
             )
         );

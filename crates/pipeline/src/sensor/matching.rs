@@ -11,7 +11,7 @@ use super::{STEREO_MATCHING, SensorOptions, create};
 ///
 /// # Errors
 /// Returns an error if a preset, filter or parameter is unknown or out of range, or if a calibration error is given: the
-/// images contain that of their own calibration.
+/// images contain the error of their own calibration.
 pub fn stereo_matching(
     platform: Platform,
     stereo: StereoGeometry,

@@ -30,7 +30,7 @@ pub struct SensorOptions {
     pub parameters: Vec<(String, String)>,
     /// Whether the extended disparity range is enabled: 190 px, or the catalog's values for the extended mode.
     pub extended_disparity: bool,
-    /// The Isaac Sim version whose defaults `single_view` has for attributes without a value; by default that of the scene's
+    /// The Isaac Sim version whose defaults `single_view` has for attributes without a value; by default the version of the scene's
     /// asset, else the oldest supported.
     pub isaac: Option<IsaacVersion>,
     /// The intrinsics of the depth images, if not the twin's: the focal length at their width is used.

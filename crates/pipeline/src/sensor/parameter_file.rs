@@ -1,4 +1,4 @@
-//! Parameters of an engine in a file of their own, as a fit writes them.
+//! Parameters of an engine in a file, as a fit writes them.
 //!
 //! ```toml
 //! engine = "stereo-noise"
@@ -74,7 +74,7 @@ impl ParameterFile {
             None => {
                 return Err((
                     "engine: missing".to_owned(),
-                    "write engine = \"stereo-noise\", say, in the first line".to_owned(),
+                    "begin the file with the engine, such as engine = \"stereo-noise\"".to_owned(),
                 ));
             }
         };
@@ -106,8 +106,8 @@ impl ParameterFile {
         Ok(file)
     }
 
-    /// Gives the values to a sensor: those that its options already name count more, and so does its seed of a device
-    /// for what the file leaves open.
+    /// Sets the options of a sensor to the file's values, except for parameters that the options already set. Their device seed
+    /// draws what the file does not determine.
     ///
     /// # Errors
     /// The options ask for another engine.

@@ -34,7 +34,7 @@ pub enum PairOf<'a> {
         lens: LensChoice,
         /// Whether the images are raw, not rectified.
         is_raw: bool,
-        /// The rectification of raw images; by default that of the device's processor.
+        /// The rectification of raw images; by default as on the device's processor.
         rectify: Option<RectifyOptions>,
         /// The processor whose defaults and presets apply; by default the device's.
         platform: Option<Platform>,

@@ -1,7 +1,7 @@
 //! Stereo matching of any pair of images: from files to files ([`stereo`]), or from images to images ([`Matcher`]).
 //!
 //! Images are grey with 8 or 10 bits; colour images become luma. Raw images ([`PairOf::Twin`] with `is_raw`) are rectified as on
-//! the device. Depth is that of the rectified left image in metres, 0 where nothing was measured.
+//! the device. Depth belongs to the rectified left image, in metres, 0 where nothing was measured.
 
 mod files;
 mod grey;
@@ -42,7 +42,7 @@ pub enum StereoError {
     Write(#[from] WriteError),
 }
 
-/// Rejects a calibration without the extrinsics of the stereo pair; `findings` are those of reading it.
+/// Rejects a calibration without the extrinsics of the stereo pair; `findings` are from reading it.
 ///
 /// # Errors
 /// Returns an error if the extrinsics are missing.

@@ -65,7 +65,7 @@ class Accuracy:
     def plot(self, ax: Axes | None = None) -> Axes:
         """Plots error over distance with the published bands and returns the axes.
 
-        ax: the Matplotlib axes; by default those of a new figure.
+        ax: the Matplotlib axes; by default a new figure's.
 
         Raises ImportError without Matplotlib: `pip install oaktwin[plot]`.
         """
@@ -113,7 +113,7 @@ def accuracy(
     sensor: "stereo", "tof" or the name of a prim; by default the device's own depth sensor.
     distances: the true distances in metres, or the program's range syntax "0.5:4:0.5"; by default about twenty.
     devices: the number of units; by default 200 if units differ and `device_seed` is None, otherwise 1.
-    population: whether the units are those of the factory population, which also differ in their cameras: `rows` then have
+    population: whether the units are drawn from the factory population, which also differ in their cameras: `rows` then have
         "error_5_to_95_percent", and `drift` gives the standard deviations of the units' drifts.
     captures: the number of images of each board, 1 to 1000.
     region: the side of the evaluated region as a share of the image's side, above 0, up to 1.

@@ -63,8 +63,8 @@ class Camera:
         """The height of the image, px."""
     @property
     def hfov_deg(self) -> float:
-        """Horizontal field of view through the principal point, degrees; with a fisheye lens that of the lens, otherwise that of
-        the pinhole.
+        """Horizontal field of view through the principal point, degrees: the lens's for a fisheye, otherwise
+        the pinhole's.
         """
     @property
     def vfov_deg(self) -> float:
@@ -122,7 +122,7 @@ class Camera:
         """The position in this camera's image of each pixel of an undistorted image, (x, y) in px, (H, W, 2) float32, for
         `cv2.remap(image, maps, None, cv2.INTER_LINEAR)`.
 
-        target: the camera of the undistorted image, a pinhole, whose size and K are used; by default those of this camera.
+        target: the camera of the undistorted image, a pinhole, whose size and K are used; by default this camera's.
 
         Positions may lie outside the image; they are NaN outside the lens's field of view. Raises oaktwin.Error for a target with
         distortion.
@@ -140,7 +140,7 @@ class Camera:
 class Rectification:
     """The rectification of a stereo pair: the matrices of cv2.stereoRectify, and the maps for cv2.remap.
 
-    left, right: the cameras, with their poses on the device. `Device.rectification` returns that of a device.
+    left, right: the cameras, with their poses on the device. `Device.rectification` returns a device's.
     intrinsics: the intrinsics of the rectified images: "zero-disparity" (default, OpenCV's default), "free-disparity" (OpenCV without
         CALIB_ZERO_DISPARITY), "left-camera" (DepthAI's host and RVC4), "right-camera" (RVC2).
 

@@ -43,7 +43,7 @@ class Coverage:
 
     @property
     def candidates(self) -> list[_Json]:
-        """One dictionary per candidate, those of the first device first: "name", "model", "engine", "position_m", "orientation",
+        """One dictionary per candidate, beginning with the first device: "name", "model", "engine", "position_m", "orientation",
         "seen" and "measured" (shares of the surface), "median_absolute_error_mm" (None if nothing is measured), ..., "lost"
         (shares by reason) and "occluders"."""
         candidates: list[_Json] = self.report["candidates"]
@@ -119,16 +119,16 @@ def coverage(
     devices: a device, or several.
     poses: world_from_body, (4, 4), or (N, 4, 4) for several poses, metres; x forward, y left, z up. See `look_at` with
         frame="body".
-    region: the path of a prim, or several: the meshes at and below it are the region; by default everything.
+    region: the path of a prim, or several: the region is the meshes at and below it; by default the whole scene.
     region_box: (2, 3), the minimum and maximum corner of a box in the world, metres: surface outside it does not belong to the
         region.
-    height: heights along the up axis that replace those of the poses, metres, or the program's syntax "0.5:2:0.5".
-    tilt: angles below the horizontal that replace those of the poses, degrees; the heading is kept.
+    height: heights along the up axis that replace the poses', metres, or the program's syntax "0.5:2:0.5".
+    tilt: angles below the horizontal that replace the poses', degrees; the heading is kept.
     sensor: "stereo", "tof" or the name of a prim; by default each device's own depth sensor.
     size: (width, height) of the sensor's images in px, resized by DepthAI's rule; by default its own.
     samples: the number of points that are distributed evenly over the surface, 1 to 1000000.
     points: whether the result has the outcomes at each point.
-    projector, ambient, imager: those of `Scene.render_pair`, for the engine "stereo-matching".
+    projector, ambient, imager: as for `Scene.render_pair`, for the engine "stereo-matching".
     options: the options of `DepthSensor` from `engine` on; the engine may also be "stereo-matching", which renders and matches
         an image pair.
 

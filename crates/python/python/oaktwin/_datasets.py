@@ -32,14 +32,14 @@ def generate(
     formats: the names of formats instead of the recipe's, such as ["bop", "coco"].
     seed: the seed instead of the recipe's.
     catalog: a folder of TOML files with additional devices and sensors.
-    workers: the number of frames that are made at the same time; by default that of the processors, if there is enough memory.
+    workers: the number of frames to make at once; by default one per processor, or fewer if memory is short.
     only_frames: whether files that span frames are left to another call with resume=True. Several processes, also on several
         machines with a common folder, can make different frames of one data set in this way.
-    ray: whether Ray distributes the frames: True for the cluster that this process is connected to, that of RAY_ADDRESS or this
+    ray: whether Ray distributes the frames: True for the cluster that this process is connected to, the one at RAY_ADDRESS or this
         machine; or the address of a cluster, such as "auto", "host:6379" or "ray://host:10001". All machines need this version of
         oaktwin, and the recipe, its files and the folder under the same paths. The bytes are the same as without Ray.
 
-    Returns a mapping: "frames", the number of frames that were made, "skipped", those that were complete already, "missing", those of
+    Returns a mapping: "frames", the number of frames that were made, "skipped", those that were complete before, "missing", frames of
     the recipe that are not there, "files" and "bytes".
 
     Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an invalid recipe or an impossible placement, and ImportError without

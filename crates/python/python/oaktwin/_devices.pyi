@@ -45,13 +45,13 @@ class Device:
         cls, model: str, *, lens: _Lens = "pinhole", catalog: str | PathLike[str] | None = None
     ) -> Device: ...
     def population(self, count: int, *, seed: int = 0) -> list[Device]:
-        """Returns units of the model that differ as real ones do: their cameras are drawn around the nominal values with the spread of
+        """Returns units of the model with realistic variation: their cameras are drawn around the nominal values with the spread of
         factory calibrations.
 
         count: the number of units, 1 to 10000.
         seed: the seed of the population; a unit depends on the model, the seed and its number.
 
-        A unit has a calibration, which `oaktwin population` also writes. Its findings tell where the spread comes from. Raises
+        A unit has a calibration, which `oaktwin population` also writes. Its findings state the source of the spread. Raises
         oaktwin.Error for the device of a calibration.
         """
     def __reduce__(self) -> tuple[object, ...]: ...
@@ -88,8 +88,8 @@ class Device:
     def cameras(self) -> dict[str, Camera]:
         """The cameras by role: "rgb", "left", "right", "tof"."""
     def depth_camera(self, sensor: _Sensor | str | None = None) -> Camera:
-        """Returns the camera of a depth sensor's images: a pinhole with the depth sensor's clipping range. That of a calibrated
-        stereo pair is the device's rectified left camera, as `StereoMatcher` has: rotated, and on RVC2 with the right camera's K.
+        """Returns the camera of a depth sensor's images: a pinhole with the depth sensor's clipping range. For a calibrated
+        stereo pair, it is the device's rectified left camera, as in `StereoMatcher`: rotated, and on RVC2 with the right camera's K.
 
         sensor: "stereo", "tof" or a prim; by default "tof" if the device has it.
         """
@@ -99,11 +99,11 @@ class Device:
         include units.
         """
     def extrinsics(self, source: _Part, target: _Part) -> _Float64:
-        """(4, 4) float64, target_from_source: takes points in the frame of one part to that of another, metres.
+        """(4, 4) float64, target_from_source: takes points in the frame of one part to the frame of another, metres.
 
         source, target: a camera's role ("rgb", "left", "right", "tof"), "imu" or "body".
 
-        Raises oaktwin.Error for a part that the device has not.
+        Raises oaktwin.Error for a part that the device does not have.
         """
     def rectification(
         self, *, intrinsics: _Intrinsics = "zero-disparity"
@@ -140,7 +140,7 @@ class Device:
         rigid_body: whether to add mass and a collider.
         body: whether to add the visible body.
         over: an existing asset of the model: the file is then a layer of overrides on it, which refers to it by a relative path.
-        scene_limit: the factor on the limits for composing `over`: its prims, references and instances; by default 1.
+        scene_limit: a factor on the limits on the prims, references and instances of `over`; by default 1.
 
         Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an option that the model does not support or an unknown
         extension, OSError for files that cannot be written; incomplete files are removed.
@@ -160,9 +160,9 @@ class Device:
 
         folder: the folder for the files, which is created.
         format: "urdf", "sdf", "mjcf", "webots" or "blender".
-        name: the name of the device, which begins the names of its frames.
-        parent: the link of a robot that carries the device.
-        mount: the point of the device that is placed: "cameras" (midway between the left and the right optical centre), or the centre of
+        name: the name of the device, the prefix of its frames.
+        parent: the robot's link that carries the device.
+        mount: the point of the device that xyz places: "cameras" (midway between the left and the right optical centre), or the centre of
             the housing's face "front", "back", "bottom" or "top".
         xyz: the position of that point in the parent's frame in metres; by default its origin.
         rpy: roll, pitch and yaw of the device in the parent's frame in radians; by default 0.
@@ -183,7 +183,7 @@ class Device:
         Warns with oaktwin.FindingWarning about information that the format cannot represent.
         """
     def to_depthai(self) -> dict[str, str]:
-        """Returns DepthAI's calibration JSON: a mapping from a file name to its text; for a nominal device that of the ideal unit."""
+        """Returns DepthAI's calibration JSON: a mapping from a file name to its text; for a nominal device, the ideal unit's."""
     def report(self) -> _Json:
         """Everything known about the device, each number with its source: what `oaktwin show --json` prints."""
 
@@ -241,7 +241,7 @@ def simulate_imu(
 
     times: (N,) the times of the poses in seconds, increasing; at least two.
     poses: (N, 4, 4) world_from_body: the poses of the device's body, metres.
-    rate: the samples per second; by default 400, or what the part reports if that is less.
+    rate: the samples per second; by default 400, or the part's maximum if lower.
     part: the inertial part, such as "BMI270"; by default the device's.
     seed: the noise seed.
     up: the vertical axis of the world, "z" or "y".

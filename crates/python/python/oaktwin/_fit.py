@@ -54,7 +54,7 @@ class Fit:
     def plot(self, ax: Axes | None = None) -> Axes:
         """Plots the measured errors over distance with the fitted curve and returns the axes.
 
-        ax: the Matplotlib axes; by default those of a new figure.
+        ax: the Matplotlib axes; by default a new figure's.
 
         Raises ImportError without Matplotlib: `pip install oaktwin[plot]`.
         """
@@ -91,7 +91,7 @@ def fit(
     recordings: folders of depth images of a flat target perpendicular to the camera, each with a table distances.csv with the
         columns file and distance_m; a folder in the layout of Replicator's BasicWriter with distance_to_image_plane and
         depth_sensor_distance; or a CSV file of errors with the columns distance_m and depth_error_percent.
-    sensor: "stereo", "tof" or the name of a prim; by default that of the engine, or the device's own.
+    sensor: "stereo", "tof" or the name of a prim; by default the engine's, or the device's own.
     region: the side of the evaluated region as a share of the image's side, above 0, up to 1.
     depth_scale: the metres per unit of integer images.
     measured_from: the minimum distance of errors that count, metres.

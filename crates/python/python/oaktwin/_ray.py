@@ -148,7 +148,7 @@ def result(ray: Any, reference: Any, batch: Batch) -> Batch:
 
 def main() -> int:
     """Makes frames for the program: reads a job and its batches from standard input, and writes the batches that are complete."""
-    # Ray prints to standard output; the lines for the program have a file of their own.
+    # Ray prints to standard output; the lines for the program have their own file.
     lines = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
 

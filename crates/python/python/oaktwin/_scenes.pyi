@@ -68,9 +68,9 @@ class Scene:
         path: the file.
         time: the time code of a USD stage; by default the default values, or the first time samples.
         subdivide: the subdivision level of a USD stage's meshes; 0 (default) renders the polygons.
-        up: the up axis of a mesh file, "y" or "z"; by default that of its format.
+        up: the up axis of a mesh file, "y" or "z"; by default its format's.
         scale: the metres per unit of a mesh file; by default 1.
-        scene_limit: the factor on the limits for composing a USD stage: its prims, references and instances; by default 1.
+        scene_limit: a factor on the limits on a USD stage's prims, references and instances; by default 1.
         allow_outside: whether a glTF file may name buffers and images outside its folder; for trusted files only.
 
         Missing and unsupported contents are listed in `findings`. Raises FileNotFoundError or another OSError if the file cannot
@@ -111,7 +111,7 @@ class Scene:
     def set_pose(self, name: str, world_from_part: npt.ArrayLike) -> None:
         """Moves a part. Only what depends on its pose is computed again.
 
-        name: its name, or its prim path; that of a mesh in a file, see `poses`.
+        name: its name or its prim path; for a mesh in a file, see `poses`.
         world_from_part: (4, 4), the new pose, metres; without scale: a scale in the file stays.
 
         Renders that other threads have started finish with the old pose. Raises oaktwin.Error for unknown names and invalid poses.
@@ -197,7 +197,7 @@ class Scene:
     def __setstate__(self, poses: Mapping[str, npt.ArrayLike]) -> None: ...
     @property
     def cameras(self) -> dict[str, tuple[Camera, _Float64]]:
-        """The cameras in the file that `oaktwin render` renders: those of render products with a depth sensor, otherwise all. A
+        """The cameras in the file that `oaktwin render` renders: the cameras of render products with a depth sensor, otherwise all. A
         dictionary from the prim's path to (camera, world_from_camera), the latter (4, 4) float64 metres with OpenCV's axes:
         `scene.render(*scene.cameras["/World/Camera"])`.
 
@@ -211,7 +211,7 @@ class Scene:
         """The up axis of the world, "y" or "z"."""
     @property
     def triangle_count(self) -> int:
-        """The number of rendered triangles, counting those of every instance."""
+        """The number of rendered triangles, counting every instance."""
     @property
     def bounds(self) -> _Float64 | None:
         """The minimum and maximum corner of the bounding box, (2, 3) metres in the world; None if the scene is empty."""
@@ -292,7 +292,7 @@ class Recipe:
     seed: the seed instead of the recipe's.
     catalog: a folder of TOML files with additional devices and sensors.
 
-    A frame depends on the recipe, the seed and its number only: it has the same bytes on every machine, whichever frames are made
+    A frame depends only on the recipe, the seed and its number: it has the same bytes on every machine, whichever frames are made
     before it. Unpickling reads the files again.
 
     Raises oaktwin.Error for an invalid recipe, with the line and the nearest name, FileNotFoundError or another OSError for a file that cannot be
@@ -311,7 +311,7 @@ class Recipe:
     def frames(self) -> int:
         """The number of frames."""
     def explain(self, frame: int) -> _Json:
-        """Returns everything that is drawn at random for a frame: the scene, the objects with their poses, the lights, the camera.
+        """Returns all random choices of a frame: the scene, the objects with their poses, the lights, the camera.
 
         Raises oaktwin.Error if an object or the camera has no place.
         """
@@ -332,7 +332,7 @@ class Recipe:
         output: the folder of the data set.
         frames: the first frame and the frame after the last one, such as (0, 100); by default all frames of the recipe.
         resume: whether an existing data set is completed or extended.
-        workers: the number of frames that are made at the same time; by default that of the processors, if there is enough memory.
+        workers: the number of frames to make at once; by default one per processor, or fewer if memory is short.
         only_frames: whether files that span frames are left to another call with resume=True. Several processes, also on several
             machines with a common folder, can make different frames of one data set in this way.
         ray: whether Ray distributes the frames: True, or the address of a cluster, such as "auto", "host:6379" or

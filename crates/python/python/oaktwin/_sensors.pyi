@@ -39,7 +39,7 @@ class DepthSensor:
     camera: the Camera of the images, with their size. Its focal length and principal point are used by time of flight,
         points and aligned depth. fx and hfov_deg must agree with it. Images are rectified: a lens with distortion
         causes a finding.
-    name: the name of the camera, which distinguishes its noise from that of other cameras; by default the sensor's
+    name: the name of the camera, which distinguishes its noise from other cameras'; by default the sensor's
         prim.
     engine: the error model: "stereo-noise" (an OAK's stereo; the default for stereo), "time-of-flight" (the default for
         time of flight) or "single-view" (Isaac Sim's DepthSensorDistance). StereoMatcher matches pairs of images; only
@@ -55,7 +55,7 @@ class DepthSensor:
     device_seed: the seed of the unit's calibration error; None disables it.
     drift: the change of the stereo pair since its calibration, such as "yaw=0.3,baseline=50": rotations of the right camera
         in mrad (yaw, pitch, roll), the growth of the baseline in µm, of the focal length in ppm, or the warming in K
-        (temperature). "stereo-noise" has the resulting errors of depth and loss of pixels.
+        (temperature). "stereo-noise" computes the resulting depth errors and lost pixels.
 
     Raises oaktwin.Error for an unknown or invalid engine, preset, filter or parameter, with the nearest names, and for
     a camera whose field of view contradicts fx or hfov_deg.
@@ -211,7 +211,7 @@ class DepthSensor:
     ) -> _Out: ...
     @property
     def camera(self) -> Camera:
-        """The Camera that the outputs are images of, for the most recent image size: that of the images, made smaller by a
+        """The Camera that the outputs are images of, for the most recent image size: the images' camera, made smaller by a
         filter that decimates, with its pose on the device. Isaac Sim's sensor ("single-view") shows what its left imager
         sees, which is to the left of the images' camera by the baseline.
         """
@@ -276,7 +276,7 @@ class Filter:
 class StereoMatcher:
     """The stereo matcher of an OAK: a left and a right image in, depth out. Equivalent to `oaktwin stereo` for files.
 
-    device: the device that took the images; or None for any rectified pair, with fx (or hfov_deg) and baseline.
+    device: the device that took the images, or None for another maker's rectified pair, with fx (or hfov_deg) and baseline.
     sensor: the depth sensor whose pair took the images, by prim, such as "Camera_pseudo_depth_50mm" of the OAK-D LR; by default
         the device's first pair.
     raw: whether the images are unrectified and have to be rectified first, as on the device; by default True for a

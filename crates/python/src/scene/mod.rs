@@ -74,9 +74,9 @@ impl Scene {
     /// path: the file.
     /// time: the time code of a USD stage; by default the default values, or the first time samples.
     /// subdivide: the subdivision level of a USD stage's meshes; 0 (default) renders the polygons.
-    /// up: the up axis of a mesh file, "y" or "z"; by default that of its format.
+    /// up: the up axis of a mesh file, "y" or "z"; by default its format's.
     /// scale: the metres per unit of a mesh file; by default 1.
-    /// scene_limit: the factor on the limits for composing a USD stage: its prims, references and instances; by default 1.
+    /// scene_limit: a factor on the limits on a USD stage's prims, references and instances; by default 1.
     /// allow_outside: whether a glTF file may name buffers and images outside its folder; for trusted files only.
     ///
     /// Missing and unsupported contents are listed in `findings`. Raises FileNotFoundError or another OSError if the file cannot
@@ -190,7 +190,7 @@ impl Scene {
 
     /// Moves a part. Only what depends on its pose is computed again.
     ///
-    /// name: its name, or its prim path; that of a mesh in a file, see `poses`.
+    /// name: its name or its prim path; for a mesh in a file, see `poses`.
     /// world_from_part: (4, 4), the new pose, metres; without scale: a scale in the file stays.
     ///
     /// Renders that other threads have started finish with the old pose. Raises oaktwin.Error for unknown names and invalid poses.
@@ -355,7 +355,7 @@ impl Scene {
         pair::arrays(py, pair)
     }
 
-    /// The cameras in the file that `oaktwin render` renders: those of render products with a depth sensor, otherwise all. A
+    /// The cameras in the file that `oaktwin render` renders: the cameras of render products with a depth sensor, otherwise all. A
     /// dictionary from the prim's path to (camera, world_from_camera), the latter (4, 4) float64 metres with OpenCV's axes:
     /// `scene.render(*scene.cameras["/World/Camera"])`.
     ///
@@ -392,7 +392,7 @@ impl Scene {
         self.read(py).renderer.scene().up.name()
     }
 
-    /// The number of rendered triangles, counting those of every instance.
+    /// The number of rendered triangles, counting every instance.
     #[getter]
     fn triangle_count(&self, py: Python<'_>) -> usize {
         let stage = self.read(py);

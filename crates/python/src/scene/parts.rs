@@ -24,7 +24,7 @@ pub(super) type Reduced<'py> = (Bound<'py, PyAny>, Bound<'py, PyTuple>, Option<B
 pub(super) struct Stage {
     pub(super) renderer: Renderer,
     /// The pose and the rest of the transform of each instance with a given pose, by its index; see
-    /// [`Instance::pose_and_rest`], which returns those of the others.
+    /// [`Instance::pose_and_rest`], which returns the others'.
     placed: BTreeMap<usize, (RigidTransform, DAffine3)>,
 }
 

@@ -34,7 +34,7 @@ impl Source {
         own.ok_or_else(|| wrong(&spec.prim, "its camera is not known", "choose another model"))
     }
 
-    /// Creates the sensor for images of a size; the default is the size of the camera, if set, otherwise that of the
+    /// Creates the sensor for images of a size; the default is the size of the camera, if set, otherwise the size of the
     /// model.
     pub(super) fn eye(&self, size: Option<ImageSize>) -> PyResult<Eye> {
         self.eye_with(size, &self.options)

@@ -48,7 +48,7 @@ use crate::threads;
 /// camera: the Camera of the images, with their size. Its focal length and principal point are used by time of flight,
 ///     points and aligned depth. fx and hfov_deg must agree with it. Images are rectified: a lens with distortion
 ///     causes a finding.
-/// name: the name of the camera, which distinguishes its noise from that of other cameras; by default the sensor's
+/// name: the name of the camera, which distinguishes its noise from other cameras'; by default the sensor's
 ///     prim.
 #[doc = include_str!("../generated/sensor_options.doc")]
 ///
@@ -327,7 +327,7 @@ impl DepthSensor {
         aligned(py, &align, &depth, shape, out)
     }
 
-    /// The Camera that the outputs are images of, for the most recent image size: that of the images, made smaller by a
+    /// The Camera that the outputs are images of, for the most recent image size: the images' camera, made smaller by a
     /// filter that decimates, with its pose on the device. Isaac Sim's sensor ("single-view") shows what its left imager
     /// sees, which is to the left of the images' camera by the baseline.
     #[getter]

@@ -6,7 +6,7 @@ use super::surface::SurfaceFinder;
 use crate::rays::Rays;
 use crate::{View, Visibility};
 
-/// Returns unit normals in the world frame, 0 for a miss: interpolated where the mesh has normals, else those of the
+/// Returns unit normals in the world frame, 0 for a miss: interpolated where the mesh has normals, else the normals of the
 /// triangles.
 ///
 /// Normals point to the visible side, also where the mesh is not marked double-sided, because depth includes both sides too.

@@ -21,7 +21,7 @@ pub(crate) struct Entity {
 
 /// The semantic labels of a scene, with ids that are the same in all of its views.
 ///
-/// The labels of an instance are its own and those of its ancestors, as Replicator flattens them. Each distinct set has an
+/// The labels of an instance are its own and its ancestors', as Replicator flattens them. Each distinct set has an
 /// id; ids are in the order of the sets.
 #[derive(Debug)]
 pub(crate) struct Semantics {

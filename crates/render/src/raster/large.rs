@@ -1,4 +1,4 @@
-//! Drawing of large triangles and of those that extend behind the camera, in double precision.
+//! Draws large triangles, and triangles that extend behind the camera, in double precision.
 
 use oaktwin_camera::math::DVec3;
 use oaktwin_simd::{Lanes, round_ties_even};

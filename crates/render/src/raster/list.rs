@@ -31,7 +31,7 @@ impl TriangleList {
         count: 0,
     };
 
-    /// Appends those of eight triangles whose bit is set.
+    /// Appends the triangles, of eight, whose bit is set.
     #[inline(always)]
     pub(super) fn push(&mut self, first: usize, mask: u32) {
         // All eight bytes are written; excess ones are overwritten by the next call.

@@ -28,7 +28,7 @@ pub(super) fn along_curve(mesh: &Mesh) -> Vec<u64> {
 /// Splits sorted keys at the cells of the curve until no part has more than `limit` triangles.
 pub(super) fn leaves(mesh: &Mesh, keys: &mut [u64], limit: usize) -> Vec<Range<usize>> {
     let mut leaves = Vec::with_capacity(keys.len() / limit * 2 + 1);
-    // A cell that the curve does not divide further gets a curve of its own, up to four times.
+    // A cell that the curve does not divide further gets its own curve, up to four times.
     let mut rest = vec![(0..keys.len(), 4)];
     while let Some((range, depth)) = rest.pop() {
         let Some(piece) = keys.get_mut(range.clone()) else {

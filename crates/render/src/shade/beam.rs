@@ -21,7 +21,7 @@ const NEAR_M: f64 = 0.01;
 /// A projector in a scene.
 #[derive(Clone, Copy)]
 pub struct Beam<'a> {
-    /// The pose in metres; the axes are those of `OpenCV`, and the beam points along z.
+    /// The pose in metres; the axes are `OpenCV`'s, and the beam points along z.
     pub world_from_beam: RigidTransform,
     /// The projected pattern.
     pub pattern: &'a dyn BeamPattern,

@@ -43,7 +43,7 @@ pub(crate) fn corners_of(view: &View) -> View {
 }
 
 /// At outlines a pixel becomes the mean of its centre's colour and the mean of its four corners' colours; `put` writes it into the
-/// image. Coverage remains that of the centre, as in all other annotations.
+/// image. Coverage remains the centre's, as in all other annotations.
 pub(super) fn smooth<T: Send>(
     context: &ShadingContext<'_>,
     corners: &Corners<'_>,
@@ -99,7 +99,7 @@ fn blocks_with(outlines: &[Vec<u32>], width: u32, height: u32) -> Blocks {
     blocks
 }
 
-/// Returns the columns and colours of the corners of outlines, row by row: those of an adjacent pixel that sees the same triangle,
+/// Returns the columns and colours of the corners of outlines, row by row: an adjacent pixel's if it sees the same triangle,
 /// else their own.
 fn corner_rows(
     context: &ShadingContext<'_>,

@@ -73,7 +73,7 @@ impl Shape {
                 let way = *centre - point;
                 let (u, v) = way.normalize_or(DVec3::Z).any_orthonormal_pair();
                 let [a, b] = on_disk([a, b]);
-                // Ends at the surface of the sphere, which may have a mesh of its own.
+                // Ends at the surface of the sphere, which may have its own mesh.
                 let near = (way.length() - radius).max(0.0) / way.length().max(f64::MIN_POSITIVE);
                 ((way + (u * a + v * b) * *radius) * near, true)
             }

@@ -192,7 +192,7 @@ impl Shader {
     }
 
     /// Returns linear luminance, with antialiased outlines, and the luminance that a beam adds; 1 is a white diffuse surface in
-    /// typical light. The findings are those of [`Shader::shade`].
+    /// typical light. The findings are as in [`Shader::shade`].
     pub(crate) fn luminance(
         &self,
         input: ShadingInput<'_>,
@@ -371,7 +371,7 @@ impl ShadingContext<'_> {
         colors
     }
 
-    /// Computes the colours, on film, of the workspace's rays through pixels, each with a tag of its own. `put` receives the tags and
+    /// Computes the colours, on film, of the workspace's rays through pixels, each with its own tag. `put` receives the tags and
     /// the colours. Rays that the lens does not have are left out.
     fn colors(
         &self,

@@ -304,7 +304,7 @@ impl Occlusion<'_> {
             origin,
             direction,
             near: 0.0,
-            // The ray ends just before the lamp, which may have a mesh of its own.
+            // The ray ends just before the lamp, which may have its own mesh.
             far: if ends { 0.999 } else { f64::INFINITY },
         };
         direction.dot(place.flat_normal.as_dvec3()) > 0.0 && !self.caster.is_occluded(self.scene, ray, stack)

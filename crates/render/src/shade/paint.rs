@@ -135,7 +135,7 @@ impl<'a> Paint<'a> {
         sane((read * scale + bias) * self.base_color.unwrap_or(Vec3::ONE))
     }
 
-    /// Returns the mean linear colour of a triangle: that of its whole texture, or that of its corners.
+    /// Returns the mean linear colour of a triangle, from its whole texture or from its corners.
     pub(super) fn flat(&self, mesh: &Mesh, triangle: usize) -> Vec3 {
         let factor = self.base_color.unwrap_or(Vec3::ONE);
         if let Some((_, pyramid)) = self.texture {

@@ -8,7 +8,7 @@ use super::rig::luminance;
 use super::surfaces::{Columns, set_lane};
 use crate::ray::Vector;
 
-/// The number of lamps, those that contribute most, for which shadow rays are cast; the others get the same shadow.
+/// The number of lamps for which shadow rays are cast, beginning with the strongest; the others get the same shadow.
 pub(super) const MAX_SHADOWS: usize = 4;
 
 /// The lamps that contribute most to a point, with their luminance.

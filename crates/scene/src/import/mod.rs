@@ -4,7 +4,7 @@
 //! [`ImportOptions::up`] overrides it; nothing is rotated. The file's unit is taken to be the metre, times
 //! [`ImportOptions::scale`].
 //!
-//! A missing image is a finding; a file that contradicts itself is an error. Only regular files are opened. Those that
+//! A missing image is a finding; a file that contradicts itself is an error. Only regular files are opened. Files that
 //! a glTF file names must be in its folder or below, unless [`ImportOptions::allow_outside`] is set: a buffer may have any
 //! content, which would become coordinates. The images and material libraries of an OBJ file may be anywhere.
 

@@ -37,8 +37,8 @@ pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, &[u8])> {
     (1..).zip(bytes.split(|&byte| byte == b'\n'))
 }
 
-/// Like [`lines`], but a backslash at the end of a line continues it, except in a comment: those often end with the name of
-/// a folder. The number is that of the first line.
+/// Like [`lines`], but a backslash at the end of a line continues it, except in a comment: comments often end with the name of
+/// a folder. The number is the first line's.
 pub(super) fn continued_lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)> {
     let mut lines = lines(bytes);
     std::iter::from_fn(move || {

@@ -3,7 +3,7 @@ use oaktwin_camera::math::DVec3;
 use super::attribute::Triangles;
 use crate::Attribute;
 
-/// Normalizes the normals. A zero normal is replaced by that of the first triangle that uses it.
+/// Normalizes the normals. A zero normal is replaced by the normal of the first triangle that uses it.
 pub(super) fn unit(
     mut normals: Attribute<[f32; 3]>,
     positions: &[[f32; 3]],

@@ -112,7 +112,7 @@ fn surplus_values_of_a_row_are_ignored() {
     let imported = open("a.ply", surplus.replace("4 0 1 2 3\n", "4 0 1 2 3 255 0 0"));
     assert_eq!(imported.scene.meshes[0].triangles, plain.meshes[0].triangles);
     assert_eq!(imported.scene.meshes[0].positions, plain.meshes[0].positions);
-    // Rows need not be on lines of their own.
+    // Rows need not be on separate lines.
     let (header, body) = text()
         .split_once("end_header\n")
         .map(|(h, b)| (h.to_string(), b.to_string()))

@@ -49,7 +49,7 @@ impl<'a> OverrideBase<'a> {
     }
 }
 
-/// Returns the prims of the depth sensors, or those of the cameras of a device without one.
+/// Returns the prims of the depth sensors, or of the cameras if the device has none.
 fn prims(twin: &Twin) -> Vec<&str> {
     let depth = twin.depth_sensors.iter().map(|sensor| sensor.spec.prim.as_str());
     if twin.depth_sensors.is_empty() {

@@ -114,7 +114,7 @@ pub(super) fn attribute_name(options: &AssetOptions, name: &str) -> String {
     format!("{namespace}{name}")
 }
 
-/// The attributes that shape the output, sorted by name: those of the parameter sheet.
+/// The parameter sheet's attributes that shape the output, sorted by name.
 fn attributes(sensor: &TwinDepthSensor, options: &AssetOptions) -> Vec<Attribute> {
     let values = sensor.attributes(options.extended_disparity);
     let shapes = |row: &&Row<Attributes>| matches!(row.about.kind, Kind::Number | Kind::Integer);

@@ -104,7 +104,7 @@ pub(super) fn depth_camera(twin: &Twin, sensor: &TwinDepthSensor, camera: &TwinC
     );
     if lens::of_depth_camera(twin, camera).is_some() {
         text.push_str(
-            " Depth images are rectified: the pose and the intrinsics are those of the device's rectified image, and the lens \
+            " Depth images are rectified: the pose and the intrinsics belong to the device's rectified image, and the lens \
              schema has no distortion.",
         );
     }
@@ -136,7 +136,7 @@ pub(super) fn imu(imu: &Imu, options: &AssetOptions) -> String {
 pub(super) fn overrides(twin: &Twin, base: &str) -> String {
     format!(
         "{} {}: overrides on {base}, written by oaktwin {}.\nNumbers: {}.\nCamera poses, apertures and the depth \
-         sensor's noise are those of the base.",
+         sensor's noise come from the base.",
         twin.device.manufacturer,
         twin.device.name,
         env!("CARGO_PKG_VERSION"),

@@ -16,7 +16,7 @@ pub struct AssetFile {
     pub findings: Vec<Finding>,
 }
 
-/// Returns the asset files of several twins, in their order. Each twin is processed on a thread of its own.
+/// Returns the asset files of several twins, in their order. Each twin is processed on its own thread.
 ///
 /// # Errors
 /// Returns the first twin's error, as [`asset`] does.

@@ -20,7 +20,7 @@ enum Kind {
     Fisheye([f64; 4]),
 }
 
-/// OpenCV's order, which is also that of Isaac Sim's `set_opencv_pinhole_properties`.
+/// OpenCV's order, also used by Isaac Sim's `set_opencv_pinhole_properties`.
 const PINHOLE_NAMES: [&str; 12] = [
     "k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6", "s1", "s2", "s3", "s4",
 ];

@@ -12,7 +12,7 @@
 //!     └── TemplateRenderProducts            Scope
 //!         └── Camera_pseudo_depth_render_product   RenderProduct with the depth sensor's schema
 //! ```
-//! Names and values are those of Luxonis' parameter sheet. The stage is Z up and in metres. The origin lies midway
+//! Names and values come from Luxonis' parameter sheet. The stage is Z up and in metres. The origin lies midway
 //! between the left and right optical centres; x is forward, y left, z up.
 //!
 //! # Numbers

@@ -66,11 +66,11 @@ choice! {
 choice! {
     /// The file format of an asset.
     Format {
-        /// Text with the extension that Isaac Sim's asset paths use.
+        /// USD text in a .usd file, as in Isaac Sim's asset paths.
         Usd = "usd",
-        /// Text.
+        /// USD text in a .usda file.
         Usda = "usda",
-        /// A package of the text.
+        /// A USDZ package of the text.
         Usdz = "usdz",
     }
 }

@@ -23,7 +23,7 @@ pub(super) fn set(prim: &mut Prim, parent_from_prim: &RigidTransform) {
     );
 }
 
-/// Converts the pose of an optical frame (z forward, y down) to that of a camera prim (−z forward, y up).
+/// Converts the pose of an optical frame (z forward, y down) to the pose of a camera prim (−z forward, y up).
 pub(super) fn of_camera_prim(body_from_camera: &RigidTransform) -> RigidTransform {
     RigidTransform::new(
         body_from_camera.rotation * Axes::OpenCv.rotation_from(Axes::Usd),

@@ -41,7 +41,7 @@ pub(super) fn camera_rules(scene: &Scene<'_>, camera: &CheckedCamera<'_>, findin
         )
     };
     let focal_length = camera.camera.focal_length();
-    // Other rules report invalid values and those that are off by a power of ten.
+    // Other rules report values that are invalid or off by a power of ten.
     let is_reported =
         |value: f64, expected: f64| !value.is_finite() || value <= 0.0 || slip(value, expected).is_some();
     if !is_reported(focal_length, expected.focal_length_mm)

@@ -110,15 +110,6 @@ impl Report {
     pub fn worst(&self) -> Option<Level> {
         self.findings.iter().map(|finding| finding.level).max()
     }
-
-    /// Returns the number of findings with this level.
-    #[must_use]
-    pub fn count(&self, level: Level) -> usize {
-        self.findings
-            .iter()
-            .filter(|finding| finding.level == level)
-            .count()
-    }
 }
 
 pub(super) fn report(scene: &Scene<'_>, findings: Vec<Finding>) -> Report {

@@ -15,7 +15,7 @@ pub(super) const UNITS_SLIP: Rule = Rule {
 pub(super) const IMPLAUSIBLE_FOV: Rule = Rule {
     code: "implausible-fov",
     level: Level::Warning,
-    what: "the field of view is narrower than that of a telephoto lens or wider than a pinhole allows",
+    what: "the field of view is narrower than a telephoto lens's or wider than a pinhole allows",
     remedy: "check that focalLength and horizontalAperture have the same unit",
 };
 

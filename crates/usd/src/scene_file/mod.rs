@@ -61,7 +61,7 @@ pub fn scene_file(scene: &Scene, folder: &str) -> Result<SceneFile, CodecError> 
     })
 }
 
-/// Sets the transform of a prim. `resets` ignores those of its parents.
+/// Sets the transform of a prim. `resets` ignores its parents' transforms.
 fn place(prim: &mut Prim, world_from_prim: &DAffine3, resets: bool) {
     let m = world_from_prim.matrix3;
     let axis = |v: oaktwin_camera::math::DVec3, w: f64| [v.x, v.y, v.z, w];

@@ -123,7 +123,7 @@ fn scene() -> Scene {
     }
 }
 
-/// Asserts that two meshes look the same; the material indices are those of their scenes.
+/// Asserts that two meshes look the same; material indices refer to their scenes.
 fn assert_same_mesh((scene, mesh): (&Scene, &Mesh), (other_scene, other): (&Scene, &Mesh)) {
     assert_eq!(
         (&mesh.positions, &mesh.triangles),

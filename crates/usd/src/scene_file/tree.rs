@@ -57,7 +57,7 @@ impl Tree {
                 level = level.child(element);
             }
             if level.prim.is_some() {
-                // Two prims of one path: the second gets a name of its own.
+                // Two prims of one path: the second gets another name.
                 let name = format!(
                     "{}_{}",
                     node.elements.last().map_or("prim", String::as_str),

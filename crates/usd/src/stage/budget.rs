@@ -17,7 +17,7 @@ use super::{SceneLimit, StageError};
 
 /// The sites that every stage may compose, and those for each authored prim.
 const SITES: (u64, u64) = (250_000, 16);
-/// The layers of one stack (a layer, its sublayers, and theirs) and those of a stage: for each layer that the library
+/// The layers of one stack (a layer, its sublayers, and theirs) and of a stage: for each layer that the library
 /// opens it visits all others.
 const LAYERS: (u64, u64) = (2000, 4000);
 /// The value clips that a template describes.

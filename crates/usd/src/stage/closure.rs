@@ -1,7 +1,7 @@
 //! Bounds the number of sites that the arcs within a layer stack can give one prim, before it is composed.
 //!
 //! The arcs of all layers of the stack are taken together, and all variants as selected, which can only make the bound
-//! larger. A prim has the arcs authored on it and on its ancestors; each leads to a prim with arcs of its own. Where
+//! larger. A prim has the arcs authored on it and on its ancestors; each leads to a prim with its own arcs. Where
 //! arcs form a cycle, the library follows no chain through the same site twice.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};

@@ -116,7 +116,7 @@ fn contained<T: Send>(
     guard::contained(read).unwrap_or_else(|payload| {
         if let Some(guard::NoThread(error)) = payload.downcast_ref() {
             let is =
-                format!("cannot be read: there is no memory for the stack of its reader, 256 MiB ({error})");
+                format!("cannot be read: not enough memory for the stack of its reader, 256 MiB ({error})");
             return Err(StageError::new(
                 &name,
                 "",

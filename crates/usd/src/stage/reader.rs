@@ -30,7 +30,7 @@ pub(super) struct Record {
     pub(super) type_name: Token,
     /// The names of the authored properties.
     pub(super) properties: Vec<Token>,
-    /// The names of the children; for an instance, those of its prototype.
+    /// The names of the children; for an instance, its prototype's.
     pub(super) children: Vec<Token>,
     /// The prototype with the children of an instance.
     pub(super) prototype: Option<Path>,
@@ -100,7 +100,7 @@ impl Reader {
 
     /// Returns a metadata field of a prim or a property.
     pub(super) fn field(&self, path: &Path, name: &str) -> Option<Value> {
-        // The library's general accessor is private, but that of attributes accepts prim paths.
+        // The library's general accessor is private, but its accessor for attributes accepts prim paths.
         self.stage
             .attribute(path.clone())
             .get_metadata::<Value>(name)

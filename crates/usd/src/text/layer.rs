@@ -89,7 +89,7 @@ pub enum Property {
 pub struct Attribute {
     /// The name with its namespaces, such as `omni:lensdistortion:model`.
     pub name: String,
-    /// The name of the type; that of `value` if there is one.
+    /// The name of the type; the type of `value` if there is one.
     pub type_name: &'static str,
     /// The default value.
     pub value: Option<Value>,

@@ -31,10 +31,10 @@ fn heading(report: &Report) -> String {
         Devices::AsGiven => "one device".to_owned(),
     };
     let method = if report.protocol_deviations.is_empty() {
-        "as the vendor measures".to_owned()
+        "by the vendor's method".to_owned()
     } else {
         format!(
-            "not as the vendor measures ({})",
+            "not by the vendor's method ({})",
             report.protocol_deviations.join("; ")
         )
     };
@@ -43,7 +43,7 @@ fn heading(report: &Report) -> String {
         Some(bands) => {
             let source = match bands.source {
                 Source::VendorPage => "the vendor's page",
-                Source::Estimate => "an estimate of the sheet; none is published",
+                Source::Estimate => "an estimate in the parameter sheet; nothing is published",
                 other => other.as_str(),
             };
             let mut conditions: Vec<&str> = Vec::new();
@@ -54,7 +54,7 @@ fn heading(report: &Report) -> String {
             }
             let conditions = match &conditions[..] {
                 [] => String::new(),
-                some => format!("\n  Bands are {}; the strictest counts", some.join(" and ")),
+                some => format!("\n  Bands are {}; the strictest applies", some.join(" and ")),
             };
             format!("Published accuracy: {source} ({}){conditions}", bands.measure)
         }
@@ -125,16 +125,16 @@ fn own_table(report: &Report, title: String) -> Table {
 
 fn single_view(report: &Report, carries: bool) -> String {
     let [carried, recomputed] = [
-        "Depth carried: the rendered depth, exact by construction; only its position is wrong",
-        "Depth recomputed from the quantized and jittered disparity: the resulting error",
+        "Depth copied from the rendering: exact by construction; only its position is wrong",
+        "Depth recomputed from the quantized and jittered disparity",
     ];
     let [own, other] = if carries {
         [carried, recomputed]
     } else {
         [recomputed, carried]
     };
-    let own = format!("\nThe output of this sensor. {own}");
-    let other = format!("\nThe other reading. {other}");
+    let own = format!("\nOutput of this sensor. {own}");
+    let other = format!("\nAlternative interpretation. {other}");
     let mut text = output::number_table(&reading_table(report, own, !carries, |row| {
         Some((&row.reading, row.verdict))
     }));
@@ -289,7 +289,7 @@ fn measured(comparison: &Comparison) -> String {
     if comparison.unmeasured_points > 0 {
         let _ = writeln!(
             text,
-            "  {} ignored: the twin measures nothing there",
+            "  {} ignored, where the twin measures nothing",
             count(comparison.unmeasured_points, "point")
         );
     }
@@ -303,7 +303,7 @@ fn distance(row: &Row) -> String {
     text[..digits].to_owned()
 }
 
-/// Formats an error: that of several devices is absolute and has no sign.
+/// Formats an error. The error of several devices is absolute and has no sign.
 fn error(reading: &Reading, many: bool) -> String {
     if many {
         fixed(reading.error_percent, 2)

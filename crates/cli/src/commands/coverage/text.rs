@@ -114,7 +114,7 @@ fn remarks(coverage: &Coverage) -> String {
         });
         let _ = writeln!(
             text,
-            "Measured by several, each chosen for what it adds: {}",
+            "Best combination, measured so far after each: {}",
             chosen.collect::<Vec<_>>().join(", ")
         );
     }

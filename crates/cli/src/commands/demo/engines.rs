@@ -19,7 +19,7 @@ use crate::context::{Context, Result};
 
 /// The model with a dot projector, and the one with a time-of-flight camera.
 const MODELS: [&str; 2] = ["oak_d_pro_poe", "oak_d_tof"];
-/// The size of the pair at 400P, twice that of the panels.
+/// The size of the pair at 400P, twice the size of the panels.
 const SIZE: ImageSize = ImageSize::new(640, 400);
 /// The share of the room's light that remains at night.
 const NIGHT: f64 = 0.02;

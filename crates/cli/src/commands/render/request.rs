@@ -74,7 +74,7 @@ fn senses(args: &RenderArgs) -> bool {
     is_set || args.writes_pair
 }
 
-/// The first option of the depth sensor that was given. The seed may be that of the inertial sensor.
+/// The first option of the depth sensor that was given. The seed may belong to the inertial sensor.
 fn given(args: &RenderArgs) -> Option<String> {
     match args.imu.imu {
         Some(_) => args.sensor.given_but_seed(),

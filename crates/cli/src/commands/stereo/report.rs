@@ -1,7 +1,7 @@
 use std::path::PathBuf;
 
 use oaktwin::catalog::Twin;
-use oaktwin::diagnostic::Finding;
+use oaktwin::diagnostic::{self, Finding};
 use oaktwin::files::WrittenFile;
 use oaktwin::stereo::Matched;
 use serde::Serialize;
@@ -65,8 +65,8 @@ impl Report {
         if let Some(calibration) = &args.unit.calibration {
             output::say_findings(calibration, &self.calibration_findings);
         }
-        for finding in &self.findings {
-            output::say(&finding.to_string());
+        for group in diagnostic::group(&self.findings) {
+            output::say(&group.to_string());
         }
         output::print(&self.text())
     }

@@ -20,7 +20,7 @@ fn export(server: &Server, state: &Value, what: &str, more: &Value) -> Vec<u8> {
     body
 }
 
-/// Runs the exported command line and compares the measured depth with that of the page.
+/// Runs the exported command line and compares the measured depth with the page's.
 fn check_command(program: &Program, server: &Server, state: &Value) -> String {
     let shown = export(
         server,

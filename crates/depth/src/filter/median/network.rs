@@ -43,7 +43,7 @@ impl Network<3> for Networks {
         order!(*column; 0 2, 0 1, 1 2);
     }
 
-    /// The median of three sorted columns is that of the largest of their smallest values, the median of their middle
+    /// The median of three sorted columns is the median of the largest of their smallest values, the median of their middle
     /// values and the smallest of their largest values.
     #[inline(always)]
     fn median<P: Pixel, const N: usize>(mut square: [[Lanes<P, N>; 3]; 3]) -> Lanes<P, N> {

@@ -113,7 +113,7 @@ fn a_batch_is_its_images_one_by_one() {
             assert!(out[item as usize * pixels..][..pixels] == *alone.0.pixels());
         }
     }
-    // Items have noise of their own.
+    // Items have their own noise.
     let sensor = sensor(Parameters::new(STEREO, 1280));
     let (flat, mut out) = (vec![3.0; 2 * pixels], vec![0.0; 2 * pixels]);
     sensor

@@ -1,6 +1,6 @@
 //! Indirect light with one bounce: lamp, other surface, this surface, camera.
 //!
-//! Its path is longer than that of direct light, and it adds to the phasor: concave corners are reported too far away and
+//! Its path is longer than the path of direct light, and it adds to the phasor: concave corners are reported too far away and
 //! rounded.
 //!
 //! # Steps
@@ -10,7 +10,7 @@
 //! 2. **Receivers.** Twice as many as cells in each row and column: the points and normals of single pixels. Each sums
 //!    Φ·cos α·cos β/(π d² + a) over all patches, Lambert's law twice, with the angles α and β between the connecting line of
 //!    length d and both normals; near a patch this is limited to the light of a disc of its area. The phase at each frequency
-//!    is that of half the path from the lamp via the patch to the receiver.
+//!    follows from half the path from the lamp via the patch to the receiver.
 //! 3. **Pixels.** A pixel interpolates between the four receivers around it, weighted by the similarity of the normals and the
 //!    distance to the receiver's plane, so that no light leaks across edges. If none is similar, as on objects thinner than a
 //!    cell, there is too little light. The light times signal·albedo gives electrons, and the pixel's own half of the path

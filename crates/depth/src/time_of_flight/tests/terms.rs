@@ -62,7 +62,7 @@ fn the_principal_point_is_where_it_is_said() {
     assert!((last - 2.0 * f64::sqrt(1.0 + u * u + v * v)).abs() < 0.002);
 }
 
-/// Beyond the range of both frequencies all begins anew; of one alone, after its own c / 2f.
+/// Beyond the range of both frequencies, distances repeat; with one alone, after its own c / 2f.
 #[test]
 fn what_is_too_far_wraps() {
     for (level, period) in [(4, 4.0 * turn_m(80.0)), (0, turn_m(80.0))] {
@@ -135,7 +135,7 @@ proptest! {
     }
 }
 
-/// That of the distance is c / 4πf times that of the phase, which is a part of the phasor's over the amplitude.
+/// The noise of the distance is c / 4πf times the noise of the phase, which is a part of the phasor's noise over the amplitude.
 #[test]
 fn noise_is_that_of_the_amplitude() {
     let noisy = |signal_e, ambient_e, read_noise_e, z: f64| {

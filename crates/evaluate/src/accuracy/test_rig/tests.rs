@@ -66,7 +66,7 @@ fn a_crop_measures_the_same_as_the_whole_image() {
             let part = rig.part(distance);
             assert!(part.intrinsics.size.width < rig.intrinsics.size.width / 2);
             let [part, whole] = [part, whole(&rig)].map(|part| {
-                // Each with a picture of its own.
+                // Each with its own picture.
                 let rig = test_rig(model, engine, &[quiet]);
                 let scenery = Scenery::new(&rig, &part, distance);
                 let unit = &rig.units[0];

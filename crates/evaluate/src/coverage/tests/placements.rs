@@ -108,7 +108,7 @@ proptest! {
         let angle = (-tilted.rotation.x_axis.dot(up)).clamp(-1.0, 1.0).asin().to_degrees();
         prop_assert!((angle - f64::from(tilt)).abs() < 1e-5, "{angle}");
         prop_assert_eq!(tilted.translation, eye);
-        // No roll: the left of the image is horizontal, and that of the base.
+        // No roll: the left of the image is horizontal, like the base's.
         prop_assert!((tilted.rotation.y_axis - body.rotation.y_axis).length() < 1e-6);
         prop_assert!(tilted.orthonormality_error() < 1e-9);
     }

@@ -108,7 +108,7 @@ impl Tof {
         Some(if ratio < 0.75 { 0.5 } else { 0.0 })
     }
 
-    /// Returns the factor by which the mean square of consecutive differences varies more than that of independent ones: each
+    /// Returns the factor by which the mean square of consecutive differences varies more than for independent ones: each
     /// shares a frame with the next, and its noise with the one after that.
     fn overlap(&self, pairs: usize) -> f64 {
         let shared = self.shared;
@@ -201,7 +201,7 @@ impl Method for Tof {
             }),
             None => {
                 let why = format!(
-                    "these distances do not separate it from the signal, which assumes {} electrons of it",
+                    "these distances do not separate it from the signal; the fit assumes {} electrons of it",
                     self.p.ambient_e
                 );
                 work.not_found(

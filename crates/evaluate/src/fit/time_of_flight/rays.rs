@@ -5,7 +5,7 @@ use oaktwin_depth::time_of_flight::Parameters;
 /// The number of rays along each half of a side.
 const PLACES: u32 = 4;
 
-/// Returns the lengths at depth 1 of rays through the central `region`, a share of the image's sides: those of one quarter,
+/// Returns the lengths at depth 1 of rays through the central `region`, a share of the image's sides, of one quarter,
 /// because the principal point is near the centre. The aspect ratio is taken to be 4:3.
 pub(super) fn rays(p: &Parameters, region: f64) -> Vec<f64> {
     let half_width = 0.5 * f64::from(p.width_px) / p.focal_length_px * region.min(1.0);

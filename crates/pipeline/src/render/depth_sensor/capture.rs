@@ -10,7 +10,7 @@ use oaktwin_image::annotation::{Annotator, Frame};
 /// The inputs of a depth sensor, the same for every requested output, so that the measurement does not depend on it.
 const INPUTS: [Annotator; 2] = [Annotator::Rgb, Annotator::DistanceToImagePlane];
 
-/// Returns the annotators to render for these outputs of a camera: without those of the depth sensor, but with its inputs if the frame
+/// Returns the annotators to render for these outputs of a camera: without the depth sensor's outputs, but with its inputs if the frame
 /// `is_sensed`.
 #[must_use]
 pub fn scene_annotators(annotators: &[Annotator], is_sensed: bool) -> Vec<Annotator> {

@@ -15,7 +15,7 @@ use oaktwin_catalog::Twin;
 /// The options of the cameras' depth sensors.
 #[derive(Clone, Copy, Debug)]
 pub struct DepthSensorOptions<'a> {
-    /// The device, if the cameras are those of an OAK.
+    /// The device, if the cameras belong to an OAK.
     pub twin: Option<&'a Twin>,
     /// The sensor options. The default engine is [`SINGLE_VIEW`], because Isaac Sim's annotators of these names are its
     /// outputs; the image is the camera's own, and the default name its prim's.

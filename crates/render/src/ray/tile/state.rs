@@ -9,7 +9,7 @@ use crate::ray::vector::Vector;
 /// The nearest hits of a tile's rays.
 #[derive(Clone, Debug)]
 pub(crate) struct TileHits {
-    /// Scaled 1/z in the tile frame; for a miss, that of the far end.
+    /// Scaled 1/z in the tile frame; for a miss, at the far end.
     pub(crate) inverse_z: PerRay<f32>,
     /// `u32::MAX` for a miss.
     pub(crate) instance: PerRay<u32>,

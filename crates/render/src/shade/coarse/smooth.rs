@@ -12,7 +12,7 @@ use crate::shade::pattern::PERIOD;
 /// What a filter changes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum What {
-    /// All light except that of small lamps, which cast sharp shadows.
+    /// All light except the light of small lamps, which cast sharp shadows.
     Smooth,
     /// The light of the surroundings and the sky.
     Surroundings,
@@ -105,7 +105,7 @@ impl Smooth<'_> {
         (at, is_inside)
     }
 
-    /// Writes the light of eight samples; that of misses stays.
+    /// Writes the light of eight samples, except for misses.
     #[inline(always)]
     fn put(&mut self, x: usize, per_tolerance: [f32; 8], smooth: &[[[f32; 8]; 3]; 2]) {
         let first = self.y as usize * self.size[0] as usize + x;

@@ -1,4 +1,4 @@
-//! Meshes, whose primitives each have a material and vertex attributes of their own.
+//! Meshes, whose primitives each have their own material and vertex attributes.
 
 mod merge;
 

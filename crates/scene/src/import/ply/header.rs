@@ -93,7 +93,7 @@ pub(super) struct Header {
 }
 
 impl Header {
-    /// Whether the rows of a text file are on lines of their own, so that surplus values can be recognized.
+    /// Whether the rows of a text file are on separate lines, so that surplus values can be recognized.
     pub(super) fn has_line_per_row(&self, body: &[u8]) -> bool {
         let rows = self
             .elements

@@ -8,7 +8,7 @@ pub(super) struct Edges {
     pub(super) faces: Vec<u32>,
 }
 
-/// An edge as a number; the order is that of the end points.
+/// An edge as a number, ordered by the end points.
 pub(super) fn key(a: u32, b: u32) -> u64 {
     (u64::from(a.min(b)) << 32) | u64::from(a.max(b))
 }

@@ -75,7 +75,7 @@ impl<const N: usize> Seams<N> {
         list
     }
 
-    /// The values that the rule keeps fixed, besides those of a single face.
+    /// The values that the rule keeps fixed, besides a single face's.
     fn pinned(&self, rule: FaceVaryingRule, cage: &Cage) -> Vec<bool> {
         let none = vec![false; self.values.len()];
         match rule {

@@ -76,7 +76,7 @@ impl<const N: usize> Surface<N> {
         (0..levels).fold(self, |surface, _| surface.split(scheme == Scheme::Loop, rules))
     }
 
-    /// Returns the next level: existing points first, then those of edges, then those of faces. The children of a face are
+    /// Returns the next level: existing points first, then points of edges, then points of faces. The children of a face are
     /// consecutive, one for each corner in order; a triangle split into triangles has a fourth in the middle.
     fn split(self, into_triangles: bool, scheme: Scheme) -> Self {
         let edges = Edges::of(&self.starts, &self.corners);

@@ -108,7 +108,7 @@ impl Rays {
         }
     }
 
-    /// The order of the operations is that of `bench_render.py`.
+    /// The order of the operations is the same as in `bench_render.py`.
     fn direction(&self, x: usize, y: usize) -> [f32; 3] {
         let (x, y) = (self.columns[x], self.rows[y]);
         self.rotation.map(|[a, b, c]| a * x + (b * y + c))

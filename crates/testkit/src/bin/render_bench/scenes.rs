@@ -98,7 +98,7 @@ impl Scene {
         }
     }
 
-    /// A view with a horizontal field of view of 77°, like that of an OAK-D's stereo cameras.
+    /// A view with a horizontal field of view of 77°, like an OAK-D's stereo cameras'.
     pub(crate) fn view(&self, width: u32, height: u32) -> ViewJson {
         let size = ImageSize::new(width, height);
         let view = looking_at(self.eye.into(), self.target.into(), self.up, size);

@@ -7,7 +7,7 @@ use oaktwin_scene::{Instance, Mesh, Scene};
 use oaktwin_testkit::shapes::{heightfield, hills, icosphere};
 use oaktwin_testkit::views::looking_at;
 
-/// The size of images on axes other than that of pixels.
+/// The size of images on all axes except the axis of pixels.
 pub(crate) const SIZE: ImageSize = ImageSize::new(1280, 800);
 
 /// The width of all scenes, metres.

@@ -149,7 +149,7 @@ mod tests {
         String::from_utf8(decode(text.as_bytes().to_vec()).unwrap().bytes).unwrap()
     }
 
-    /// The expected values are those of OpenUSD 26.11; `test_usd_strings.py` compares with the library itself.
+    /// The expected values are OpenUSD 26.11's; `test_usd_strings.py` compares with the library itself.
     #[test]
     fn decodes_like_openusd() {
         for (raw, text) in [

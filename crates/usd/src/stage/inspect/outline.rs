@@ -100,7 +100,7 @@ pub(in crate::stage) enum ArcKind {
     Reference,
     /// An inherited or specialized prim.
     Class,
-    /// A variant set, whose selected variant is a site of its own.
+    /// A variant set, whose selected variant is a separate site.
     VariantSet,
 }
 

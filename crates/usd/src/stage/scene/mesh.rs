@@ -133,7 +133,7 @@ pub(super) fn subset_faces(reader: &Reader, subset: &Record) -> Option<Vec<i32>>
     reader.value(subset, "indices").and_then(ints)
 }
 
-/// Creates a subset of faces with a material of its own.
+/// Creates a subset of faces with its own material.
 pub(super) fn face_material(faces: Vec<i32>, material: u32) -> FaceMaterial {
     FaceMaterial { faces, material }
 }

@@ -19,7 +19,7 @@ pub(super) fn decode(root: &mut Value, buffers: &mut Vec<Vec<u8>>) -> Result<(),
         let fault = |message: &str| {
             Fault::damaged(
                 compressed.place(),
-                format!("its data compressed by Draco is invalid: {message}"),
+                format!("its Draco-compressed data is invalid: {message}"),
             )
         };
         let DracoPrimitive {

@@ -1,4 +1,4 @@
-//! Decodes the buffers that are compressed by meshopt or Draco, so that the rest of the importer sees none of it.
+//! Decodes the buffers that are compressed by meshopt or Draco, so that the rest of the importer reads plain buffers.
 
 #[cfg(feature = "compressed-gltf")]
 mod draco;
@@ -39,7 +39,7 @@ pub(super) fn decode(root: &mut Value, buffers: &mut Vec<Vec<u8>>) -> Result<(),
         };
         let decoded = bytes_of(&extension, buffers)
             .and_then(|bytes| meshopt::decode(bytes, &extension))
-            .ok_or_else(|| Fault::damaged(place(), "its data compressed by meshopt is invalid"))?;
+            .ok_or_else(|| Fault::damaged(place(), "its meshopt-compressed data is invalid"))?;
         let Some(members) = root["bufferViews"][view].as_object_mut() else {
             continue;
         };

@@ -12,7 +12,7 @@ fn texture_coordinates_follow_a_flat_sheet_across_a_seam() {
         cage.subdivision.face_varying = rule;
         let corner = |(corner, &point): (usize, &i32)| {
             let [x, y, _] = cage.points[point as usize];
-            // The faces on the right have an island of their own.
+            // The faces on the right have their own island.
             if corner / 4 % 2 == 0 {
                 [x, y]
             } else {

@@ -40,7 +40,7 @@ impl Builder {
             return Ok(());
         }
         let subsets = self.subsets(walk, prim, path, context)?;
-        // A mesh has one set of texture coordinates: those that the first textured material uses.
+        // A mesh has one set of texture coordinates, the set that the first textured material uses.
         let mut surfaces = surface.iter().chain(subsets.iter().map(|(_, surface)| surface));
         let uv = surfaces.clone().find_map(|surface| surface.uv.clone());
         let uv = uv.or_else(|| self.options.texture_coordinates.then(|| "st".to_owned()));
@@ -172,7 +172,7 @@ impl Builder {
         first
     }
 
-    /// Returns the face subsets that have a material of their own.
+    /// Returns the face subsets that have their own material.
     fn subsets(
         &mut self,
         walk: &Walk<'_>,

@@ -3,12 +3,12 @@ use oaktwin_scene::{Attribute, Instance, Mesh};
 
 use super::Builder;
 
-/// The maximum number of triangles of flattened instances that get a mesh of their own.
+/// The maximum number of triangles of flattened instances that get their own mesh.
 const MAX_BAKED_TRIANGLES: usize = 10_000_000;
 
 impl Builder {
-    /// Makes every instance's transform invertible: flattened instances get a mesh of their own in the world frame, and
-    /// those without an area are removed.
+    /// Makes every instance's transform invertible: flattened instances get their own mesh in the world frame, and
+    /// instances without an area are removed.
     pub(super) fn drop_or_bake(&mut self) {
         let singular = |instance: &Instance| !is_invertible(&instance.world_from_mesh);
         if !self.scene.instances.iter().any(singular) {

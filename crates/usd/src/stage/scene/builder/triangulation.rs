@@ -24,7 +24,7 @@ pub(super) struct Triangulated {
     pub(super) findings: Vec<Finding>,
 }
 
-/// The meshes that are being triangulated. Threads of its own, and not those of a pool, work also in a forked process.
+/// The meshes that are being triangulated. Separate threads, unlike a pool's, also work in a forked process.
 pub(super) struct Triangulation {
     jobs: Sender<Job>,
     queue: Arc<Mutex<Receiver<Job>>>,

@@ -4,7 +4,7 @@
 const MAX_RATIO: usize = 1024;
 const GROUP: usize = 16;
 
-/// The bits per difference of a group by its mode: those of version 0, then those of version 1 by control mode.
+/// The bits per difference of a group by its mode: first version 0, then version 1 by control mode.
 const BITS: [[usize; 4]; 3] = [[0, 2, 4, 8], [0, 1, 2, 4], [1, 2, 4, 8]];
 
 pub(super) fn decode(bytes: &[u8], count: usize, stride: usize) -> Option<Vec<u8>> {
