@@ -19,17 +19,14 @@ const TEST_DATA: &str = "OAKTWIN_TEST_DATA";
 pub(crate) struct Args {
     /// Formatter, clippy and the Rust tests only, without the tests of every model and option (`exhaustive_…`) and with fewer random
     /// cases: under 3 minutes on two cores from a warm target
-    #[arg(long, conflicts_with_all = ["all", "peers", "portable"])]
+    #[arg(long, conflicts_with_all = ["all", "portable"])]
     fast: bool,
-    /// Also run the slow tests (`slow_…` in Rust, `slow` in Python), --peers, --portable and `PyTorch`
+    /// Also run the slow tests (`slow_…` in Rust, `slow` in Python), --portable, and `PyTorch` and Blender
     #[arg(long)]
     all: bool,
     /// Also run the Rust tests with the scalar twins of all vector code
     #[arg(long)]
     portable: bool,
-    /// Also test the Python package beside its large peers: Ray, Rerun, Open3D; and the page in a browser
-    #[arg(long)]
-    peers: bool,
     /// Also check that everything compiles for the other systems whose standard libraries are installed
     #[arg(long)]
     targets: bool,
@@ -56,7 +53,7 @@ pub(crate) fn run(args: &Args) -> ExitCode {
     let environments = (!skip_python).then(|| thread::spawn(move || prepare_environments(&wanted)));
     let built = rust_steps(&mut report, args);
     match environments {
-        None if args.fast => report.skip("docs, Python oracles", "--fast"),
+        None if args.fast => report.skip("docs, Python oracles, page", "--fast"),
         None => report.skip("Python oracles", "--skip-python"),
         Some(environments) => match environments.join() {
             Ok(environments) => python_steps(&mut report, args, built.as_ref(), environments),
@@ -68,13 +65,12 @@ pub(crate) fn run(args: &Args) -> ExitCode {
             }
         },
     }
-    workflows::steps(&mut report);
     if args.targets {
         targets::steps(&mut report);
     }
-    match args.all || args.peers {
-        true => web::steps(&mut report, built.as_ref().map(|built| &*built.oaktwin)),
-        false => report.skip("page", "run by --peers"),
+    if !args.fast {
+        workflows::steps(&mut report);
+        web::steps(&mut report, built.as_ref().map(|built| &*built.oaktwin));
     }
     report.finish()
 }
@@ -147,8 +143,7 @@ fn rust_tests(args: &Args, features: &[&str]) -> Command {
 /// Returns the environments to test in.
 fn wanted(args: &Args) -> Vec<&'static Environment> {
     let mut wanted: Vec<_> = ENVIRONMENTS.iter().collect();
-    wanted.push(if args.all || args.peers { &PEERS } else { &PACKAGE });
-    wanted.push(&BARE);
+    wanted.extend([&PEERS, &BARE]);
     if args.all {
         wanted.extend([&TORCH, &RENDER, &BLENDER]);
     }

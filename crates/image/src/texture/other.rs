@@ -17,8 +17,8 @@ pub(super) fn decode(bytes: &[u8], extension: Option<&str>) -> Result<Decoded, C
         ImageFormat::WebP => "WebP",
         ImageFormat::Hdr => "HDR",
         // Only if the extension names a format that the bytes are not.
-        ImageFormat::Png => return Err(broken("PNG", "header", &"no PNG file")),
-        ImageFormat::Jpeg => return Err(broken("JPEG", "header", &"no JPEG file")),
+        ImageFormat::Png => return Err(broken("PNG", "header", &"not a PNG file")),
+        ImageFormat::Jpeg => return Err(broken("JPEG", "header", &"not a JPEG file")),
         _ => return Err(unknown()),
     };
     let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
