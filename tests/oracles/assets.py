@@ -63,7 +63,16 @@ class Case:
         return f"{self.model.stem}-{self.variant.name}"
 
 
-CASES = tuple(Case(model, variant) for variant in VARIANTS for model in sheet.MODELS if variant.suits(model))
+def models_of(number: int) -> tuple[sheet.Model, ...]:
+    """The models that a variant is tested with: all that it suits for an asset as it is and for a unit's, otherwise two, in turn."""
+    variant = VARIANTS[number]
+    suited = tuple(model for model in sheet.MODELS if variant.suits(model))
+    if variant in (PLAIN, CALIBRATED[0]):
+        return suited
+    return tuple(suited[(number + step) % len(suited)] for step in (0, len(suited) // 2))
+
+
+CASES = tuple(Case(model, variant) for number, variant in enumerate(VARIANTS) for model in models_of(number))
 NOMINAL = tuple(case for case in CASES if case.variant.offsets is None)
 
 

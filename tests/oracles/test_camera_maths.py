@@ -38,7 +38,7 @@ def ask():
 
     yield request
     process.stdin.close()
-    assert process.wait(timeout=10) == 0
+    assert process.wait() == 0
 
 
 def matrix(fx, fy, cx, cy):

@@ -39,8 +39,7 @@ def test_package_is_stored_and_aligned(builder: Builder, case: Case) -> None:
             assert (entry.header_offset + 30 + name + extra) % 64 == 0
 
 
-@pytest.mark.parametrize("extension", FORMATS)
-@pytest.mark.parametrize("case", CASES, ids=str)
+@pytest.mark.parametrize(("case", "extension"), [(case, FORMATS[n % 3]) for n, case in enumerate(CASES)], ids=str)
 def test_written_again_it_is_the_same(builder: Builder, case: Case, extension: str, tmp_path: Path) -> None:
     builder.write(case, extension, tmp_path)
     assert (tmp_path / f"{case.model.stem}.{extension}").read_bytes() == builder.asset(case, extension).read_bytes()

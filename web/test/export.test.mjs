@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after as afterAll, before, test } from "node:test";
-import { after, launch, open, pixels, skip } from "./page.mjs";
+import { addressAfter, after, launch, open, pixels, skip } from "./page.mjs";
 
 let browser;
 before(async () => {
@@ -84,7 +84,7 @@ test("a unit of the population and a drift change what is measured, and enter co
   await yaw.fill("1000");
   assert.equal(await yaw.getAttribute("aria-invalid"), "true");
   assert.equal(await page.evaluate(() => window.studio.received), received, "nothing is sent");
-  await after(page, () => yaw.fill("0.4"));
+  const address = await addressAfter(page, () => yaw.fill("0.4"));
   const drifted = await pixels(page, "sensor");
   assert.notEqual(drifted, unit);
 
@@ -94,7 +94,6 @@ test("a unit of the population and a drift change what is measured, and enter co
   const python = await shown(page, "Python");
   assert.match(python, /device\.population\(1, seed=7\)\[0\]/);
   assert.match(python, /drift="yaw=0\.4"/);
-  const address = await page.evaluate(() => new Promise((resolve) => setTimeout(() => resolve(location.hash), 600)));
   const other = await open(browser, { path: address });
   assert.equal(await pixels(other.page, "sensor"), drifted, "the link restores both");
   await other.context.close();

@@ -6,18 +6,22 @@ import { chromium } from "playwright-core";
 /** The address of a running `oaktwin studio`. */
 export const url = process.env.OAKTWIN_STUDIO_URL;
 
+/** Milliseconds in which everything happens, however busy the machine is. */
+export const PATIENCE = 300_000;
+
 const executablePath = process.env.OAKTWIN_BROWSER ?? "/usr/bin/chromium";
 
 /** Why the tests in a browser cannot run; false if they can. */
 export const skip = !url ? "OAKTWIN_STUDIO_URL is not set" : !existsSync(executablePath) ? `${executablePath} does not exist` : false;
 
 export async function launch(args = []) {
-  return chromium.launch({ executablePath, args: ["--no-sandbox", ...args] });
+  return chromium.launch({ executablePath, timeout: PATIENCE, args: ["--no-sandbox", ...args] });
 }
 
 /** Opens the page and waits for its first images. `errors` collects what the console and the page report. */
 export async function open(browser, { path = "", viewport = { width: 1280, height: 800 }, opened = async () => {}, ...options } = {}) {
   const context = await browser.newContext({ viewport, ...options });
+  context.setDefaultTimeout(PATIENCE);
   const page = await context.newPage();
   const errors = [];
   page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
@@ -30,15 +34,23 @@ export async function open(browser, { path = "", viewport = { width: 1280, heigh
 
 /** Waits until every image is there and drawn. */
 export async function rest(page) {
-  await page.waitForFunction(() => window.studio?.isIdle && window.studio.painted > 0 && window.studio.drawn > 0, null, { timeout: 60_000 });
+  await page.waitForFunction(() => window.studio?.isIdle && window.studio.painted > 0 && window.studio.drawn > 0);
 }
 
 /** Runs an action and waits for the images that it causes. */
 export async function after(page, action) {
   const before = await page.evaluate(() => window.studio.received);
   await action();
-  await page.waitForFunction((before) => window.studio.received > before, before, { timeout: 60_000 });
+  await page.waitForFunction((before) => window.studio.received > before, before);
   await rest(page);
+}
+
+/** Runs an action, waits for the images and the address that it causes, and returns the state in the address. */
+export async function addressAfter(page, action) {
+  const before = new URL(page.url()).hash;
+  await after(page, action);
+  await page.waitForFunction((before) => location.hash !== before, before);
+  return page.evaluate(() => location.hash);
 }
 
 /** Returns a digest of the pixels of an image panel, to compare them. */

@@ -3,7 +3,7 @@ import { mkdtemp, readFile, rm, truncate, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after as afterAll, before, test } from "node:test";
-import { after, drop, launch, open, pixels, rest, skip, url } from "./page.mjs";
+import { PATIENCE, addressAfter, after, drop, launch, open, pixels, rest, skip, url } from "./page.mjs";
 
 let browser;
 before(async () => {
@@ -263,7 +263,7 @@ test("the coverage of an object is measured, and a sweep ranks poses", { skip },
   await page.getByTestId("sweep").getByLabel("steps").first().fill("2");
   await page.getByTestId("run-sweep").click();
   await page.locator('[data-testid="sweep"] [role="status"]').waitFor();
-  await page.locator('[data-testid="sweep"] [role="status"]').waitFor({ state: "detached", timeout: 120_000 });
+  await page.locator('[data-testid="sweep"] [role="status"]').waitFor({ state: "detached" });
   const measured = await share("table.ranking", 2);
   assert.equal(measured.length, 6);
   assert.deepEqual(measured, measured.toSorted((a, b) => b - a), "the best pose is the first");
@@ -286,11 +286,8 @@ test("OAKs can be added, compared and removed", { skip }, async () => {
 
 test("the address restores the state", { skip }, async () => {
   const { page, context } = await open(browser);
-  const before = new URL(page.url()).hash;
-  await after(page, () => page.locator('[data-parameter="bias"] input[type="text"]').fill("0.5"));
+  const hash = await addressAfter(page, () => page.locator('[data-parameter="bias"] input[type="text"]').fill("0.5"));
   const changed = await pixels(page, "sensor");
-  await page.waitForFunction((before) => location.hash !== before, before);
-  const { hash } = new URL(page.url());
   const other = await open(browser, { path: hash });
   assert.equal(await pixels(other.page, "sensor"), changed);
   await other.context.close();
@@ -322,6 +319,7 @@ test("the page reconnects to a server that was restarted, and says so", { skip }
 test("a browser without WebGL 2 gets an explanation", { skip }, async () => {
   const plain = await launch(["--disable-3d-apis"]);
   const page = await plain.newPage();
+  page.setDefaultTimeout(PATIENCE);
   await page.goto(url);
   await page.getByRole("alert").waitFor();
   assert.match(await page.getByRole("alert").textContent(), /WebGL 2/);

@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -24,6 +25,8 @@ os.environ |= {"RAY_AUTH_MODE": "disabled", "DEPTHAI_TELEMETRY": "0"}
 # Packages that only some environments have, by the names of their modules. A test, or a snippet of the manual, that imports a
 # missing one is skipped.
 PEERS = {"cv2", "open3d", "pxr", "ray", "rerun", "torch"}
+# Seconds in which everything happens, however busy the machine is.
+PATIENCE_S = 300
 # The focal length in px and the baseline in metres of `matcher`.
 FX, BASELINE = 300.0, 0.075
 
@@ -75,17 +78,43 @@ def files(folder: Path) -> dict[str, bytes]:
     return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
+def ticks_during(call):
+    """How often another thread gets the interpreter during a call. Nobody has to give it up: only the call can release it."""
+    ticks, started, done = 0, threading.Event(), threading.Event()
+
+    def count():
+        nonlocal ticks
+        started.set()
+        while not done.is_set():
+            ticks += 1
+            time.sleep(1e-4)
+
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1000)
+    counter = threading.Thread(target=count)
+    try:
+        counter.start()
+        started.wait()
+        before = ticks
+        call()
+        return ticks - before
+    finally:
+        done.set()
+        counter.join()
+        sys.setswitchinterval(interval)
+
+
 def run_and_interrupt(text):
-    """Runs a script that prints "ready" and returns what it prints after being interrupted."""
+    """Runs a script that prints "ready" where it can be interrupted, and returns what it prints after that."""
     # Processes started in the background of a script ignore SIGINT, and their children inherit that. The alarm ends a script that
     # outlives the tests.
-    script = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler); signal.alarm(180)\n" + text
+    script = f"import signal; signal.signal(signal.SIGINT, signal.default_int_handler); signal.alarm({2 * PATIENCE_S})\n" + text
     with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True) as process:
         try:
             assert process.stdout.readline() == "ready\n"
             time.sleep(0.3)
             process.send_signal(signal.SIGINT)
-            answer, _ = process.communicate(timeout=120)
+            answer, _ = process.communicate(timeout=PATIENCE_S)
             return answer
         finally:
             process.kill()

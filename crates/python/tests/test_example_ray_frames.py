@@ -19,7 +19,7 @@ SIZE = (160, 100)
 def run(folder, *arguments):
     options = ["-o", folder, "--frames", FRAMES, "--size", *SIZE, *arguments]
     command = [sys.executable, EXAMPLE, *map(str, options)]
-    return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", timeout=300)
+    return subprocess.run(command, capture_output=True, text=True, encoding="utf-8")
 
 
 def hashes(folder):

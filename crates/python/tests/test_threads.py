@@ -4,14 +4,13 @@ import gc
 import multiprocessing
 import os
 import sys
-import threading
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
 
 import oaktwin
-from conftest import run_and_interrupt
+from conftest import PATIENCE_S, run_and_interrupt, ticks_during
 
 
 def test_many_threads_and_one_sensor(device):
@@ -38,21 +37,9 @@ def test_many_threads_and_one_sensor(device):
 def test_the_interpreter_runs_meanwhile(device):
     sensor = oaktwin.DepthSensor(device)
     batch = np.full((64, 400, 640), 2, np.float32)
-    ticks, done = [0], threading.Event()
-
-    def count():
-        while not done.is_set():
-            ticks[0] += 1
-
-    # A thread that held the interpreter would let others run only every few milliseconds, and never inside a call.
-    counter = threading.Thread(target=count)
-    counter.start()
-    before = ticks[0]
-    sensor(batch)
-    during = ticks[0] - before
-    done.set()
-    counter.join()
-    assert during > 1000
+    # A busy machine may run the other thread too late.
+    assert any(ticks_during(lambda: sensor(batch)) > 3 for _ in range(20))
+    assert ticks_during(lambda: sum(range(1_000_000))) == 0, "the call that counts keeps the interpreter"
 
 
 def child(queue):
@@ -69,8 +56,8 @@ def test_a_forked_process_has_threads_of_its_own(device):
     queue = context.Queue()
     process = context.Process(target=child, args=(queue,))
     process.start()
-    assert np.array_equal(queue.get(timeout=60), expected)
-    process.join(timeout=60)
+    assert np.array_equal(queue.get(timeout=PATIENCE_S), expected)
+    process.join(timeout=PATIENCE_S)
     assert process.exitcode == 0
 
 
@@ -89,8 +76,8 @@ import numpy as np, oaktwin
 device = oaktwin.Device("OAK4-D")
 camera = oaktwin.Camera((1000, 500), hfov_deg=60)
 scene = oaktwin.Scene.from_triangles(np.eye(3), np.array([[0, 1, 2]]))
-print("ready", flush=True)
 try:
+    print("ready", flush=True)
     {call}
     print("finished")
 except KeyboardInterrupt:
@@ -125,8 +112,11 @@ def test_memory_does_not_grow(device, room):
                 plain(depth[0])
         gc.collect()
 
+    def growth(count):
+        before = resident()
+        calls(count)
+        return resident() - before
+
     calls(1000)
-    before = resident()
-    calls(10_000)
-    # Less than a hundred bytes a round; one image is 2400.
-    assert resident() - before < 10_000 * 100
+    # Less than a hundred bytes a round; one image is 2400. A leak grows every time, the caches of an allocator do not.
+    assert any(growth(10_000) < 10_000 * 100 for _ in range(3))
