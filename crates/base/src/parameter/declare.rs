@@ -1,8 +1,8 @@
-/// Declares a struct of parameters and implements [`Table`](crate::Table) for it.
+/// Declares a struct of parameters and implements [`Table`](crate::parameter::Table) for it.
 ///
 /// A field has its documentation, type, default and, after `=>`, one of
 /// * `("name" …)`: a parameter; `.unit("px").range(0.0..=10.0).estimate()` and so on are the methods of
-///   [`About`](crate::About), and `("name" as Hexadecimal …)` reads it with a [`View`](crate::View);
+///   [`About`](crate::parameter::About), and `("name" as Hexadecimal …)` reads it with a [`View`](crate::parameter::View);
 /// * `{ … }`: parameters for parts of the field, each with documentation, path and type: `.edge: u32 => ("edgeValue")`;
 /// * `[struct Name { … }]`: the fields of a struct that is declared with it.
 ///

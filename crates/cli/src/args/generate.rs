@@ -73,7 +73,7 @@ pub(crate) struct GenerateArgs {
     /// Distribute the frames with Ray: local, or a cluster's address (auto, HOST:PORT, ray://HOST:PORT)
     ///
     /// All machines need the recipe, its files and the folder under the same paths. Requires `pip install oaktwin[ray]` for
-    /// `python3`, or for the interpreter in the variable OAKTWIN_PYTHON.
+    /// `python3`, or for the interpreter in the variable `OAKTWIN_PYTHON`.
     #[arg(long, value_name = "ADDRESS", conflicts_with_all = ["explain", "preview", "only_frames"])]
     pub(crate) ray: Option<String>,
 
