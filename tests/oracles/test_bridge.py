@@ -141,7 +141,7 @@ def test_what_is_wrong_is_reported(run):
     state, findings = bridge.stop()
     assert state["published"] == 0 and state["rejected"] > 0
     texts = {finding["code"]: f"{finding['place']}: {finding['message']}" for finding in findings}
-    expected = "/camera/camera_info: is of images of 64x48, but the depth image is 160x120"
+    expected = "/camera/camera_info: describes images of 64x48, but the depth image is 160x120"
     assert texts["camera-info-size"] == expected
     assert texts["invalid-message"] == "/camera/depth/image_raw: encoding: '8UC2' is not an encoding of depth"
     assert texts["silence"] == "/camera/depth/image_raw: no image for 2 s"

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-SPREADS = ROOT / "crates" / "population" / "data" / "spreads.toml"
+SPREADS = ROOT / "crates" / "calibration" / "data" / "spreads.toml"
 SOCKETS = {"CAM_A": dai.CameraBoardSocket.CAM_A, "CAM_B": dai.CameraBoardSocket.CAM_B, "CAM_C": dai.CameraBoardSocket.CAM_C}
 # The calibrations that the spread is computed from, and the models of the units.
 UNITS = {
