@@ -70,7 +70,7 @@ def test_errors(recipe: Path, tmp_path: Path) -> None:
         recipe.write_text(RECIPE.replace("count", "cuont"))
         oaktwin.generate(recipe, tmp_path / "set")
     recipe.write_text(RECIPE)
-    with pytest.raises(oaktwin.Error, match="there are no frames 4..9 of 6"):
+    with pytest.raises(oaktwin.Error, match="frames 4..9 are beyond the 6 frames"):
         oaktwin.generate(recipe, tmp_path / "set", frames=(4, 9))
     with pytest.raises(oaktwin.Error, match="unknown format 'cocoa'; did you mean 'coco'"):
         oaktwin.generate(recipe, tmp_path / "set", formats=["cocoa"])
