@@ -154,11 +154,17 @@ fn png_with_a_palette_and_few_bits_is_as_another_reader_sees_it() {
             encoder.set_depth(depth);
             if color == ::png::ColorType::Indexed {
                 let colors = 1usize << (depth as u8);
-                encoder.set_palette((0..colors * 3).map(|i| (i * 37 % 256) as u8).collect::<Vec<_>>());
+                encoder.set_palette(
+                    (0..colors * 3)
+                        .map(|i| u8::try_from(i * 37 % 256).unwrap())
+                        .collect::<Vec<_>>(),
+                );
                 encoder.set_trns(vec![10u8, 200]);
             }
             let row = (9 * depth as usize).div_ceil(8);
-            let samples: Vec<u8> = (0..3 * row).map(|i| (i * 91 % 256) as u8).collect();
+            let samples: Vec<u8> = (0..3 * row)
+                .map(|i| u8::try_from(i * 91 % 256).unwrap())
+                .collect();
             encoder
                 .write_header()
                 .unwrap()

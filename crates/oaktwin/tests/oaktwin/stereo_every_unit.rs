@@ -122,7 +122,10 @@ fn every_calibrated_unit() {
     files.sort();
     let mut measured = 0;
     // Alternately as a unit of each processor.
-    for (file, model) in files.iter().zip(["OAK-D Pro PoE", "OAK4-D Wide"].into_iter().cycle()) {
+    for (file, model) in files
+        .iter()
+        .zip(["OAK-D Pro PoE", "OAK4-D Wide"].into_iter().cycle())
+    {
         let name = file.file_stem().unwrap().to_string_lossy();
         match unit::open(catalog, catalog.device(model).unwrap(), file, true) {
             Ok((twin, _)) => {

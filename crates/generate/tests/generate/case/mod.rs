@@ -1,5 +1,5 @@
 //! A folder with a recipe.
-#![allow(dead_code, reason = "no test uses all of it")]
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,5 +1,7 @@
 //! Uniformly lit plates in front of a camera at the origin that faces along x.
 
+#![expect(clippy::unwrap_used, reason = "helpers of tests")]
+
 use std::sync::Arc;
 
 use oaktwin::camera::math::DAffine3;
