@@ -43,16 +43,7 @@ pub(crate) fn run() -> Result<(), String> {
 
 /// All crates that are compiled into the wheel on any platform, without this project's.
 fn dependencies() -> Result<Vec<Dependency>, String> {
-    let mut command = workspace::cargo();
-    command.args(["metadata", "--format-version", "1", "--locked"]);
-    let done = command
-        .output()
-        .map_err(|error| format!("cargo metadata: {error}"))?;
-    if !done.status.success() {
-        return Err(String::from_utf8_lossy(&done.stderr).into_owned());
-    }
-    let metadata: Value =
-        serde_json::from_slice(&done.stdout).map_err(|error| format!("cargo metadata: {error}"))?;
+    let metadata = workspace::metadata(&[])?;
     let text = |value: &Value, name: &str| value[name].as_str().unwrap_or_default().to_owned();
     let list = |value: &Value, name: &str| value[name].as_array().cloned().unwrap_or_default();
     let nodes: BTreeMap<String, Value> = list(&metadata["resolve"], "nodes")

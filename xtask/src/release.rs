@@ -8,8 +8,6 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use serde_json::Value;
-
 use crate::workspace::{self, check, output};
 use archive::Archive;
 use manifest::Package;
@@ -33,7 +31,7 @@ pub(crate) struct Args {
 
 /// Packages and checks all published crates; without `--dry-run`, publishes them.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
-    let metadata = metadata()?;
+    let metadata = workspace::metadata(&["--no-deps"])?;
     let packages = manifest::read(&metadata);
     let crates = manifest::order(&packages)?;
     let Some(version) = crates.first().map(|package| package.version.clone()) else {
@@ -81,12 +79,6 @@ fn fail(mistakes: &[String]) -> Result<(), String> {
     }
 }
 
-fn metadata() -> Result<Value, String> {
-    let arguments = ["metadata", "--no-deps", "--format-version", "1", "--locked"];
-    let text = output(workspace::cargo().args(arguments))?;
-    serde_json::from_str(&text).map_err(|error| format!("cargo metadata: {error}"))
-}
-
 fn manifest_mistakes(
     crates: &[&Package],
     packages: &[Package],
@@ -117,7 +109,7 @@ fn package(crates: &[&Package], verify: bool) -> Result<(), String> {
     check(&mut command)
 }
 
-/// Compares the interfaces with those of the newest earlier release, and says what came of it.
+/// Compares the interfaces with the newest earlier release, and returns a line about the outcome.
 fn compare_with_earlier(crates: &[&Package], version: &str) -> Result<String, String> {
     let installed = Command::new("cargo")
         .args(["semver-checks", "--version"])

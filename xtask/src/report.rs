@@ -34,8 +34,15 @@ pub(crate) struct Report {
 }
 
 impl Report {
-    /// Runs a step, prints its name and time, and returns its result unless it failed.
+    /// Runs a step and returns its result, or `None` if it failed, which counts as a failed test.
     pub(crate) fn step<T>(&mut self, name: &str, work: impl FnOnce() -> Result<T, String>) -> Option<T> {
+        let result = self.timed(name, work);
+        self.counts.failed += u64::from(result.is_none());
+        result
+    }
+
+    /// Runs a step, prints its name and time, and returns its result unless it failed.
+    fn timed<T>(&mut self, name: &str, work: impl FnOnce() -> Result<T, String>) -> Option<T> {
         println!("\n-- {name}");
         let (start, used) = (Instant::now(), processor::used());
         let result = work();
@@ -68,7 +75,7 @@ impl Report {
     ) -> bool {
         let mut sum = Counts::default();
         let see = |line: &str| sum += counts(line).unwrap_or_default();
-        let result = self.step(name, || match workspace::watch(command, see)? {
+        let result = self.timed(name, || match workspace::watch(command, see)? {
             status if status.success() => Ok(()),
             status => Err(format!("{}: {status}", workspace::shown(command))),
         });
@@ -80,11 +87,6 @@ impl Report {
         };
         self.counts += sum;
         result.is_some()
-    }
-
-    /// Counts the failure of a step outside [`Self::command`].
-    pub(crate) fn count_failure(&mut self) {
-        self.counts.failed += 1;
     }
 
     /// Records a skipped step and its reason.

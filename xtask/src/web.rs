@@ -11,7 +11,7 @@ use crate::workspace::{self, output};
 /// The files of the bundle.
 const BUNDLE: [&str; 4] = ["index.html", "licenses.txt", "studio.css", "studio.js"];
 
-/// The folder of the committed bundle: that of the crate which contains it, so that it can be published.
+/// The folder of the committed bundle. It is inside the crate that serves it, so that the published crate contains it.
 const COMMITTED: &str = "crates/studio/dist";
 
 /// The browsers that the page is tested in, and a variable that names another one.
@@ -56,7 +56,6 @@ pub(crate) fn steps(report: &mut Report, program: Option<&Path>) {
         return report.skip("page", "npm is not installed");
     }
     if report.step("bundle of the page", is_committed).is_none() {
-        report.count_failure();
         return;
     }
     let Some(browser) = browser() else {
@@ -67,7 +66,7 @@ pub(crate) fn steps(report: &mut Report, program: Option<&Path>) {
         return report.skip("page in a browser", "the program was not built");
     };
     let Some(server) = report.step("server of the page", || Server::of(program)) else {
-        return report.count_failure();
+        return;
     };
     let mut tests = npm(&["test"]);
     tests
@@ -85,15 +84,24 @@ fn committed() -> PathBuf {
 }
 
 pub(crate) fn npm(arguments: &[&str]) -> Command {
+    npm_in(&folder(), arguments)
+}
+
+fn npm_in(folder: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new("npm");
-    command.args(arguments).current_dir(folder());
+    command.args(arguments).current_dir(folder);
     command
 }
 
 /// Installs what the page is built and tested with.
 pub(crate) fn install() -> Result<(), String> {
-    output(&mut npm(&["ci", "--ignore-scripts", "--no-audit", "--no-fund"]))?;
-    Ok(())
+    install_pinned(&folder())
+}
+
+/// Installs what the lock file of a folder pins, without running scripts of packages.
+pub(crate) fn install_pinned(folder: &Path) -> Result<(), String> {
+    let arguments = ["ci", "--ignore-scripts", "--no-audit", "--no-fund"];
+    output(&mut npm_in(folder, &arguments)).map(drop)
 }
 
 fn bundle(dist: &Path) -> Result<(), String> {

@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::io::{BufRead, BufReader, Read, Seek, Write};
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitStatus, Stdio};
+use std::process::{Child, Command, ExitStatus, Stdio};
+
+use serde_json::Value;
 
 use crate::processor;
 
@@ -56,12 +58,7 @@ fn quoted(word: &OsStr) -> String {
 /// Runs a command. An error names it.
 pub(crate) fn check(command: &mut Command) -> Result<(), String> {
     let child = command.spawn().map_err(|error| not_started(command, &error))?;
-    let status = processor::wait(child).map_err(|error| format!("{}: {error}", shown(command)))?;
-    if status.success() {
-        Ok(())
-    } else {
-        Err(format!("{}: {status}", shown(command)))
-    }
+    succeeded(command, wait(command, child)?)
 }
 
 /// Runs a command and returns its standard output. An error contains both output streams.
@@ -95,6 +92,16 @@ pub(crate) fn output(command: &mut Command) -> Result<String, String> {
 
 /// Runs a command, passes on its standard output, and calls `see` with each line.
 pub(crate) fn watch(command: &mut Command, mut see: impl FnMut(&str)) -> Result<ExitStatus, String> {
+    each_line(command, |line| {
+        let mut console = std::io::stdout().lock();
+        // A closed console must not stop the tests.
+        let _ = console.write_all(line).and_then(|()| console.flush());
+        see(String::from_utf8_lossy(line).trim_end());
+    })
+}
+
+/// Runs a command, and calls `see` with each line of its standard output.
+fn each_line(command: &mut Command, mut see: impl FnMut(&[u8])) -> Result<ExitStatus, String> {
     let mut child = command
         .stdout(Stdio::piped())
         .spawn()
@@ -104,14 +111,22 @@ pub(crate) fn watch(command: &mut Command, mut see: impl FnMut(&str)) -> Result<
         let mut line = Vec::new();
         // Bytes and not `lines()`: a test may print what is not UTF-8.
         while lines.read_until(b'\n', &mut line).is_ok_and(|read| read > 0) {
-            let mut console = std::io::stdout().lock();
-            // A closed console must not stop the tests.
-            let _ = console.write_all(&line).and_then(|()| console.flush());
-            see(String::from_utf8_lossy(&line).trim_end());
+            see(&line);
             line.clear();
         }
     }
+    wait(command, child)
+}
+
+fn wait(command: &Command, child: Child) -> Result<ExitStatus, String> {
     processor::wait(child).map_err(|error| format!("{}: {error}", shown(command)))
+}
+
+fn succeeded(command: &Command, status: ExitStatus) -> Result<(), String> {
+    match status.success() {
+        true => Ok(()),
+        false => Err(format!("{}: {status}", shown(command))),
+    }
 }
 
 fn not_started(command: &Command, error: &std::io::Error) -> String {
@@ -128,35 +143,31 @@ pub(crate) fn build(arguments: &[&str]) -> Result<BTreeMap<String, PathBuf>, Str
         .arg("build")
         .args(arguments)
         .arg("--message-format=json-render-diagnostics");
-    // The diagnostics go to the console as they come; only the messages are read.
+    command.stdin(Stdio::null());
     let mut built = BTreeMap::new();
-    let mut child = command
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .spawn()
-        .map_err(|error| not_started(&command, &error))?;
-    for line in child
-        .stdout
-        .take()
-        .into_iter()
-        .flat_map(|out| BufReader::new(out).lines())
-    {
-        let message = line
-            .ok()
-            .and_then(|line| serde_json::from_str::<serde_json::Value>(&line).ok());
-        let Some(message) = message else { continue };
+    // The diagnostics go to the console as they come; only the messages are read.
+    let status = each_line(&mut command, |line| {
+        let Ok(message) = serde_json::from_slice::<Value>(line) else {
+            return;
+        };
         let is_test = message["profile"]["test"] == true;
         let module = (message["target"]["name"] == MODULE).then(|| &message["filenames"][0]);
         let path = module.unwrap_or(&message["executable"]).as_str();
         if let (Some(name), Some(path), false) = (message["target"]["name"].as_str(), path, is_test) {
             built.insert(name.to_owned(), PathBuf::from(path));
         }
-    }
-    match processor::wait(child) {
-        Ok(status) if status.success() => Ok(built),
-        Ok(status) => Err(format!("{}: {status}", shown(&command))),
-        Err(error) => Err(format!("{}: {error}", shown(&command))),
-    }
+    })?;
+    succeeded(&command, status)?;
+    Ok(built)
+}
+
+/// Returns what `cargo metadata` says with these arguments about the locked dependencies.
+pub(crate) fn metadata(arguments: &[&str]) -> Result<Value, String> {
+    let mut command = cargo();
+    command
+        .args(["metadata", "--format-version", "1", "--locked"])
+        .args(arguments);
+    serde_json::from_str(&output(&mut command)?).map_err(|error| format!("cargo metadata: {error}"))
 }
 
 /// Builds a program with additional arguments, and returns its path.
