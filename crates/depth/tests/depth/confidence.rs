@@ -8,33 +8,25 @@
 )]
 
 use oaktwin_depth::engines::{SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, TIME_OF_FLIGHT};
-use oaktwin_depth::filter::{Chain, parse};
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::stereo_matching::{Luminance, Pair};
 use oaktwin_depth::time_of_flight::TimeOfFlight;
-use oaktwin_depth::{Capture, EngineKind, Input, Sensor, Setup, Shot};
+use oaktwin_depth::{Capture, EngineKind, Input, Sensor, Shot};
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Annotator;
+
+use crate::support::Optics;
 
 const WIDTH: u32 = 200;
 const HEIGHT: u32 = 90;
 const CONFIDENCE: Annotator = Annotator::DepthSensorConfidence;
 
-fn setup(parameters: &[(&str, &str)]) -> Setup {
-    let mut setup = Setup::new(150.0, WIDTH, 0.075);
-    setup.attributes.focal_length_px = 150.0;
-    setup.attributes.sensor_size_px = f64::from(WIDTH);
-    setup.attributes.baseline_mm = 75.0;
-    setup.parameters = (parameters.iter())
-        .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
-        .collect();
-    setup
-}
-
 fn sensor(kind: &EngineKind, parameters: &[(&str, &str)], filters: &[&str]) -> Sensor {
-    let filters = filters.iter().map(|text| parse(text).unwrap()).collect();
-    let engine = kind.create(&setup(parameters)).unwrap();
-    Sensor::new(engine, Chain::new(filters), Stream::new(1, "camera"))
+    let optics = Optics {
+        focal_length_px: 150.0,
+        width: WIDTH,
+    };
+    optics.sensor(kind, parameters, filters)
 }
 
 /// Measures with and without confidence, and returns the distance and the confidence.

@@ -3,4 +3,5 @@
 mod confidence;
 mod depthai_golden;
 mod reasons;
+mod support;
 mod vendor_curves;

@@ -3,34 +3,25 @@
 #![expect(clippy::unwrap_used, clippy::cast_possible_truncation, reason = "tests")]
 
 use oaktwin_depth::engines::{SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, TIME_OF_FLIGHT};
-use oaktwin_depth::filter::{Chain, NAMES, parse};
-use oaktwin_depth::random::Stream;
+use oaktwin_depth::filter::NAMES;
 use oaktwin_depth::stereo_matching::{Luminance, Pair};
-use oaktwin_depth::{Capture, EngineKind, Input, Reason, ReasonCodes, Sensor, Setup, Shot, reason};
+use oaktwin_depth::{Capture, EngineKind, Input, Reason, ReasonCodes, Sensor, Shot, reason};
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Annotator;
+
+use crate::support::Optics;
 
 const WIDTH: u32 = 320;
 const HEIGHT: u32 = 96;
 const FOCAL_LENGTH_PX: f64 = 200.0;
-const BASELINE_M: f64 = 0.075;
 const REASON: [Annotator; 1] = [Annotator::DepthSensorReason];
 
-fn setup(parameters: &[(&str, &str)]) -> Setup {
-    let mut setup = Setup::new(FOCAL_LENGTH_PX, WIDTH, BASELINE_M);
-    setup.attributes.focal_length_px = FOCAL_LENGTH_PX;
-    setup.attributes.sensor_size_px = f64::from(WIDTH);
-    setup.attributes.baseline_mm = 1e3 * BASELINE_M;
-    setup.parameters = (parameters.iter())
-        .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
-        .collect();
-    setup
-}
-
 fn sensor(kind: &EngineKind, parameters: &[(&str, &str)], filters: &[&str]) -> Sensor {
-    let filters = filters.iter().map(|text| parse(text).unwrap()).collect();
-    let engine = kind.create(&setup(parameters)).unwrap();
-    Sensor::new(engine, Chain::new(filters), Stream::new(1, "camera"))
+    let optics = Optics {
+        focal_length_px: FOCAL_LENGTH_PX,
+        width: WIDTH,
+    };
+    optics.sensor(kind, parameters, filters)
 }
 
 fn codes(capture: &Capture) -> &Image<u8> {

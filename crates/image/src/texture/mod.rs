@@ -11,7 +11,7 @@ mod other;
 mod png;
 mod png_chunks;
 
-use oaktwin_base::diagnostic::{Message, message, opt};
+use oaktwin_base::diagnostic::{message, opt};
 use oaktwin_files::memory;
 
 use crate::srgb::{linear_from_srgb, srgb_from_linear};
@@ -152,7 +152,7 @@ fn check(
 }
 
 fn broken(format: &'static str, place: &'static str, problem: &dyn std::fmt::Display) -> CodecError {
-    let remedy: Message = "the file is truncated or damaged; save it again".into();
+    let remedy = "the file is truncated or damaged; save it again";
     CodecError::new(format, place, problem.to_string(), remedy)
 }
 
