@@ -25,7 +25,7 @@ def output(program: Path, *arguments: str) -> str:
 
 
 def man_pages(program: Path, *command: str) -> dict[str, str]:
-    """Returns the page of a command and those of its subcommands, which it lists."""
+    """Returns the page of a command and the pages of its subcommands, which the command lists."""
     page = output(program, "man", *command)
     name = "-".join(["oaktwin", *command])
     pages = {f"{name}.1": page}

@@ -64,7 +64,10 @@ class Case:
 
 
 def models_of(number: int) -> tuple[sheet.Model, ...]:
-    """The models that a variant is tested with: all that it suits for an asset as it is and for a unit's, otherwise two, in turn."""
+    """Returns the models that a variant is tested with.
+
+    The plain variant and the first calibrated one are tested with every model that they suit, the others with two models each.
+    """
     variant = VARIANTS[number]
     suited = tuple(model for model in sheet.MODELS if variant.suits(model))
     if variant in (PLAIN, CALIBRATED[0]):

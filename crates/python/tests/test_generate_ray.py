@@ -66,7 +66,7 @@ def cluster():
 
 
 def workers() -> list[int]:
-    """The processes that make frames, also those of other programs."""
+    """Returns the processes that make frames, whichever program started them."""
     found = []
     for folder in Path("/proc").glob("[0-9]*"):
         try:

@@ -130,7 +130,8 @@ impl Program {
     }
 }
 
-/// Returns text whose paths have slashes on Windows, too, also those in JSON. A backslash before a quote is no separator.
+/// Replaces the backslashes in paths by slashes on Windows, also in JSON. A backslash before a quotation mark is kept, because it
+/// escapes the mark.
 fn with_slashes(text: &str) -> String {
     if !cfg!(windows) {
         return text.to_owned();
