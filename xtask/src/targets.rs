@@ -5,7 +5,7 @@ use std::process::Command;
 use crate::report::Report;
 use crate::workspace;
 
-/// A target, and the C compiler that the crate `lz4-sys` needs for it.
+/// A target, and the C compiler that the crate `zstd-sys` needs for it.
 struct Target {
     name: &'static str,
     compiler: &'static str,

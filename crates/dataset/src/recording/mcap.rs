@@ -40,7 +40,7 @@ const WORLD: &str = "world";
 ///
 /// Frames are `world` → the body → `NAME` → `NAME_optical_frame`, the frame of images and point clouds. A depth
 /// sensor's output that is seen from elsewhere has the frame `NAME_measured_optical_frame`. A camera without a body has
-/// `world` → `NAME`. Chunks are compressed with LZ4.
+/// `world` → `NAME`. Chunks are compressed with zstd, on one thread.
 pub struct Mcap<W: Write> {
     writer: Writer<NoSeek<W>>,
     /// The current message, whose memory is reused.
@@ -101,8 +101,10 @@ impl<W: Write> Mcap<W> {
             .library(concat!("oaktwin ", env!("CARGO_PKG_VERSION")))
             .chunk_size(Some(CHUNK))
             // The fastest level, since noise does not compress at any level.
-            .compression(Some(Compression::Lz4))
+            .compression(Some(Compression::Zstd))
             .compression_level(1)
+            // With several threads, the bytes depend on their number.
+            .compression_threads(0)
             .disable_seeking(true);
         Ok(Self {
             writer: options.create(NoSeek::new(output)).map_err(failed)?,
