@@ -1,7 +1,7 @@
 //! Checks of a calibration's content.
 
 use oaktwin_base::diagnostic::{Finding, Level, message, opt};
-use oaktwin_camera::{OpenCv, PixelPoint, RigidTransform};
+use oaktwin_camera::{LensModel, OpenCv, PixelPoint, RigidTransform};
 
 use crate::model::{Calibration, CameraCalibration, Link};
 use crate::reader::Reader;
@@ -67,6 +67,7 @@ pub(crate) fn cameras(reader: &mut Reader, calibration: &Calibration) {
                 "calibrate again with views that fill the image",
             );
         }
+        cancelled_poles(reader, camera);
         if !(0.9..=1.1).contains(&(k.fx / k.fy)) {
             let message = format!("fx = {} and fy = {} px differ by more than 10 %", k.fx, k.fy);
             reader.warn(
@@ -79,21 +80,44 @@ pub(crate) fn cameras(reader: &mut Reader, calibration: &Calibration) {
     }
 }
 
+/// Reports the poles of a lens model that its rays pass over, as in OpenCV.
+fn cancelled_poles(reader: &mut Reader, camera: &CameraCalibration) {
+    let LensModel::OpenCvPinhole(lens) = &camera.lens else {
+        return;
+    };
+    let k = &camera.intrinsics;
+    let reach = corners(camera).map(|corner| k.normalized_from_pixel(corner).length());
+    let reach = reach.into_iter().fold(0.0, f64::max);
+    for radius in lens
+        .cancelled_poles()
+        .into_iter()
+        .filter(|radius| *radius < reach)
+    {
+        let message = format!(
+            "the lens model has a pole {:.0} px from the principal point, which a zero beside it cancels; rays pass over it as in \
+             OpenCV, and pixels within a few px of that circle are inexact",
+            k.fx * radius
+        );
+        reader.note(
+            "distortion-pole",
+            format!("{}.distortionCoeff", camera.place),
+            message,
+        );
+    }
+}
+
 fn reaches_corners(camera: &CameraCalibration) -> bool {
-    let (width, height) = (f64::from(camera.size().width), f64::from(camera.size().height));
-    [
-        (0.0, 0.0),
-        (width - 1.0, 0.0),
-        (0.0, height - 1.0),
-        (width - 1.0, height - 1.0),
-    ]
-    .into_iter()
-    .all(|(x, y)| {
-        camera
-            .camera()
-            .unproject(PixelPoint::<OpenCv>::new(x, y))
-            .is_some()
-    })
+    corners(camera)
+        .into_iter()
+        .all(|corner| camera.camera().unproject(corner).is_some())
+}
+
+fn corners(camera: &CameraCalibration) -> [PixelPoint<OpenCv>; 4] {
+    let (right, bottom) = (
+        f64::from(camera.size().width) - 1.0,
+        f64::from(camera.size().height) - 1.0,
+    );
+    [(0.0, 0.0), (right, 0.0), (0.0, bottom), (right, bottom)].map(|(x, y)| PixelPoint::new(x, y))
 }
 
 pub(crate) fn links(reader: &mut Reader, calibration: &Calibration) {

@@ -136,7 +136,7 @@ mod tests {
         coefficients[0] = -0.05;
         coefficients[12] = -0.0248;
         coefficients[13] = -0.0058;
-        let tilted = OpenCvPinhole { coefficients };
+        let tilted = OpenCvPinhole::new(coefficients);
         let camera = Camera::new(intrinsics(), LensModel::OpenCvPinhole(tilted));
         let flat = Camera::new(intrinsics(), LensModel::OpenCvPinhole(tilted.without_tilt()));
         let mut worst = 0f64;

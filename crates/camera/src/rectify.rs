@@ -319,7 +319,7 @@ fn rotation_onto(from: DVec3, onto: DVec3) -> DMat3 {
 
 fn opencv_lens(lens: &LensModel) -> Option<OpenCvPinhole> {
     match lens.as_opencv() {
-        Some(OpenCvLens::Pinhole(coefficients)) => Some(OpenCvPinhole { coefficients }),
+        Some(OpenCvLens::Pinhole(coefficients)) => Some(OpenCvPinhole::new(coefficients)),
         _ => None,
     }
 }
@@ -351,7 +351,7 @@ fn opencv_undistort(lens: &OpenCvPinhole, distorted: DVec2) -> DVec2 {
         return distorted;
     };
     let flat = lens.without_tilt();
-    let [k1, k2, _, _, k3, k4, k5, k6, ..] = flat.coefficients;
+    let [k1, k2, _, _, k3, k4, k5, k6, ..] = *flat.coefficients();
     let mut at = target;
     for _ in 0..5 {
         let u = at.length_squared();

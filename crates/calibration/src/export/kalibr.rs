@@ -79,7 +79,7 @@ fn distortion(
     let optics = camera.camera();
     let place = format!("{}.distortionCoeff", camera.place);
     let radtan = radial_tangential(&optics).map(|lens| {
-        let [k1, k2, p1, p2, ..] = lens.coefficients;
+        let [k1, k2, p1, p2, ..] = *lens.coefficients();
         (
             "radtan",
             [k1, k2, p1, p2],

@@ -65,10 +65,7 @@ fn distortion(camera: &CameraCalibration, findings: &mut Vec<Finding>) -> (&'sta
 }
 
 fn dropped(camera: &Camera, place: &str, kept: [f64; 14]) -> Finding {
-    let (_, worst) = error_px(
-        camera,
-        &LensModel::OpenCvPinhole(OpenCvPinhole { coefficients: kept }),
-    );
+    let (_, worst) = error_px(camera, &LensModel::OpenCvPinhole(OpenCvPinhole::new(kept)));
     Finding::new(
         "distortion-dropped",
         Level::Warning,

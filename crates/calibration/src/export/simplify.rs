@@ -51,7 +51,7 @@ pub(super) fn radial_tangential(camera: &Camera) -> Option<OpenCvPinhole> {
     let c = least_squares(camera, |p| p, basis)?;
     let mut coefficients = [0.0; 14];
     coefficients[..4].copy_from_slice(&c);
-    Some(OpenCvPinhole { coefficients })
+    Some(OpenCvPinhole::new(coefficients))
 }
 
 /// Fits the equidistant model (k1 to k4) to a camera's lens over its image.
@@ -110,9 +110,9 @@ mod tests {
         fn recovers_lenses_of_the_family(k in prop::array::uniform4(-0.02..0.02f64)) {
             let mut coefficients = [0.0; 14];
             coefficients[..4].copy_from_slice(&k);
-            let given = camera(LensModel::OpenCvPinhole(OpenCvPinhole { coefficients }));
+            let given = camera(LensModel::OpenCvPinhole(OpenCvPinhole::new(coefficients)));
             let found = radial_tangential(&given).unwrap();
-            for (a, b) in found.coefficients.into_iter().zip(coefficients) {
+            for (a, b) in found.coefficients().iter().zip(coefficients) {
                 prop_assert!((a - b).abs() < 1e-9);
             }
             let given = camera(LensModel::OpenCvFisheye(OpenCvFisheye { k }));

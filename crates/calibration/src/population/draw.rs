@@ -134,17 +134,16 @@ impl Population {
 fn distorted(lens: LensModel, k1: f64, [p1, p2]: [f64; 2]) -> LensModel {
     match lens {
         LensModel::Pinhole => distorted(
-            LensModel::OpenCvPinhole(OpenCvPinhole {
-                coefficients: [0.0; 14],
-            }),
+            LensModel::OpenCvPinhole(OpenCvPinhole::new([0.0; 14])),
             k1,
             [p1, p2],
         ),
-        LensModel::OpenCvPinhole(mut lens) => {
-            for (coefficient, more) in lens.coefficients.iter_mut().zip([k1, 0.0, p1, p2]) {
+        LensModel::OpenCvPinhole(lens) => {
+            let mut coefficients = *lens.coefficients();
+            for (coefficient, more) in coefficients.iter_mut().zip([k1, 0.0, p1, p2]) {
                 *coefficient += more;
             }
-            LensModel::OpenCvPinhole(lens)
+            LensModel::OpenCvPinhole(OpenCvPinhole::new(coefficients))
         }
         LensModel::OpenCvFisheye(OpenCvFisheye { mut k }) => {
             k[0] += k1;

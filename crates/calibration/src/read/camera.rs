@@ -213,9 +213,7 @@ fn lens(
             if coefficients.iter().all(|c| *c == 0.0) {
                 LensModel::Pinhole
             } else {
-                LensModel::OpenCvPinhole(OpenCvPinhole {
-                    coefficients: std::array::from_fn(at),
-                })
+                LensModel::OpenCvPinhole(OpenCvPinhole::new(std::array::from_fn(at)))
             }
         }
     };

@@ -5,6 +5,7 @@ mod monotone;
 mod names;
 mod opencv_fisheye;
 mod opencv_pinhole;
+mod rational;
 
 pub use ftheta::FTheta;
 pub use names::{LensFamily, LensNames};
@@ -98,7 +99,7 @@ impl LensModel {
     pub const fn coefficients(&self) -> &[f64] {
         match self {
             Self::Pinhole => &[],
-            Self::OpenCvPinhole(lens) => &lens.coefficients,
+            Self::OpenCvPinhole(lens) => lens.coefficients(),
             Self::OpenCvFisheye(lens) => &lens.k,
             Self::FTheta(lens) => &lens.k,
         }
@@ -129,7 +130,7 @@ impl LensModel {
     pub const fn as_opencv(&self) -> Option<OpenCvLens> {
         match self {
             Self::Pinhole => Some(OpenCvLens::Pinhole([0.0; 14])),
-            Self::OpenCvPinhole(lens) => Some(OpenCvLens::Pinhole(lens.coefficients)),
+            Self::OpenCvPinhole(lens) => Some(OpenCvLens::Pinhole(*lens.coefficients())),
             Self::OpenCvFisheye(lens) => Some(OpenCvLens::Fisheye(lens.k)),
             Self::FTheta(_) => None,
         }

@@ -1,7 +1,11 @@
 use glam::{DMat2, DMat3, DVec2};
 
-use super::monotone::{agrees, positive_on};
+use super::monotone::agrees;
+use super::rational::{Rational, Smooth};
 use super::{LensError, padded};
+
+/// The greatest distance between a ray beside a cancelled pole and the ray of the model without the pole.
+const WIDEST_POLE: f64 = 0.1;
 
 /// OpenCV's pinhole distortion with its 14 coefficients: rational radial terms, tangential terms, thin prism, and a
 /// tilted sensor.
@@ -15,23 +19,59 @@ use super::{LensError, padded};
 /// (x″, y″, 1) ∝ T(τx, τy) (x', y', 1)
 /// ```
 ///
-/// Factory calibrations of OAK cameras have k1, k2, k4 and k5 of up to a few hundred that nearly cancel.
+/// Factory calibrations of OAK cameras have k1, k2, k4 and k5 of up to a few hundred that nearly cancel. In many of them g has a
+/// pole inside the image, and a zero within 0.002 of it in r = √u, which cancels it everywhere else. [`undistort`](Self::undistort)
+/// passes over such a pole, like OpenCV's iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OpenCvPinhole {
-    /// k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 τx τy, in OpenCV's order.
-    pub coefficients: [f64; 14],
+    coefficients: [f64; 14],
+    radial: Rational,
+    /// The radial factor without cancelled poles, if it has some.
+    smooth: Option<Smooth>,
 }
 
 impl OpenCvPinhole {
+    /// Creates a lens from k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 τx τy, in OpenCV's order.
+    #[must_use]
+    pub fn new(coefficients: [f64; 14]) -> Self {
+        let [k1, k2, _, _, k3, k4, k5, k6, ..] = coefficients;
+        let radial = Rational {
+            n: [1.0, k1, k2, k3],
+            d: [1.0, k4, k5, k6],
+        };
+        Self {
+            coefficients,
+            radial,
+            smooth: radial.without_cancelled_poles(),
+        }
+    }
+
+    /// Returns the coefficients in OpenCV's order.
+    #[must_use]
+    pub const fn coefficients(&self) -> &[f64; 14] {
+        &self.coefficients
+    }
+
+    /// Returns the distorted radii of the poles that a zero cancels, in ascending order: circles about the principal point, without
+    /// the sensor's tilt. Within a few pixels of them, rays are not the real lens's.
+    #[must_use]
+    pub fn cancelled_poles(&self) -> Vec<f64> {
+        let distorted = |(r, smooth): (f64, Smooth)| r * smooth.radial.at(r * r).0;
+        self.smooth
+            .into_iter()
+            .flat_map(|smooth| smooth.poles.map(|r| (r, smooth)))
+            .filter(|(r, _)| r.is_finite())
+            .map(distorted)
+            .collect()
+    }
+
     /// Creates a lens from OpenCV's 4, 5, 8, 12 or 14 coefficients, or any number up to 14, as in `DepthAI`; missing ones are
     /// 0.
     ///
     /// # Errors
     /// Returns an error if there are more than 14 coefficients or one is not finite.
     pub fn from_slice(coefficients: &[f64]) -> Result<Self, LensError> {
-        Ok(Self {
-            coefficients: padded("OpenCV's pinhole distortion", coefficients)?,
-        })
+        Ok(Self::new(padded("OpenCV's pinhole distortion", coefficients)?))
     }
 
     /// Returns the distorted point of a point on the plane z = 1.
@@ -43,7 +83,7 @@ impl OpenCvPinhole {
     /// Returns the distorted point and its derivative, `[[∂x″/∂x, ∂x″/∂y], [∂y″/∂x, ∂y″/∂y]]`.
     #[must_use]
     pub fn distort_with_jacobian(&self, normalized: DVec2) -> (DVec2, DMat2) {
-        let (flat, d_flat) = self.before_tilt(normalized);
+        let (flat, d_flat) = self.before_tilt(normalized, &self.radial);
         let Some(tilt) = self.tilt() else {
             return (flat, d_flat);
         };
@@ -57,25 +97,62 @@ impl OpenCvPinhole {
     }
 
     /// Returns the point on the plane z = 1 of a distorted point, or `None` beyond the fold. Newton's method converges to the
-    /// model's rounding error (the distorted point is reached within 1e-12).
+    /// model's rounding error (the distorted point is reached within 1e-12). Where a cancelled pole leaves no solution, the
+    /// result is that of the model without the pole.
     #[must_use]
     pub fn undistort(&self, distorted: DVec2) -> Option<DVec2> {
         let target = self.untilt(distorted)?;
-        let found = |at: DVec2| {
-            let (value, _) = self.before_tilt(at);
-            agrees(value.x, target.x) && agrees(value.y, target.y) && self.is_monotone_at(at)
+        let Some(smooth) = &self.smooth else {
+            return self.solve(&self.radial, target);
         };
+        let near = self.solve(&smooth.radial, target)?;
+        Some(self.beside_poles(smooth, target, near).unwrap_or(near))
+    }
 
-        // Newton's method from the distorted point takes three to six steps for moderate distortion.
+    /// Returns the solution that OpenCV's iteration converges to, if it is near the solution of the model without cancelled poles.
+    /// Close to a pole there are up to four solutions, two of which may attract the iteration.
+    fn beside_poles(&self, smooth: &Smooth, target: DVec2, near: DVec2) -> Option<DVec2> {
+        let r = near.length();
+        let is_close = smooth
+            .poles
+            .into_iter()
+            .any(|pole| (pole - r).abs() < WIDEST_POLE);
+        let start = if is_close {
+            self.iterate_as_opencv(target)
+        } else {
+            near
+        };
+        let (at, slope) = self.newton(&self.radial, target, start);
+        (self.reaches(&self.radial, target, at)
+            && slope.determinant() > 0.0
+            && at.distance(near) < WIDEST_POLE)
+            .then_some(at)
+    }
+
+    /// Returns the result of the fixed-point iteration of `cv2.undistortPointsIter`, which begins at the distorted point.
+    fn iterate_as_opencv(&self, target: DVec2) -> DVec2 {
         let mut at = target;
-        for _ in 0..12 {
-            let (value, slope) = self.before_tilt(at);
-            let step = slope.inverse() * (value - target);
-            at -= step;
-            if !step.is_finite() || step.length() <= 1e-13 * (1.0 + at.length()) {
+        for _ in 0..300 {
+            let (radial, _) = self.radial.at(at.length_squared());
+            if radial.is_nan() || radial <= 0.0 {
+                break;
+            }
+            let next = (target - (self.before_tilt(at, &self.radial).0 - at * radial)) / radial;
+            let step = next.distance(at);
+            at = next;
+            if step < 1e-9 {
                 break;
             }
         }
+        at
+    }
+
+    /// Solves the model with another radial factor, which has no cancelled pole.
+    fn solve(&self, radial: &Rational, target: DVec2) -> Option<DVec2> {
+        let found = |at: DVec2| self.reaches(radial, target, at) && self.is_monotone_at(at);
+
+        // From the distorted point, Newton's method takes three to six steps for moderate distortion.
+        let (at, _) = self.newton(radial, target, target);
         if found(at) {
             return Some(at);
         }
@@ -84,12 +161,12 @@ impl OpenCvPinhole {
         let mut at = DVec2::ZERO;
         let mut residual = target.length();
         for _ in 0..200 {
-            let (value, slope) = self.before_tilt(at);
+            let (value, slope) = self.before_tilt(at, radial);
             let step = slope.inverse() * (value - target);
             let mut part = 1.0;
             loop {
                 let next = at - part * step;
-                let left = (self.before_tilt(next).0 - target).length();
+                let left = (self.before_tilt(next, radial).0 - target).length();
                 if left < residual && self.is_monotone_at(next) {
                     (at, residual) = (next, left);
                     break;
@@ -104,25 +181,36 @@ impl OpenCvPinhole {
         found(at).then_some(at)
     }
 
-    /// Whether the model is injective from the axis to this point of the plane z = 1: the radial term increases all the way,
-    /// and the map preserves the orientation at the point.
-    #[must_use]
-    pub fn is_monotone_at(&self, normalized: DVec2) -> bool {
-        let [n, d] = self.rational();
-        let end = normalized.length_squared();
-        // d(r g)/dr = Σ nᵢ dⱼ (1 + 2i − 2j) u^(i+j) / D²
-        let mut slope = [0.0; 7];
-        for (i, ni) in (0u8..).zip(n) {
-            for (j, dj) in (0u8..).zip(d) {
-                slope[usize::from(i + j)] += ni * dj * (1.0 + 2.0 * (f64::from(i) - f64::from(j)));
+    /// Returns where Newton's method ends, and the derivative before its last step.
+    fn newton(&self, radial: &Rational, target: DVec2, start: DVec2) -> (DVec2, DMat2) {
+        let mut at = start;
+        let mut slope = DMat2::IDENTITY;
+        for _ in 0..12 {
+            let value;
+            (value, slope) = self.before_tilt(at, radial);
+            let step = slope.inverse() * (value - target);
+            at -= step;
+            if !step.is_finite() || step.length() <= 1e-13 * (1.0 + at.length()) {
+                break;
             }
         }
-        positive_on(&d, end)
-            && positive_on(&slope, end)
-            && self.before_tilt(normalized).1.determinant() > 0.0
-            && self
-                .tilt()
-                .is_none_or(|tilt| (tilt * self.before_tilt(normalized).0.extend(1.0)).z > 0.0)
+        (at, slope)
+    }
+
+    fn reaches(&self, radial: &Rational, target: DVec2, at: DVec2) -> bool {
+        let (value, _) = self.before_tilt(at, radial);
+        agrees(value.x, target.x) && agrees(value.y, target.y)
+    }
+
+    /// Whether the model is injective from the axis to this point of the plane z = 1, but for cancelled poles: the radial term
+    /// increases all the way, and the map preserves the orientation at the point.
+    #[must_use]
+    pub fn is_monotone_at(&self, normalized: DVec2) -> bool {
+        let radial = self.smooth.as_ref().map_or(&self.radial, |smooth| &smooth.radial);
+        let (flat, slope) = self.before_tilt(normalized, radial);
+        radial.increases_to(normalized.length_squared())
+            && slope.determinant() > 0.0
+            && self.tilt().is_none_or(|tilt| (tilt * flat.extend(1.0)).z > 0.0)
     }
 
     /// Returns the lens without the sensor's tilt, for formats that have no τx and τy.
@@ -130,7 +218,10 @@ impl OpenCvPinhole {
     pub fn without_tilt(&self) -> Self {
         let mut coefficients = self.coefficients;
         coefficients[12..].fill(0.0);
-        Self { coefficients }
+        Self {
+            coefficients,
+            ..*self
+        }
     }
 
     /// Returns the position of a distorted point on an untilted sensor, or `None` on and beyond the tilted plane's horizon.
@@ -161,24 +252,11 @@ impl OpenCvPinhole {
         Some(project * rotation)
     }
 
-    /// Returns the coefficients of the radial factor's numerator and denominator, in ascending powers of r².
-    fn rational(&self) -> [[f64; 4]; 2] {
-        let [k1, k2, _, _, k3, k4, k5, k6, ..] = self.coefficients;
-        [[1.0, k1, k2, k3], [1.0, k4, k5, k6]]
-    }
-
-    fn before_tilt(&self, normalized: DVec2) -> (DVec2, DMat2) {
+    fn before_tilt(&self, normalized: DVec2, radial: &Rational) -> (DVec2, DMat2) {
         let [_, _, p1, p2, _, _, _, _, s1, s2, s3, s4, ..] = self.coefficients;
         let DVec2 { x, y } = normalized;
         let u = x * x + y * y;
-        let [(n, dn), (d, dd)] = self.rational().map(|[c0, c1, c2, c3]| {
-            (
-                c0 + u * (c1 + u * (c2 + u * c3)),
-                c1 + u * (2.0 * c2 + u * 3.0 * c3),
-            )
-        });
-        let radial = n / d;
-        let d_radial = (dn - radial * dd) / d; // with respect to u
+        let (radial, d_radial) = radial.at(u); // the derivative is with respect to u
         let (prism_x, prism_y) = (2.0 * (s1 + 2.0 * s2 * u), 2.0 * (s3 + 2.0 * s4 * u));
         let value = DVec2::new(
             x * radial + 2.0 * p1 * x * y + p2 * (u + 2.0 * x * x) + u * (s1 + s2 * u),
@@ -200,11 +278,57 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
+    /// A radial factor of 1 − 0.05 u, times (1 − u/zero²) / (1 − u/pole²).
+    fn with_pole(zero: f64, pole: f64) -> OpenCvPinhole {
+        let (a, b) = (-1.0 / (zero * zero), -1.0 / (pole * pole));
+        let mut coefficients = [0.0; 14];
+        coefficients[..6].copy_from_slice(&[a - 0.05, -0.05 * a, 1e-4, -2e-4, 0.0, b]);
+        OpenCvPinhole::new(coefficients)
+    }
+
+    #[test]
+    fn passes_over_a_cancelled_pole() {
+        let lens = with_pole(0.7003, 0.7);
+        let poles = lens.cancelled_poles();
+        assert!(
+            poles.len() == 1 && (poles[0] - 0.7 * (1.0 - 0.05 * 0.49)).abs() < 1e-3,
+            "{poles:?}"
+        );
+        for step in 1..=200 {
+            // A ray is off its distorted point only where the model has no other.
+            let ray = DVec2::new(0.006, 0.001) * f64::from(step);
+            let distorted = lens.distort(ray);
+            if (ray.length() - 0.7).abs() > 0.05 {
+                let back = lens.undistort(distorted).unwrap();
+                assert!(back.distance(ray) < 1e-9, "{ray} {back}");
+            }
+        }
+    }
+
+    #[test]
+    fn gives_a_ray_on_the_pole_itself() {
+        for (zero, pole) in [(0.7003, 0.7), (0.6997, 0.7)] {
+            let lens = with_pole(zero, pole);
+            for ray in [DVec2::new(0.7, 0.0), DVec2::new(0.42, 0.56)] {
+                let smooth = OpenCvPinhole::from_slice(&[-0.05, 0.0, 1e-4, -2e-4]).unwrap();
+                let back = lens.undistort(smooth.distort(ray)).unwrap();
+                assert!(back.distance(ray) < 0.1, "{back}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_pole_that_nothing_cancels_ends_the_image() {
+        let lens = with_pole(0.9, 0.7);
+        assert!(lens.cancelled_poles().is_empty());
+        assert!(lens.is_monotone_at(DVec2::new(0.69, 0.0)) && !lens.is_monotone_at(DVec2::new(0.71, 0.0)));
+    }
+
     #[test]
     fn accepts_up_to_14_coefficients() {
         for length in 0..=14 {
             let lens = OpenCvPinhole::from_slice(&vec![0.25; length]).unwrap();
-            assert_eq!(lens.coefficients.iter().filter(|&&k| k == 0.25).count(), length);
+            assert_eq!(lens.coefficients().iter().filter(|&&k| k == 0.25).count(), length);
         }
         let error = OpenCvPinhole::from_slice(&[0.0; 15]).unwrap_err();
         assert_eq!(
@@ -276,7 +400,7 @@ mod tests {
                     tau[0],
                     tau[1],
                 ];
-                OpenCvPinhole { coefficients }
+                OpenCvPinhole::new(coefficients)
             })
     }
 

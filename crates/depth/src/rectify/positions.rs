@@ -64,9 +64,9 @@ fn mesh(camera: &Camera, rectified_from_camera: DMat3, rectified: &Intrinsics) -
 }
 
 fn first_eight(lens: &OpenCvPinhole) -> OpenCvPinhole {
-    let mut coefficients = lens.coefficients;
+    let mut coefficients = *lens.coefficients();
     coefficients[8..].fill(0.0);
-    OpenCvPinhole { coefficients }
+    OpenCvPinhole::new(coefficients)
 }
 
 fn mixed(a: [f32; 2], b: [f32; 2], part: f32) -> [f32; 2] {

@@ -239,7 +239,7 @@ pub(super) fn read_params(path: &Path, size: ImageSize) -> Result<Camera, FileEr
                 for (i, place) in coefficients[8..12].iter_mut().enumerate() {
                     *place = of(&s, i);
                 }
-                LensModel::OpenCvPinhole(OpenCvPinhole { coefficients })
+                LensModel::OpenCvPinhole(OpenCvPinhole::new(coefficients))
             };
             Camera::new(intrinsics, lens)
         }

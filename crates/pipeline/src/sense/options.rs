@@ -9,6 +9,7 @@ use oaktwin_usd::asset::LensChoice;
 
 /// The field of view of the depth images.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "a run has only one")]
 pub enum FieldOfView {
     /// The field of view in a folder's `camera_params`, or else the model's.
     #[default]

@@ -23,6 +23,7 @@ use oaktwin_usd::asset::LensChoice;
 
 /// The cameras of a pair.
 #[derive(Clone, Copy, Debug)]
+#[expect(clippy::large_enum_variant, reason = "a run has only one")]
 pub enum PairOf<'a> {
     /// The cameras of a twin.
     Twin {

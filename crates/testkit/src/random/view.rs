@@ -44,7 +44,7 @@ pub fn view(lens: Lens, size: ImageSize, centre: DVec3, random: &mut Random) -> 
             let intrinsics = Intrinsics::new(size, focal, focal, middle);
             Camera::new(
                 intrinsics,
-                LensModel::OpenCvPinhole(OpenCvPinhole { coefficients }),
+                LensModel::OpenCvPinhole(OpenCvPinhole::new(coefficients)),
             )
         }
         Lens::Fisheye => {

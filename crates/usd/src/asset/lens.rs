@@ -124,7 +124,8 @@ pub(super) fn findings(twin: &Twin, options: &AssetOptions) -> Vec<Finding> {
     for camera in &twin.cameras {
         let path = format!("/{ROOT}/{}/{}", twin.device.prim, camera.spec.prim);
         if let LensModel::OpenCvPinhole(lens) = &camera.lens {
-            let tilt = [lens.coefficients[12], lens.coefficients[13]];
+            let [.., tau_x, tau_y] = *lens.coefficients();
+            let tilt = [tau_x, tau_y];
             if tilt != [0.0, 0.0] {
                 let error_px = Camera::new(camera.intrinsics, camera.lens).largest_tilt_error_px();
                 findings.push(Finding::new(

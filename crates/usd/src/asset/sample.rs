@@ -38,24 +38,22 @@ pub(crate) fn calibrated(mut twin: Twin, fisheye: bool) -> Twin {
                 k: [0.05, -0.01, 0.002, -0.0001],
             })
         } else {
-            LensModel::OpenCvPinhole(OpenCvPinhole {
-                coefficients: [
-                    -5.1,
-                    12.4,
-                    0.0004,
-                    -0.0002,
-                    3.25,
-                    -5.2,
-                    12.7,
-                    2.9,
-                    1e-4,
-                    -2e-4,
-                    3e-4,
-                    -4e-4,
-                    0.0015 * i,
-                    0.0,
-                ],
-            })
+            LensModel::OpenCvPinhole(OpenCvPinhole::new([
+                -5.1,
+                12.4,
+                0.0004,
+                -0.0002,
+                3.25,
+                -5.2,
+                12.7,
+                2.9,
+                1e-4,
+                -2e-4,
+                3e-4,
+                -4e-4,
+                0.0015 * i,
+                0.0,
+            ]))
         };
         let turn = DMat3::from_rotation_y(0.004 * i) * DMat3::from_rotation_x(-0.002);
         camera.body_from_camera = RigidTransform::new(

@@ -33,7 +33,7 @@ fn calibrated(nominal: &Twin, fisheye: bool) -> Twin {
         } else {
             let mut coefficients = [0.0; 14];
             coefficients[..8].copy_from_slice(&[2.1, 1.3, 1e-4, -2e-4, 0.05, 2.4, 1.9, 0.2]);
-            LensModel::OpenCvPinhole(OpenCvPinhole { coefficients })
+            LensModel::OpenCvPinhole(OpenCvPinhole::new(coefficients))
         };
     }
     twin.origin = Origin::Calibration {
