@@ -316,6 +316,16 @@ mod tests {
             ("OAK 4 D", "oak4_d"),
             ("OAK-4-D-W", "oak4_d_wide"),
             ("OAK-D-SR-POE", "oak_d_tof"),
+            ("OAK 4 CS", "oak4_cs"),
+            ("OAK-4-CS-OG05B10", "oak4_cs"),
+            ("OAK-1-W", "oak_1_w"),
+            ("OAK-1-LITE-AF", "oak_1_lite"),
+            ("oak-1 max", "oak_1_max"),
+            ("OAK-D-CM4", "oak_d_cm4"),
+            ("OAK Thermal", "oak_thermal"),
+            ("OAK-T", "oak_thermal"),
+            ("D457", "realsense_d457"),
+            ("RealSense D555", "realsense_d555"),
         ] {
             assert_eq!(catalog.device(asked).unwrap().id, id, "{asked}");
         }

@@ -92,7 +92,18 @@ mod tests {
         };
         assert_eq!(names(None, None).len(), catalog.devices().len());
         assert_eq!(names(Some("stereo labs"), None), ["ZED 2i", "ZED Mini", "ZED X"]);
-        assert_eq!(names(None, Some(DepthFilter::None)), ["OAK4-S", "OAK-1"]);
+        assert_eq!(
+            names(None, Some(DepthFilter::None)),
+            [
+                "OAK4-CS",
+                "OAK4-S",
+                "OAK-1",
+                "OAK-1 Lite",
+                "OAK-1 MAX",
+                "OAK-1 W",
+                "OAK Thermal"
+            ]
+        );
         assert_eq!(
             names(None, Some(DepthFilter::Tof)),
             ["OAK-D ToF", "Azure Kinect", "Femto Bolt"]

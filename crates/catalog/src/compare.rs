@@ -32,7 +32,7 @@ impl Table {
 }
 
 /// Returns the comparison tables of Luxonis' parameter sheet for devices, in its order and wording: the USD camera parameters of
-/// each (mm), the depth sensors, the accuracy by range, and the features.
+/// each (mm), the depth sensors, the accuracy by range, and the features. A table without contents is left out.
 ///
 /// # Panics
 /// Panics if the catalog does not contain a sensor of a device; it contains the sensors of its own devices.
@@ -43,6 +43,7 @@ pub fn compare(catalog: &Catalog, devices: &[&Device]) -> Vec<Table> {
     tables.push(depth_sensors(&twins));
     tables.push(accuracy(devices));
     tables.push(features(catalog, devices));
+    tables.retain(|table| table.header.len() > 1 && !table.rows.is_empty());
     tables
 }
 

@@ -18,7 +18,15 @@ def test_models(program):
 
 def test_models_by_maker_and_depth():
     assert oaktwin.models(maker="stereolabs") == ["ZED 2i", "ZED Mini", "ZED X"]
-    assert oaktwin.models(depth="none") == ["OAK4-S", "OAK-1"]
+    assert oaktwin.models(depth="none") == [
+        "OAK4-CS",
+        "OAK4-S",
+        "OAK-1",
+        "OAK-1 Lite",
+        "OAK-1 MAX",
+        "OAK-1 W",
+        "OAK Thermal",
+    ]
     assert oaktwin.models(maker="Luxonis", depth="tof") == ["OAK-D ToF"]
     with pytest.raises(oaktwin.Error, match="unknown maker 'Luxsonis'; did you mean 'Luxonis'?"):
         oaktwin.models(maker="Luxsonis")

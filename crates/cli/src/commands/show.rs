@@ -131,6 +131,9 @@ fn sensor_text(sensor: &Sensor) -> String {
 }
 
 fn accuracy_text(out: &mut String, report: &DeviceReport) {
+    if report.accuracy.is_empty() {
+        return;
+    }
     let _ = writeln!(out, "\nAccuracy");
     for table in &report.accuracy {
         let bands: Vec<String> = table

@@ -52,7 +52,18 @@ fn every_model_has_frames_with_each_of_its_sensors_and_engines() {
         }
     }
     assert!(id > 50, "{id}");
-    assert_eq!(without_depth, ["OAK4-S", "OAK-1"]);
+    assert_eq!(
+        without_depth,
+        [
+            "OAK4-CS",
+            "OAK4-S",
+            "OAK-1",
+            "OAK-1 Lite",
+            "OAK-1 MAX",
+            "OAK-1 W",
+            "OAK Thermal"
+        ]
+    );
     for name in without_depth {
         let mut wanted = state();
         wanted["model"] = json!(name);
