@@ -276,3 +276,29 @@ def test_kalibr_export(program: Path, file: Path, ours: dict, tmp_path: Path) ->
         coefficients, model = camera["distortion_coeffs"], camera["distortion_model"]
         assert model in ("radtan", "equidistant") and len(coefficients) == 4
         assert_residual(k, coefficients, model == "equidistant", source, residual_of(said, file, source))
+
+
+@pytest.mark.parametrize("to", ["ros", "opencv", "kalibr"])
+def test_import(program: Path, file: Path, ours: dict, to: str, tmp_path: Path) -> None:
+    """DepthAI reads what the program imports from its own exports."""
+    run(program, "export", file, "--to", to, "-o", tmp_path / "files", "--force")
+    inputs = sorted(path for path in (tmp_path / "files").iterdir() if path.name != "imu.yaml")
+    out = tmp_path / "imported.json"
+    run(program, "import", *inputs, "-o", out, "--force")
+    theirs = dai.CalibrationHandler(str(out))
+    sockets = {camera["socket"] for camera in ours["cameras"]}
+    left, right = ours["stereo"]["left"], ours["stereo"]["right"]
+    if (left, right) == ("CAM_B", "CAM_C"):
+        assert {s.name for s in theirs.getEepromData().cameraData} == sockets
+        pair = next(p for p in ours["pairs"] if (p["from"], p["to"]) == (left, right))
+        found = theirs.getCameraExtrinsics(socket(left), socket(right))
+        assert_transform(pair["to_from_from_cm"], found, to)
+        assert_transform(ours["stereo"]["rectified_from_left"], theirs.getStereoLeftRectificationRotation(), "R1")
+    if to == "opencv":
+        for name, camera in named(ours).items():
+            where = socket({"left": "CAM_B", "right": "CAM_C"}.get(name, camera["socket"]))
+            intrinsics = theirs.getCameraIntrinsics(where, camera["width"], camera["height"])
+            np.testing.assert_allclose(camera["camera_matrix"], intrinsics, rtol=1e-6)
+            assert camera["model"] == theirs.getDistortionModel(where).name
+            found = theirs.getDistortionCoefficients(where)[: len(camera["distortion"])]
+            np.testing.assert_allclose(camera["distortion"], found, rtol=1e-6)
