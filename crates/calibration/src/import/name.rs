@@ -84,7 +84,7 @@ mod tests {
         }
         let given = NamedCamera::from_text("cam0=Right").unwrap();
         assert_eq!(
-            self::socket(&["CAM0".to_owned(), "left".to_owned()], &[given]),
+            socket(&["CAM0".to_owned(), "left".to_owned()], &[given]),
             Some(Socket::CAM_C)
         );
         assert_eq!(NamedCamera::from_text("cam0=cam_d").unwrap().socket, Socket(3));

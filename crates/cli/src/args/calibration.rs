@@ -77,7 +77,7 @@ pub(crate) struct CalibrationImportArgs {
     #[arg(long)]
     pub(crate) model: Option<String>,
 
-    /// The position of a camera: left, right, rgb, tof, or cam_a to cam_j [default: from its name]
+    /// The position of a camera: left, right, rgb, tof or a socket [default: from its name]
     #[arg(long = "camera", value_name = "NAME=POSITION", value_parser = named_camera)]
     pub(crate) cameras: Vec<NamedCamera>,
 

@@ -70,9 +70,9 @@ fn split<const N: usize>(at: &[f64]) -> Option<([f64; 4], [f64; N])> {
 struct System {
     /// The sum of squares, px².
     sum: f64,
-    /// The rows of the symmetric matrix JᵀJ.
+    /// The rows of the symmetric matrix `JᵀJ`.
     normal: Vec<Vec<f64>>,
-    /// The vector −Jᵀr.
+    /// The vector `−Jᵀr`.
     right: Vec<f64>,
 }
 
@@ -92,16 +92,18 @@ impl System {
             system.sum += residual.length_squared();
             let of_x = [distorted.x, 0.0, 1.0, 0.0].into_iter();
             let of_y = [0.0, distorted.y, 0.0, 1.0].into_iter();
-            system.add(of_x.chain(slopes.iter().map(|s| fx * s.x)).collect(), residual.x);
-            system.add(of_y.chain(slopes.iter().map(|s| fy * s.y)).collect(), residual.y);
+            let of_x: Vec<f64> = of_x.chain(slopes.iter().map(|s| fx * s.x)).collect();
+            let of_y: Vec<f64> = of_y.chain(slopes.iter().map(|s| fy * s.y)).collect();
+            system.add(&of_x, residual.x);
+            system.add(&of_y, residual.y);
         }
         system.sum.is_finite().then_some(system)
     }
 
-    fn add(&mut self, row: Vec<f64>, residual: f64) {
-        for ((normal, right), a) in self.normal.iter_mut().zip(&mut self.right).zip(&row) {
+    fn add(&mut self, row: &[f64], residual: f64) {
+        for ((normal, right), a) in self.normal.iter_mut().zip(&mut self.right).zip(row) {
             *right -= a * residual;
-            for (entry, b) in normal.iter_mut().zip(&row) {
+            for (entry, b) in normal.iter_mut().zip(row) {
                 *entry += a * b;
             }
         }

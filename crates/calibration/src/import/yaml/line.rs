@@ -50,11 +50,8 @@ fn without_comment(line: &str) -> &str {
     let (mut quote, mut before) = (None, ' ');
     for (at, c) in line.char_indices() {
         match quote {
-            Some(open) => {
-                if c == open && !(open == '"' && before == '\\') {
-                    quote = None;
-                }
-            }
+            Some(open) if c == open && !(open == '"' && before == '\\') => quote = None,
+            Some(_) => {}
             None if c == '#' && before.is_whitespace() => return line.get(..at).unwrap_or(line),
             // A quote in the middle of a word is an apostrophe.
             None if (c == '"' || c == '\'') && !before.is_alphanumeric() => quote = Some(c),
