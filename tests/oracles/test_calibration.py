@@ -1,6 +1,7 @@
 """DepthAI's own library, OpenCV and PyYAML on calibrations that the program reads and writes."""
 
 import json
+import re
 import subprocess
 from pathlib import Path
 
@@ -23,6 +24,12 @@ def socket(name: str) -> dai.CameraBoardSocket:
 def run(program: Path, *arguments: object) -> str:
     command = [str(program), "calibration", *map(str, arguments)]
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def run_with_findings(program: Path, *arguments: object) -> str:
+    """Returns what the program says about the files."""
+    command = [str(program), "calibration", *map(str, arguments)]
+    return subprocess.run(command, check=True, capture_output=True, text=True).stderr
 
 
 def show(program: Path, file: Path) -> dict:
@@ -133,6 +140,45 @@ def projected(points: np.ndarray, k: np.ndarray, d: np.ndarray, fisheye: bool) -
     return cv2.projectPoints(points, zero, zero, k, d)[0].reshape(-1, 2)
 
 
+def named(ours: dict) -> dict[str, dict]:
+    """The cameras by their names in exports."""
+    product = "".join(c for c in ours["board"]["product_name"].lower() if c.isalnum())
+    names = {"CAM_A": "tof" if "tof" in product or "srpoe" in product else "rgb"}
+    names |= {ours["stereo"]["left"]: "left", ours["stereo"]["right"]: "right"}
+    return {names.get(c["socket"], c["socket"].lower()): c for c in ours["cameras"]}
+
+
+def residual_of(said: str, file: Path, camera: dict) -> tuple[float, float]:
+    """The stated residual of a camera, px: root mean square and maximum; 0 if it was not fitted."""
+    sockets = [number for number, _ in json.loads(file.read_text())["cameraData"]]
+    place = f"cameraData[{sockets.index(ord(camera['socket'][-1]) - ord('A'))}].distortionCoeff"
+    found = [line for line in said.splitlines() if "[distortion-fitted]" in line and place in line]
+    assert len(found) <= 1, place
+    if not found:
+        return 0.0, 0.0
+    rms, worst = re.search(r"residual is ([\d.]+) px .*at most ([\d.]+) px", found[0]).groups()
+    return float(rms), float(worst)
+
+
+def assert_residual(k: np.ndarray, d: list, fisheye: bool, source: dict, stated: tuple[float, float]) -> None:
+    """OpenCV's projections of rays by the exported model differ from the file's by no more than the program states."""
+    width, height = source["width"], source["height"]
+    x, y = np.meshgrid(np.linspace(0, width - 1, 33), np.linspace(0, height - 1, 33))
+    pixels = np.stack([x.ravel(), y.ravel()], axis=1)
+    own, coefficients = np.array(source["camera_matrix"]), np.array(source["distortion"])
+    is_fisheye = source["model"] == "Fisheye"
+    if is_fisheye:
+        flat = cv2.fisheye.undistortPoints(pixels[:, None], own, coefficients.reshape(-1, 1))
+    else:
+        flat = cv2.undistortPoints(pixels[:, None], own, coefficients)
+    points = np.concatenate([flat.reshape(-1, 2), np.ones((len(pixels), 1))], axis=1)
+    back = projected(points, own, coefficients, is_fisheye)
+    reached = np.abs(back - pixels).max(axis=1) < 0.5
+    errors = np.linalg.norm(projected(points, k, np.array(d), fisheye) - back, axis=1)[reached]
+    assert np.sqrt((errors**2).mean()) < 1.15 * stated[0] + 0.02
+    assert errors.max() < 1.1 * stated[1] + 0.05
+
+
 def test_opencv_export(program: Path, file: Path, ours: dict, tmp_path: Path) -> None:
     out = export(program, file, "opencv", tmp_path / "opencv")
     loaded = {path.stem: cv2.FileStorage(str(path), cv2.FILE_STORAGE_READ) for path in out.glob("*.yml")}
@@ -181,7 +227,9 @@ def test_opencv_export(program: Path, file: Path, ours: dict, tmp_path: Path) ->
 
 
 def test_ros_export(program: Path, file: Path, ours: dict, tmp_path: Path) -> None:
-    out = export(program, file, "ros", tmp_path / "ros")
+    out = tmp_path / "ros"
+    said = run_with_findings(program, "export", file, "--to", "ros", "-o", out, "--force")
+    cameras = named(ours)
     infos = {path.stem: yaml.safe_load(path.read_text()) for path in out.glob("*.yaml")}
     assert len(infos) == len(ours["cameras"])
     assert {"left", "right"} < set(infos)
@@ -194,11 +242,15 @@ def test_ros_export(program: Path, file: Path, ours: dict, tmp_path: Path) -> No
             assert all(isinstance(x, float) for x in matrix["data"]), key
         assert info["distortion_coefficients"]["cols"] == lengths[info["distortion_model"]]
         k = np.reshape(info["camera_matrix"]["data"], (3, 3))
-        camera = next(c for c in ours["cameras"] if np.array_equal(c["camera_matrix"], k))
+        camera = cameras[name]
         assert (info["image_width"], info["image_height"]) == (camera["width"], camera["height"])
         kept = info["distortion_coefficients"]["data"]
-        full = [*camera["distortion"], *([0.0] * 14)][: len(kept)]
-        np.testing.assert_array_equal(kept, full)
+        full = [*camera["distortion"], *([0.0] * 14)]
+        if any(full[8:14]) and camera["model"] != "Fisheye":
+            assert_residual(k, kept, False, camera, residual_of(said, file, camera))
+        else:
+            np.testing.assert_array_equal(k, camera["camera_matrix"])
+            np.testing.assert_array_equal(kept, full[: len(kept)])
     left, right = (np.reshape(infos[n]["projection_matrix"]["data"], (3, 4)) for n in ("left", "right"))
     pair = next(p for p in ours["pairs"] if (p["from"], p["to"]) == (ours["stereo"]["left"], ours["stereo"]["right"]))
     assert right[0, 3] == pytest.approx(-right[0, 0] * pair["baseline_cm"] / CM_PER_M, rel=1e-6)
@@ -206,7 +258,9 @@ def test_ros_export(program: Path, file: Path, ours: dict, tmp_path: Path) -> No
 
 
 def test_kalibr_export(program: Path, file: Path, ours: dict, tmp_path: Path) -> None:
-    out = export(program, file, "kalibr", tmp_path / "kalibr")
+    out = tmp_path / "kalibr"
+    said = run_with_findings(program, "export", file, "--to", "kalibr", "-o", out, "--force")
+    cameras = named(ours)
     chain = yaml.safe_load((out / "camchain.yaml").read_text())
     assert list(chain) == [f"cam{i}" for i in range(len(ours["cameras"]))]
     assert [chain["cam0"]["rostopic"], chain["cam1"]["rostopic"]] == ["/left/image_raw", "/right/image_raw"]
@@ -217,13 +271,34 @@ def test_kalibr_export(program: Path, file: Path, ours: dict, tmp_path: Path) ->
     for camera in chain.values():
         fx, fy, cx, cy = camera["intrinsics"]
         k = np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1]])
-        source = next(c for c in ours["cameras"] if np.array_equal(c["camera_matrix"], k))
+        source = cameras[camera["rostopic"].split("/")[1]]
         assert camera["resolution"] == [source["width"], source["height"]]
-        assert camera["distortion_model"] in ("radtan", "equidistant") and len(camera["distortion_coeffs"]) == 4
-        # The fitted lens, by OpenCV, stays near the file's own in the middle half of the image.
-        width, height = camera["resolution"]
-        x, y = np.meshgrid(np.linspace(-0.25, 0.25, 9) * width / fx, np.linspace(-0.25, 0.25, 9) * height / fy)
-        points = np.stack([x.ravel(), y.ravel(), np.ones(x.size)], axis=1)
-        simple = projected(points, k, np.array(camera["distortion_coeffs"]), camera["distortion_model"] == "equidistant")
-        full = projected(points, k, np.array(source["distortion"]), source["model"] == "Fisheye")
-        assert np.abs(simple - full).max() < 3.0
+        coefficients, model = camera["distortion_coeffs"], camera["distortion_model"]
+        assert model in ("radtan", "equidistant") and len(coefficients) == 4
+        assert_residual(k, coefficients, model == "equidistant", source, residual_of(said, file, source))
+
+
+@pytest.mark.parametrize("to", ["ros", "opencv", "kalibr"])
+def test_import(program: Path, file: Path, ours: dict, to: str, tmp_path: Path) -> None:
+    """DepthAI reads what the program imports from its own exports."""
+    run(program, "export", file, "--to", to, "-o", tmp_path / "files", "--force")
+    inputs = sorted(path for path in (tmp_path / "files").iterdir() if path.name != "imu.yaml")
+    out = tmp_path / "imported.json"
+    run(program, "import", *inputs, "-o", out, "--force")
+    theirs = dai.CalibrationHandler(str(out))
+    sockets = {camera["socket"] for camera in ours["cameras"]}
+    left, right = ours["stereo"]["left"], ours["stereo"]["right"]
+    if (left, right) == ("CAM_B", "CAM_C"):
+        assert {s.name for s in theirs.getEepromData().cameraData} == sockets
+        pair = next(p for p in ours["pairs"] if (p["from"], p["to"]) == (left, right))
+        found = theirs.getCameraExtrinsics(socket(left), socket(right))
+        assert_transform(pair["to_from_from_cm"], found, to)
+        assert_transform(ours["stereo"]["rectified_from_left"], theirs.getStereoLeftRectificationRotation(), "R1")
+    if to == "opencv":
+        for name, camera in named(ours).items():
+            where = socket({"left": "CAM_B", "right": "CAM_C"}.get(name, camera["socket"]))
+            intrinsics = theirs.getCameraIntrinsics(where, camera["width"], camera["height"])
+            np.testing.assert_allclose(camera["camera_matrix"], intrinsics, rtol=1e-6)
+            assert camera["model"] == theirs.getDistortionModel(where).name
+            found = theirs.getDistortionCoefficients(where)[: len(camera["distortion"])]
+            np.testing.assert_allclose(camera["distortion"], found, rtol=1e-6)

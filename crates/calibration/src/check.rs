@@ -15,13 +15,16 @@ pub(crate) const WRONG_BASELINE: f64 = 0.10;
 pub(crate) const BASELINE: &str = "baseline-off";
 /// The code of another error that [`force`] downgrades.
 pub(crate) const RESOLUTION: &str = "resolution-off";
+/// The code of the residual of a lens that an export approximates, an error if large, which [`force`] downgrades.
+pub(crate) const FITTED: &str = "distortion-fitted";
 /// The angle between the file's rectification and the rectification by its extrinsics that causes a warning, rad.
 const SUSPICIOUS_RECTIFICATION: f64 = 1e-3;
 
-/// Downgrades the errors that a user may choose to ignore to warnings: a mismatch of the baseline or resolution.
+/// Downgrades the errors that a user may choose to ignore to warnings: a mismatch of the baseline or resolution, a lens
+/// that a format cannot represent.
 pub fn force(findings: &mut [Finding]) {
     for finding in findings {
-        if finding.level == Level::Error && [BASELINE, RESOLUTION].contains(&finding.code) {
+        if finding.level == Level::Error && [BASELINE, RESOLUTION, FITTED].contains(&finding.code) {
             finding.level = Level::Warning;
         }
     }

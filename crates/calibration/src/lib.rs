@@ -1,13 +1,15 @@
 //! Calibrations of OAK cameras: `DepthAI`'s JSON, lossless ([`raw`]) and checked ([`Calibration`]), applied to a device of the
-//! catalog ([`twin()`]), exported ([`export`]), and drawn at random ([`population`]).
+//! catalog ([`twin()`]), exported ([`export`]), imported from other formats ([`import`]), and drawn at random ([`population`]).
 //!
 //! Lengths are in metres, in the files in centimetres. Camera frames are OpenCV's (x right, y down, z forward).
 
 mod against;
 mod check;
+mod document;
 mod error;
 pub mod export;
 mod extrinsics;
+pub mod import;
 mod model;
 mod nominal;
 pub mod population;

@@ -1,13 +1,10 @@
-use oaktwin_camera::math::DVec3;
-use oaktwin_camera::{OpenCvLens, RigidTransform};
+use oaktwin_camera::RigidTransform;
 use oaktwin_catalog::{Role, Twin, TwinCamera};
 
 use crate::Socket;
 use crate::against::{pair_of, socket_of};
-use crate::raw::{Node, Raw, Value};
-use crate::rectify::rectifying_rotations;
-
-const CM_PER_M: f64 = 100.0;
+use crate::document::{self, Document, extrinsics, no_extrinsics};
+use crate::raw::{Node, Raw};
 
 /// Converts a nominal twin to a `DepthAI` JSON of version 7: the calibration of the ideal device. See [`calibration_of`].
 #[must_use]
@@ -30,15 +27,9 @@ pub fn calibration_of(twin: &Twin, design: &Twin) -> Raw {
         .collect();
     cameras.sort_by_key(|(socket, _)| *socket);
     let root = cameras.first().copied();
-    let camera_data: Vec<Node> = cameras
+    let camera_data = cameras
         .iter()
-        .map(|(socket, camera)| {
-            vec![
-                Node::from(i64::from(socket.number())),
-                self::camera([twin, design], root, camera),
-            ]
-            .into()
-        })
+        .map(|(socket, camera)| (*socket, self::camera([twin, design], root, camera)))
         .collect();
     let imu = match (root, twin.body_from_imu) {
         (Some((socket, camera)), Some(body_from_imu)) => {
@@ -47,42 +38,17 @@ pub fn calibration_of(twin: &Twin, design: &Twin) -> Raw {
         }
         _ => no_extrinsics(),
     };
-    let text = |text: &str| Node::from(text);
-    let root = Node::from([
-        ("batchName", text("")),
-        ("batchTime", 0.into()),
-        ("boardConf", text("")),
-        ("boardCustom", text("")),
-        ("boardName", text("")),
-        ("boardOptions", 0.into()),
-        ("boardRev", text("")),
-        ("cameraData", camera_data.into()),
-        ("deviceName", text("")),
-        ("hardwareConf", text("")),
-        ("housingExtrinsics", no_extrinsics()),
-        ("imuExtrinsics", imu),
-        ("miscellaneousData", Value::Array(Vec::new()).into()),
-        ("productName", text(product)),
-        ("stereoEnableDistortionCorrection", false.into()),
-        ("stereoRectificationData", stereo(twin)),
-        ("stereoUseSpecTranslation", true.into()),
-        ("version", 7.into()),
-        ("verticalCameraSocket", (-1).into()),
-    ]);
-    Raw {
-        name: format!("{product}.json"),
-        root,
-    }
+    let document = Document {
+        product: product.clone(),
+        cameras: camera_data,
+        stereo: stereo(twin),
+        imu,
+        use_spec_translation: true,
+    };
+    document.into_raw(format!("{product}.json"))
 }
 
 fn camera([twin, design]: [&Twin; 2], root: Option<(Socket, &TwinCamera)>, camera: &TwinCamera) -> Node {
-    let (kind, coefficients) = match camera.lens.as_opencv() {
-        Some(OpenCvLens::Pinhole(coefficients)) => (0, coefficients.to_vec()),
-        Some(OpenCvLens::Fisheye(k)) => (1, k.to_vec()),
-        // Neither DepthAI nor any calibration or catalog has another lens.
-        None => (0, vec![0.0; 14]),
-    };
-    let size = camera.intrinsics.size;
     // Including distortion, if known.
     let spec_hfov_deg = camera.spec.fisheye_hfov_deg.unwrap_or(camera.spec.hfov_deg);
     let extrinsics = match next(twin, root, camera) {
@@ -97,16 +63,7 @@ fn camera([twin, design]: [&Twin; 2], root: Option<(Socket, &TwinCamera)>, camer
         }
         None => no_extrinsics(),
     };
-    Node::from([
-        ("cameraType", Node::from(kind)),
-        ("distortionCoeff", coefficients.into()),
-        ("extrinsics", extrinsics),
-        ("height", i64::from(size.height).into()),
-        ("intrinsicMatrix", matrix(camera.intrinsics.opencv_matrix())),
-        ("lensPosition", 0.into()),
-        ("specHfovDeg", spec_hfov_deg.into()),
-        ("width", i64::from(size.width).into()),
-    ])
+    document::camera(&camera.intrinsics, &camera.lens, spec_hfov_deg, extrinsics)
 }
 
 /// Returns the camera that a camera's extrinsics refer to.
@@ -130,62 +87,12 @@ fn next<'a>(
 
 fn stereo(twin: &Twin) -> Node {
     let Some((left, right)) = pair_of(twin) else {
-        return Value::Object(Vec::new()).into();
+        return document::no_stereo();
     };
     let pose = |role| twin.camera(role).map(|camera| camera.body_from_camera);
     let right_from_left = match (pose(Role::Left), pose(Role::Right)) {
         (Some(body_from_left), Some(body_from_right)) => body_from_right.inverse() * body_from_left,
         _ => RigidTransform::IDENTITY,
     };
-    let (r1, r2) = rectifying_rotations(&right_from_left).unwrap_or_default();
-    Node::from([
-        ("leftCameraSocket", i64::from(left.number()).into()),
-        ("rectifiedRotationLeft", matrix(r1.transpose().to_cols_array_2d())),
-        (
-            "rectifiedRotationRight",
-            matrix(r2.transpose().to_cols_array_2d()),
-        ),
-        ("rightCameraSocket", i64::from(right.number()).into()),
-    ])
-}
-
-fn extrinsics(to: Socket, transform: &RigidTransform, designed: DVec3) -> Node {
-    // Rounding to 1e-10 cm, a picometre, hides rounding errors of the conversion from metres.
-    let cm = |m: f64| tidy((m * CM_PER_M * 1e10).round() / 1e10);
-    let translation = |t: DVec3| {
-        Node::from([
-            ("x", cm(t.x).into()),
-            ("y", cm(t.y).into()),
-            ("z", cm(t.z).into()),
-        ])
-    };
-    Node::from([
-        (
-            "rotationMatrix",
-            matrix(transform.rotation.transpose().to_cols_array_2d()),
-        ),
-        ("specTranslation", translation(designed)),
-        ("toCameraSocket", i64::from(to.number()).into()),
-        ("translation", translation(transform.translation)),
-    ])
-}
-
-/// Returns empty extrinsics: zeros, and no socket.
-fn no_extrinsics() -> Node {
-    let zero = || Node::from([("x", 0.0.into()), ("y", 0.0.into()), ("z", 0.0.into())]);
-    Node::from([
-        ("rotationMatrix", matrix([[0.0; 3]; 3])),
-        ("specTranslation", zero()),
-        ("toCameraSocket", (-1).into()),
-        ("translation", zero()),
-    ])
-}
-
-fn matrix(rows: [[f64; 3]; 3]) -> Node {
-    rows.map(|row| Node::from(row.map(tidy).to_vec())).to_vec().into()
-}
-
-/// Replaces −0 by 0.
-fn tidy(x: f64) -> f64 {
-    x + 0.0
+    document::stereo(left, right, &right_from_left)
 }

@@ -52,7 +52,7 @@ pub(crate) use asset::AssetArgs;
 #[cfg(feature = "bridge")]
 pub(crate) use bridge::BridgeArgs;
 pub(crate) use calibration::{
-    CalibrationArgs, CalibrationCommand, CalibrationExportArgs, CalibrationShowArgs,
+    CalibrationArgs, CalibrationCommand, CalibrationExportArgs, CalibrationImportArgs, CalibrationShowArgs,
 };
 pub(crate) use coverage::CoverageArgs;
 pub(crate) use export::ExportArgs;

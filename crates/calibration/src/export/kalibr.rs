@@ -1,15 +1,15 @@
 use std::fmt::Write as _;
 
 use oaktwin_base::diagnostic::{Finding, Level};
-use oaktwin_camera::{LensModel, OpenCv, OpenCvLens};
+use oaktwin_camera::{Intrinsics, OpenCv, OpenCvLens};
 
-use super::simplify::{equidistant, error_px, radial_tangential};
+use super::simplify::{better, equidistant, radial_tangential};
 use super::text::list;
-use super::{Export, camera_name};
+use super::{Export, camera_name, no_fit};
 use crate::{Calibration, CalibrationError, CameraCalibration, Socket};
 
 /// Creates `camchain.yaml`: left and right first, then the others by socket; metres. Kalibr has four coefficients per camera, so
-/// larger models are approximated, with a warning that states the residual error.
+/// larger models are fitted, with a finding about the residual.
 pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationError> {
     let mut export = Export::default();
     let mut text = String::new();
@@ -23,9 +23,13 @@ pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationErr
     for (i, socket) in order.into_iter().enumerate() {
         let camera = calibration.camera(socket)?;
         let name = camera_name(calibration, socket);
-        let (model, coefficients) = distortion(calibration, camera, &mut export.findings)?;
-        let c = camera.intrinsics.principal_point::<OpenCv>();
-        let intrinsics = list(&[camera.intrinsics.fx, camera.intrinsics.fy, c.x, c.y]);
+        let Pinhole {
+            intrinsics,
+            model,
+            coefficients,
+        } = pinhole(calibration, camera, &mut export.findings)?;
+        let c = intrinsics.principal_point::<OpenCv>();
+        let intrinsics = list(&[intrinsics.fx, intrinsics.fy, c.x, c.y]);
         // Writing to a string cannot fail.
         _ = writeln!(text, "cam{i}:");
         if let Some(before) = before {
@@ -64,56 +68,49 @@ fn transform(text: &mut String, key: &str, rows: &[[f64; 4]; 4]) {
     }
 }
 
-fn distortion(
+/// A camera as Kalibr represents it.
+struct Pinhole {
+    intrinsics: Intrinsics,
+    model: &'static str,
+    coefficients: [f64; 4],
+}
+
+/// Returns the camera with a lens of Kalibr's models. Other lenses are fitted, with a finding about the residual.
+fn pinhole(
     calibration: &Calibration,
     camera: &CameraCalibration,
     findings: &mut Vec<Finding>,
-) -> Result<(&'static str, [f64; 4]), CalibrationError> {
-    match camera.lens.as_opencv() {
-        Some(OpenCvLens::Fisheye(k)) => return Ok(("equidistant", k)),
-        Some(OpenCvLens::Pinhole([k1, k2, p1, p2, rest @ ..])) if rest == [0.0; 10] => {
-            return Ok(("radtan", [k1, k2, p1, p2]));
-        }
-        _ => {}
+) -> Result<Pinhole, CalibrationError> {
+    if let Some((model, coefficients)) = exact(camera.lens.as_opencv()) {
+        return Ok(Pinhole {
+            intrinsics: camera.intrinsics,
+            model,
+            coefficients,
+        });
     }
     let optics = camera.camera();
     let place = format!("{}.distortionCoeff", camera.place);
-    let radtan = radial_tangential(&optics).map(|lens| {
-        let [k1, k2, p1, p2, ..] = *lens.coefficients();
-        (
-            "radtan",
-            [k1, k2, p1, p2],
-            error_px(&optics, &LensModel::OpenCvPinhole(lens)),
-        )
-    });
-    let fisheye = equidistant(&optics).map(|lens| {
-        (
-            "equidistant",
-            lens.k,
-            error_px(&optics, &LensModel::OpenCvFisheye(lens)),
-        )
-    });
-    let best = radtan
-        .into_iter()
-        .chain(fisheye)
-        .min_by(|a, b| a.2.0.total_cmp(&b.2.0));
-    let Some((model, coefficients, (rms, worst))) = best else {
-        return Err(CalibrationError::Unsuited {
-            file: calibration.file_name.clone(),
-            place,
-            what: "too few pixels have a ray by the lens model to fit a simpler one".to_owned(),
-            remedy: "calibrate again",
-        });
-    };
-    findings.push(Finding::new(
-        "distortion-fitted",
-        Level::Warning,
-        place,
-        format!(
-            "Kalibr has four coefficients; the fitted {model} model differs by {rms:.2} px (root mean square), at most \
-             {worst:.2} px"
-        ),
-        "calibrate with Kalibr itself if that matters",
-    ));
-    Ok((model, coefficients))
+    let fitted = better(radial_tangential(&optics), equidistant(&optics));
+    let (fitted, (model, coefficients)) = fitted
+        .and_then(|fitted| Some((fitted, exact(fitted.camera.lens.as_opencv())?)))
+        .ok_or_else(|| no_fit(calibration, &place))?;
+    let what = format!(
+        "Kalibr has four coefficients, so intrinsics and coefficients of its {model} model were fitted to this lens"
+    );
+    findings.push(fitted.finding(place, &what, "calibrate with Kalibr itself if that matters"));
+    Ok(Pinhole {
+        intrinsics: fitted.camera.intrinsics,
+        model,
+        coefficients,
+    })
+}
+
+/// Returns the model and coefficients of a lens that Kalibr represents.
+fn exact(lens: Option<OpenCvLens>) -> Option<(&'static str, [f64; 4])> {
+    match lens? {
+        OpenCvLens::Fisheye(k) => Some(("equidistant", k)),
+        OpenCvLens::Pinhole([k1, k2, p1, p2, rest @ ..]) => {
+            (rest == [0.0; 10]).then_some(("radtan", [k1, k2, p1, p2]))
+        }
+    }
 }

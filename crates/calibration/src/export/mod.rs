@@ -36,7 +36,8 @@ choice! {
 pub struct Export {
     /// The names (without a folder) and texts.
     pub files: Vec<(String, String)>,
-    /// The information that the format cannot represent.
+    /// The information that the format cannot represent. A lens that it approximates badly is an
+    /// [error](oaktwin_base::diagnostic::Level::Error), which [`crate::force`] downgrades to a warning.
     pub findings: Vec<Finding>,
 }
 
@@ -91,6 +92,16 @@ pub fn camera_name(calibration: &Calibration, socket: Socket) -> String {
         if time_of_flight { "tof" } else { "rgb" }.to_owned()
     } else {
         socket.to_string().to_lowercase()
+    }
+}
+
+/// Returns the error of a lens that no simpler model approximates.
+fn no_fit(calibration: &Calibration, place: &str) -> CalibrationError {
+    CalibrationError::Unsuited {
+        file: calibration.file_name.clone(),
+        place: place.to_owned(),
+        what: "too few pixels have a ray by the lens model to fit a simpler one".to_owned(),
+        remedy: "calibrate again",
     }
 }
 

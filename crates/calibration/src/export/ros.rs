@@ -1,19 +1,19 @@
-use oaktwin_base::diagnostic::{Finding, Level};
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::math::DMat3;
-use oaktwin_camera::{Camera, LensModel, OpenCvLens, OpenCvPinhole};
+use oaktwin_camera::{Intrinsics, OpenCvLens};
 
-use super::simplify::error_px;
+use super::simplify::rational;
 use super::text::{list, rows};
-use super::{Export, camera_name, pair};
+use super::{Export, camera_name, no_fit, pair};
 use crate::{Calibration, CalibrationError, CameraCalibration};
 
-/// Creates `camera_info` files for `camera_info_manager`: K of the raw image, R and P of the rectified image, metres.
+/// Creates `camera_info` files for `camera_info_manager`: K of the raw image, R and P of the rectified image, metres. R and P
+/// come from the calibration even where K and D are fitted: D and K give the ray of a raw pixel, R and P the rectified pixel of the ray.
 pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationError> {
     let mut export = Export::default();
     let pair = pair(calibration, &mut export.findings)?;
     for camera in calibration.cameras.values() {
         let name = camera_name(calibration, camera.socket);
-        let k = camera.intrinsics.opencv_matrix();
         let (rotation, projection) = match &pair {
             Some(pair) if pair.left == camera.socket => (
                 pair.rectification.rectified_from_left,
@@ -23,9 +23,16 @@ pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationErr
                 pair.rectification.rectified_from_right,
                 pair.rectification.projection_right(),
             ),
-            _ => (DMat3::IDENTITY, k.map(|[a, b, c]| [a, b, c, 0.0])),
+            _ => {
+                let k = camera.intrinsics.opencv_matrix();
+                (DMat3::IDENTITY, k.map(|[a, b, c]| [a, b, c, 0.0]))
+            }
         };
-        let (model, coefficients) = distortion(camera, &mut export.findings);
+        let Info {
+            intrinsics,
+            model,
+            coefficients,
+        } = info(calibration, camera, &mut export.findings)?;
         let text = format!(
             "image_width: {width}\nimage_height: {height}\ncamera_name: {name}\n\
              camera_matrix:\n  rows: 3\n  cols: 3\n  data: {k}\n\
@@ -34,7 +41,7 @@ pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationErr
              projection_matrix:\n  rows: 3\n  cols: 4\n  data: {p}\n",
             width = camera.size().width,
             height = camera.size().height,
-            k = list(k.as_flattened()),
+            k = list(intrinsics.opencv_matrix().as_flattened()),
             n = coefficients.len(),
             coefficients = list(&coefficients),
             r = list(&rows(rotation)),
@@ -45,34 +52,48 @@ pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationErr
     Ok(export)
 }
 
-/// Returns the name of the distortion model and its coefficients.
-fn distortion(camera: &CameraCalibration, findings: &mut Vec<Finding>) -> (&'static str, Vec<f64>) {
-    let coefficients = match camera.lens.as_opencv() {
-        Some(OpenCvLens::Fisheye(k)) => return ("equidistant", k.to_vec()),
+/// A camera as ROS represents it.
+struct Info {
+    intrinsics: Intrinsics,
+    model: &'static str,
+    coefficients: Vec<f64>,
+}
+
+/// Returns the camera with a lens of ROS's three models. One with thin prism or tilt is fitted, with a finding about the residual.
+fn info(
+    calibration: &Calibration,
+    camera: &CameraCalibration,
+    findings: &mut Vec<Finding>,
+) -> Result<Info, CalibrationError> {
+    let exact = |model, coefficients: &[f64]| Info {
+        intrinsics: camera.intrinsics,
+        model,
+        coefficients: coefficients.to_vec(),
+    };
+    let [k1, k2, p1, p2, k3, k4, k5, k6, rest @ ..] = match camera.lens.as_opencv() {
+        Some(OpenCvLens::Fisheye(k)) => return Ok(exact("equidistant", &k)),
         Some(OpenCvLens::Pinhole(coefficients)) => coefficients,
         // No calibration has another lens.
         None => [0.0; 14],
     };
-    let (plumb_bob, rational, rest) = (&coefficients[..5], &coefficients[..8], &coefficients[8..]);
-    if rest.iter().any(|c| *c != 0.0) {
-        let mut kept = [0.0; 14];
-        kept[..8].copy_from_slice(rational);
-        findings.push(dropped(&camera.camera(), &camera.place, kept));
-    } else if rational[5..].iter().all(|c| *c == 0.0) {
-        return ("plumb_bob", plumb_bob.to_vec());
+    let first = [k1, k2, p1, p2, k3, k4, k5, k6];
+    if rest.iter().all(|c| *c == 0.0) {
+        let is_polynomial = [k4, k5, k6] == [0.0; 3];
+        return Ok(if is_polynomial {
+            exact("plumb_bob", &[k1, k2, p1, p2, k3])
+        } else {
+            exact("rational_polynomial", &first)
+        });
     }
-    ("rational_polynomial", rational.to_vec())
-}
-
-fn dropped(camera: &Camera, place: &str, kept: [f64; 14]) -> Finding {
-    let (_, worst) = error_px(camera, &LensModel::OpenCvPinhole(OpenCvPinhole::new(kept)));
-    Finding::new(
-        "distortion-dropped",
-        Level::Warning,
-        format!("{place}.distortionCoeff"),
-        format!(
-            "ROS has the first eight coefficients only; ignoring thin prism and tilt causes an error of up to {worst:.2} px"
-        ),
-        "undistort with the OpenCV export if that matters",
-    )
+    let place = format!("{}.distortionCoeff", camera.place);
+    let fitted = rational(&camera.camera(), first).ok_or_else(|| no_fit(calibration, &place))?;
+    let what =
+        "ROS has neither thin prism nor tilt, so K and the first eight coefficients were fitted to this lens";
+    findings.push(fitted.finding(place, what, "undistort with the OpenCV export if that matters"));
+    let coefficients = fitted.camera.lens.coefficients().iter().take(first.len());
+    Ok(Info {
+        intrinsics: fitted.camera.intrinsics,
+        model: "rational_polynomial",
+        coefficients: coefficients.copied().collect(),
+    })
 }

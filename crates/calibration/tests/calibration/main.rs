@@ -1,6 +1,8 @@
 //! The tests of this crate, in one program.
 
+mod bad_imports;
 mod depthai_golden;
 mod exports;
 mod fixtures;
+mod imports;
 mod models;

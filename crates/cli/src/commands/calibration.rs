@@ -1,4 +1,5 @@
 mod export;
+mod import;
 
 use std::fmt::Write;
 use std::path::Path;
@@ -16,6 +17,7 @@ pub(crate) fn run(context: &Context, args: &CalibrationArgs) -> Result<Exit> {
     match &args.command {
         CalibrationCommand::Show(args) => show(context, args),
         CalibrationCommand::Export(args) => export::run(context, args),
+        CalibrationCommand::Import(args) => import::run(context, args),
     }
 }
 

@@ -40,6 +40,7 @@ fn files_that_are_none() {
         for arguments in [
             &["calibration", "show", name][..],
             &["calibration", "export", name, "--to", "ros"],
+            &["calibration", "import", name],
             &["show", "oak4-d", "--calibration", name],
             &["asset", "oak4-d", "--calibration", name, "-o", "x.usd"],
             &[

@@ -11,6 +11,7 @@ mod exhaustive_models;
 mod export;
 mod fit;
 mod generate;
+mod import;
 mod memory;
 mod named_files;
 mod optics;

@@ -17,6 +17,7 @@ fn help_of_every_command() {
         &["compare"],
         &["calibration", "show"],
         &["calibration", "export"],
+        &["calibration", "import"],
         &["asset"],
         &["render"],
         &["sense"],

@@ -23,6 +23,7 @@ pub(crate) fn run(context: &Context, args: &CalibrationExportArgs) -> Result<Exi
         findings: losses,
     } = made;
     findings.extend(losses);
+    unit::accept(file, &mut findings, args.force)?;
     output::say_findings(file, &findings);
     match &args.output {
         None => output::print(&joined(&files))?,
