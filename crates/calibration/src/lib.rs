@@ -5,6 +5,7 @@
 
 mod against;
 mod check;
+mod design;
 mod document;
 mod error;
 pub mod export;

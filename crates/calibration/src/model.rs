@@ -23,6 +23,9 @@ pub struct Calibration {
     pub imu: Option<Link>,
     /// The extrinsics of the housing.
     pub housing: Option<Link>,
+    /// `stereoUseSpecTranslation`: whether the device converts disparity to depth with the baseline of the board's design, by default
+    /// true.
+    pub use_spec_translation: bool,
 }
 
 /// The names and numbers of a board as in the file; missing names are empty.

@@ -22,6 +22,8 @@ pub struct CalibrationSummary {
     pub pairs: Vec<PairSummary>,
     /// The stereo pair, if extrinsics connect its cameras.
     pub stereo: Option<StereoSummary>,
+    /// Whether the device converts disparity to depth with the baseline of the board's design.
+    pub use_spec_translation: bool,
     /// The inertial unit relative to each connected camera.
     pub imu: Vec<ImuSummary>,
     /// Notes, warnings and errors.
@@ -108,6 +110,7 @@ pub fn summary(calibration: &Calibration, findings: &[Finding]) -> CalibrationSu
         cameras: cameras(calibration),
         pairs: pairs(calibration),
         stereo: stereo(calibration),
+        use_spec_translation: calibration.use_spec_translation,
         imu: imu(calibration),
         findings: findings.to_vec(),
     }

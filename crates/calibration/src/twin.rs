@@ -4,6 +4,7 @@ use oaktwin_camera::{Axes, RigidTransform};
 use oaktwin_catalog::{Origin, Role, Twin, TwinCamera};
 
 use crate::against::{calibrated, pair_of, socket_of};
+use crate::design;
 use crate::rectify::rectifying_rotations;
 use crate::{Calibration, CalibrationError};
 
@@ -13,7 +14,8 @@ use crate::{Calibration, CalibrationError};
 /// is midway between the left and right optical centres, and its axes follow the *rectified* stereo pair, as do
 /// depth images: y to the left along the baseline, x forward in the mean direction of both cameras. Thus the cameras have
 /// their small calibrated rotations relative to a frame that depends on no single camera. Depth sensors keep their parameters
-/// except the focal length, which is the rounded fx of their camera. Cameras that are missing in the calibration keep their
+/// except the focal length, which is the rounded fx of their camera. Depth is computed with the baseline of the board's design unless
+/// the calibration says otherwise, as on the device; a finding reports the error. Cameras that are missing in the calibration keep their
 /// nominal values, with a warning.
 ///
 /// This function does not validate the calibration; call [`crate::check_against`] first.
@@ -43,6 +45,7 @@ pub fn twin(
         }
     }
     if let Some((left, body_from_left)) = body {
+        design::apply(calibration, &mut twin, &mut findings);
         match calibration.camera_from_imu(left, false) {
             Ok(left_from_imu) => twin.body_from_imu = Some(body_from_left * left_from_imu),
             Err(_) if nominal.body_from_imu.is_none() => {}

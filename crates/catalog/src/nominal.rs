@@ -1,3 +1,5 @@
+use std::collections::BTreeMap;
+
 use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_camera::{Axes, Intrinsics, LensModel, RigidTransform};
 
@@ -55,6 +57,7 @@ impl Catalog {
                     DVec3::from(imu.position_mm) * M_PER_MM,
                 )
             }),
+            design_baselines_m: BTreeMap::new(),
             origin: Origin::Nominal,
             device: device.clone(),
         }

@@ -1,3 +1,5 @@
+use std::collections::BTreeMap;
+
 use oaktwin_base::diagnostic::fold_name;
 use oaktwin_base::parameter::Platform;
 use oaktwin_base::parameter::nvidia::Attributes;
@@ -21,6 +23,9 @@ pub struct Twin {
     pub depth_sensors: Vec<TwinDepthSensor>,
     /// The pose of the inertial unit in the body frame in m, if it is known.
     pub body_from_imu: Option<RigidTransform>,
+    /// The baselines with which the device's processor converts disparity to depth where it does not use the cameras' distance, in m:
+    /// the design's of a calibrated unit, by the roles of the left and the right camera.
+    pub design_baselines_m: BTreeMap<(Role, Role), f64>,
     /// The origin of the numbers.
     pub origin: Origin,
 }
@@ -80,6 +85,32 @@ impl Twin {
     #[must_use]
     pub fn camera(&self, role: Role) -> Option<&TwinCamera> {
         self.cameras.iter().find(|camera| camera.spec.role == role)
+    }
+
+    /// Returns the distance of two cameras in m, if the device has both.
+    #[must_use]
+    pub fn baseline_m(&self, (left, right): (Role, Role)) -> Option<f64> {
+        let centre = |role| Some(self.camera(role)?.body_from_camera.translation);
+        Some(centre(left)?.distance(centre(right)?))
+    }
+
+    /// Returns the baseline with which the device's processor converts the disparity of a pair to depth, in m, if the device has both
+    /// cameras. A calibrated unit's differs from [`Self::baseline_m`] if the processor uses the design's, which scales its depth.
+    #[must_use]
+    pub fn depth_baseline_m(&self, pair: (Role, Role)) -> Option<f64> {
+        let calibrated = self.baseline_m(pair)?;
+        Some(self.design_baselines_m.get(&pair).copied().unwrap_or(calibrated))
+    }
+
+    /// Returns the distances of all pairs of cameras, for [`Self::design_baselines_m`] of a unit with this design.
+    #[must_use]
+    pub fn baselines_m(&self) -> BTreeMap<(Role, Role), f64> {
+        let roles = || self.cameras.iter().map(|camera| camera.spec.role);
+        let pairs = roles().flat_map(|left| roles().map(move |right| (left, right)));
+        pairs
+            .filter(|(left, right)| left != right)
+            .filter_map(|pair| Some((pair, self.baseline_m(pair)?)))
+            .collect()
     }
 
     /// Returns the processor of the device, or `None` if it is unknown.

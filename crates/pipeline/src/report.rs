@@ -95,7 +95,9 @@ impl DeviceReport {
                 } => format!("{file_name} ({product_name})"),
             },
             nominal_baseline_mm: device.stereo_baseline_mm,
-            baseline_mm: baseline_m(twin).map(|metres| metres * 1e3),
+            baseline_mm: twin
+                .baseline_m((Role::Left, Role::Right))
+                .map(|metres| metres * 1e3),
             body: device.body.clone(),
             imu: imu(twin),
             cameras: twin
@@ -132,13 +134,4 @@ fn imu(twin: &Twin) -> Option<Imu> {
         }
     }
     Some(imu)
-}
-
-/// The baseline in metres, if there is a stereo pair.
-fn baseline_m(twin: &Twin) -> Option<f64> {
-    let centre = |role| {
-        twin.camera(role)
-            .map(|camera| camera.body_from_camera.translation)
-    };
-    Some(centre(Role::Left)?.distance(centre(Role::Right)?))
 }

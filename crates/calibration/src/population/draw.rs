@@ -83,6 +83,7 @@ impl Population {
         for camera in &mut twin.cameras {
             self.vary(camera, pair, &mut numbers);
         }
+        twin.design_baselines_m = self.nominal.baselines_m();
         twin.origin = Origin::Calibration {
             product_name: twin.device.name.clone(),
             file_name: format!("unit {number}"),

@@ -74,6 +74,9 @@ fn document(reader: &mut Reader, raw: &Raw) -> Option<Calibration> {
     let link = |reader: &mut Reader, key| root.get(key).and_then(|field| link::placed(reader, &field));
     let imu = link(reader, "imuExtrinsics");
     let housing = link(reader, "housingExtrinsics");
+    let use_spec_translation = root
+        .get("stereoUseSpecTranslation")
+        .is_none_or(|field| reader.boolean(&field).unwrap_or(true));
     let stereo = root
         .get("stereoRectificationData")
         .and_then(|field| stereo::stereo(reader, &field, &cameras));
@@ -85,6 +88,7 @@ fn document(reader: &mut Reader, raw: &Raw) -> Option<Calibration> {
         stereo,
         imu,
         housing,
+        use_spec_translation,
     })
 }
 

@@ -5,7 +5,8 @@ use rayon::prelude::*;
 /// The depth of a surface that a drifted pair sees beyond infinity, m: beyond all that can be measured.
 const BEYOND_M: f64 = 1e6;
 
-/// A stereo pair that has drifted since its calibration, for engines that measure depth images.
+/// A stereo pair whose processor assumes another geometry than the cameras have, for engines that measure depth images: the pair
+/// has drifted since its calibration, or its depth is computed with the baseline of its design.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DriftedPair {
     /// The drift.
@@ -14,15 +15,18 @@ pub struct DriftedPair {
     pub intrinsics: Intrinsics,
     /// The calibrated baseline, m.
     pub baseline_m: f64,
+    /// The baseline with which the processor converts disparity to depth, m.
+    pub depth_baseline_m: f64,
 }
 
 impl DriftedPair {
-    /// Returns the depth that the calibration assigns to the true disparity of each pixel, metres. Values that are not finite and
+    /// Returns the depth that the processor assigns to the true disparity of each pixel, metres. Values that are not finite and
     /// positive are unchanged. The shift of the left image by the drift of its focal length, a small part of a pixel, is neglected.
     pub(super) fn assumed_depth(&self, depth: ImageView<'_, f32>) -> Image<f32> {
         let (width, height) = (depth.width(), depth.height());
         let intrinsics = self.intrinsics.resized(ImageSize::new(width, height), true);
         let matches = self.drift.matches(&intrinsics, self.baseline_m);
+        let scale = self.depth_baseline_m / self.baseline_m;
         let mut assumed = Image::filled(width, height, 0.0);
         let rows = assumed.pixels_mut().par_chunks_exact_mut((width as usize).max(1));
         let rows = rows.zip(depth.pixels().par_chunks_exact((width as usize).max(1)));
@@ -31,7 +35,7 @@ impl DriftedPair {
                 let z = f64::from(depth_m);
                 #[expect(clippy::cast_precision_loss, reason = "images are smaller than 2⁵² pixels")]
                 let pixel = PixelPoint::<OpenCv>::new(x as f64, y as f64);
-                let drifted = matches.assumed_depth(pixel, z).min(BEYOND_M);
+                let drifted = (scale * matches.assumed_depth(pixel, z)).min(BEYOND_M);
                 *assumed = if z > 0.0 && z.is_finite() {
                     #[expect(clippy::cast_possible_truncation, reason = "depth is float32")]
                     let drifted = drifted as f32;
@@ -55,7 +59,19 @@ mod tests {
             drift: StereoDrift::parse(drift).unwrap(),
             intrinsics: Intrinsics::new(ImageSize::new(128, 80), 80.0, 80.0, centre),
             baseline_m: 0.075,
+            depth_baseline_m: 0.075,
         }
+    }
+
+    #[test]
+    fn the_baseline_of_the_design_scales_depth() {
+        let designed = DriftedPair {
+            depth_baseline_m: 0.0765,
+            ..drifted("")
+        };
+        let depth = Image::filled(128, 80, 2.0_f32);
+        let assumed = designed.assumed_depth((&depth).into());
+        assert!(assumed.pixels().iter().all(|z| (z - 2.04).abs() < 1e-6));
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! The drift of a stereo pair since its calibration, in the engines that measure depth images.
+//! The drift of a stereo pair since its calibration, and the baseline of its design, in the engines that measure depth images.
 
 use oaktwin_base::diagnostic::{Finding, Level, fold_name};
 use oaktwin_camera::{ImageSize, Intrinsics, OpenCv, PixelPoint, StereoDrift};
@@ -13,7 +13,7 @@ const POINTS: (u32, u32) = (16, 10);
 /// The depth of the points, m.
 const FAR_M: f64 = 5.0;
 
-/// Returns the drifted pair that an engine measures depth images of; `None` without drift.
+/// Returns the pair that an engine measures depth images of, if its processor assumes another geometry than the cameras have.
 pub(super) fn pair(
     kind: &EngineKind,
     source: &Source<'_>,
@@ -21,8 +21,11 @@ pub(super) fn pair(
     place: &str,
     findings: &mut Vec<Finding>,
 ) -> Result<Option<DriftedPair>, ParameterError> {
+    let pair = (*kind == STEREO_NOISE)
+        .then(|| geometry(source, options))
+        .flatten();
     let Some(drift) = options.drift.filter(|drift| !drift.is_none()) else {
-        return Ok(None);
+        return Ok(pair.filter(|pair| pair.depth_baseline_m != pair.baseline_m));
     };
     if *kind == STEREO_MATCHING {
         return match source {
@@ -34,12 +37,8 @@ pub(super) fn pair(
             )),
         };
     }
-    if let (true, Some((intrinsics, baseline_m))) = (*kind == STEREO_NOISE, geometry(source, options)) {
-        return Ok(Some(DriftedPair {
-            drift,
-            intrinsics,
-            baseline_m,
-        }));
+    if let Some(pair) = pair {
+        return Ok(Some(DriftedPair { drift, ..pair }));
     }
     let message = format!(
         "{} has no stereo pair that drifts; the option is ignored",
@@ -57,6 +56,9 @@ pub(super) fn pair(
 
 /// Adds the share of pixels that the matcher of a drifted pair loses, unless it is given.
 pub(super) fn add_loss(pair: &DriftedPair, setup: &mut Setup) {
+    if pair.drift.is_none() {
+        return;
+    }
     if setup
         .parameters
         .iter()
@@ -69,16 +71,20 @@ pub(super) fn add_loss(pair: &DriftedPair, setup: &mut Setup) {
     setup.parameters.push(("dropout".to_owned(), lost.to_string()));
 }
 
-/// The calibrated intrinsics and baseline of the rectified pair.
-fn geometry(source: &Source<'_>, options: &SensorOptions) -> Option<(Intrinsics, f64)> {
+/// The rectified pair as it was calibrated.
+fn geometry(source: &Source<'_>, options: &SensorOptions) -> Option<DriftedPair> {
     let Source::Twin { twin, sensor, .. } = source else {
         return None;
     };
-    let (stereo, _) = super::parameters::stereo_pair(twin, sensor.spec.pair()?)?;
-    let intrinsics = options
-        .image
-        .or_else(|| Some(twin.depth_camera(sensor)?.intrinsics))?;
-    Some((intrinsics, stereo.baseline_m))
+    let pair = sensor.spec.pair()?;
+    Some(DriftedPair {
+        drift: StereoDrift::default(),
+        intrinsics: options
+            .image
+            .or_else(|| Some(twin.depth_camera(sensor)?.intrinsics))?,
+        baseline_m: twin.baseline_m(pair)?,
+        depth_baseline_m: twin.depth_baseline_m(pair)?,
+    })
 }
 
 /// The share of pixels that the matcher loses, the mean over the image; `scale` is the number of the matcher's pixels in one of the

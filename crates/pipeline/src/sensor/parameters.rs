@@ -18,14 +18,13 @@ pub fn single_view_parameters(
     parameters
 }
 
-/// Returns the geometry and image width of a stereo pair of a twin at its cameras' used resolution, or `None` if it lacks one
-/// of the cameras.
+/// Returns the geometry with which a twin's processor converts disparity to depth, and the image width, at its cameras' used
+/// resolution, or `None` if it lacks one of the cameras.
 pub(super) fn stereo_pair(twin: &Twin, pair: (Role, Role)) -> Option<(StereoGeometry, u32)> {
-    let (left, right) = (twin.rectified_left(pair)?, twin.camera(pair.1)?);
-    let baseline = left.body_from_camera.translation - right.body_from_camera.translation;
+    let left = twin.rectified_left(pair)?;
     let stereo = StereoGeometry {
         focal_length_px: left.intrinsics.fx,
-        baseline_m: baseline.length(),
+        baseline_m: twin.depth_baseline_m(pair)?,
     };
     Some((stereo, left.intrinsics.size.width))
 }

@@ -103,7 +103,10 @@ impl Matcher {
                     is_raw.then_some(rectify),
                     geometry.left,
                     cameras.body_from_rectified_left(),
-                    geometry.stereo_geometry(),
+                    StereoGeometry {
+                        focal_length_px: geometry.left.fx,
+                        baseline_m: twin.depth_baseline_m(pair.cameras).unwrap_or(geometry.baseline),
+                    },
                     chosen.or_else(|| twin.platform()),
                     twin.device.name.as_str(),
                 )

@@ -150,7 +150,7 @@ fn opencv_lens_replaces_apertures() {
         let LensModel::OpenCvPinhole(lens) = view.lens else {
             panic!("{:?}", view.lens)
         };
-        assert_eq!(lens.coefficients[0], -0.1);
+        assert_eq!(lens.coefficients()[0], -0.1);
         assert!(findings.is_empty(), "{findings:?}");
     }
     let (_, findings) = camera(&prim, ImageSize::new(640, 480), Projection::Isaac).unwrap();
