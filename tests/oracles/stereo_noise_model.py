@@ -32,6 +32,7 @@ class Parameters:
     bias: float = 0.0
     pixelLocking: float = 0.13
     jitter: float = 0.05
+    closeRangeFactor: float = 1.0
     window: int = 7
     depthRounding: str = "nearest"
 
@@ -200,9 +201,11 @@ def disparity(depth, p, seed, camera, frame=0, item=0, rgb=None):
         padded = -(-width // 64) * 64
         pair = random_bytes(seed, camera, DROPOUT, frame, item, height, count=2 * padded).astype(np.int64)
         lost |= pair[:, :width] + 256 * pair[:, padded : padded + width] < rounded(p.dropout * 65536)
-    biased = d + p.bias
-    noise = p.jitter * standard_noise(depth.shape, side, seed, camera, frame, item)
-    measured = biased - p.pixelLocking * np.sin(2 * np.pi * biased) + noise
+    full, none = (p.focalLength * p.baseline / z for z in (6, 7))
+    factor = 1 + (p.closeRangeFactor - 1) * np.clip((d - none) / (full - none), 0, 1)
+    biased = d + factor * p.bias
+    noise = factor * p.jitter * standard_noise(depth.shape, side, seed, camera, frame, item)
+    measured = biased - factor * p.pixelLocking * np.sin(2 * np.pi * biased) + noise
     steps = (measured - p.disparityShift) * 2**p.subpixelFractionalBits
     fixed = np.rint(np.clip(steps, 0, p.max_fixed + 1))
     lost |= (d == 0) | (fixed > p.max_fixed)

@@ -1,3 +1,4 @@
+use oaktwin_base::diagnostic::fold_name;
 use oaktwin_camera::StereoGeometry;
 
 use crate::filter::Filter;
@@ -45,6 +46,13 @@ impl Setup {
             device_seed: None,
             parameters: Vec::new(),
         }
+    }
+
+    /// Whether a parameter is set by name.
+    #[must_use]
+    pub fn sets(&self, name: &str) -> bool {
+        let name = fold_name(name);
+        self.parameters.iter().any(|(given, _)| fold_name(given) == name)
     }
 
     /// Returns the geometry of the stereo pair.

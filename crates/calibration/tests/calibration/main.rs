@@ -2,6 +2,7 @@
 
 mod bad_imports;
 mod depthai_golden;
+mod design;
 mod exports;
 mod fixtures;
 mod imports;

@@ -58,7 +58,7 @@ pub fn is_calibration_error(name: &str) -> bool {
 /// # Errors
 /// Returns an error if the bias is out of range.
 pub fn calibration_error_px(setup: &Setup) -> Result<f64, ParameterError> {
-    let mut parameters = stereo_noise::Parameters::new(setup.stereo(), setup.width_px);
+    let mut parameters = stereo_noise::Parameters::new(setup.platform, setup.stereo(), setup.width_px);
     if let Some(seed) = setup.device_seed {
         parameters = parameters.of_device(seed);
     }

@@ -22,7 +22,7 @@ pub static STEREO_NOISE: EngineKind = EngineKind {
     is_default: true,
     parameters: Parameters::names,
     create: |setup: &Setup| {
-        let mut parameters = Parameters::new(setup.stereo(), setup.width_px);
+        let mut parameters = Parameters::new(setup.platform, setup.stereo(), setup.width_px);
         if let Some(PresetConfig::Stereo(config)) = &setup.preset {
             config.apply_to(&mut parameters);
         }
@@ -30,12 +30,34 @@ pub static STEREO_NOISE: EngineKind = EngineKind {
         if let Some(seed) = setup.device_seed {
             parameters = parameters.of_device(seed);
         }
+        if ["bias", "pixelLocking", "jitter"]
+            .into_iter()
+            .any(|name| setup.sets(name))
+        {
+            parameters.close_range_factor = 1.0;
+        }
         for (name, value) in &setup.parameters {
             parameters.set(name, value)?;
+        }
+        if setup.sets("width") {
+            follow_width(&mut parameters, setup);
         }
         Ok(Arc::new(StereoNoise::new(parameters)?))
     },
 };
+
+/// Changes what depends on the width of the matcher's mode, unless it is given by name.
+fn follow_width(parameters: &mut Parameters, setup: &Setup) {
+    let mut stereo = setup.stereo();
+    stereo.focal_length_px *= f64::from(parameters.width_px) / f64::from(setup.width_px.max(1));
+    let at_width = Parameters::new(setup.platform, stereo, parameters.width_px);
+    if !setup.sets("focalLength") {
+        parameters.stereo.focal_length_px = stereo.focal_length_px;
+    }
+    if !setup.sets("pixelLocking") {
+        parameters.pixel_locking_px = at_width.pixel_locking_px;
+    }
+}
 
 impl Engine for StereoNoise {
     fn kind(&self) -> &'static EngineKind {

@@ -28,7 +28,7 @@ fn parameters() -> stereo_noise::Parameters {
         focal_length_px: 800.0,
         baseline_m: 0.075,
     };
-    stereo_noise::Parameters::new(stereo, 1280)
+    stereo_noise::Parameters::new(Platform::Rvc2, stereo, 1280)
 }
 
 fn sensor(engine: impl Engine, filters: &[&str]) -> Sensor {

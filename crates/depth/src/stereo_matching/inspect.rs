@@ -2,6 +2,7 @@
 
 mod difference;
 mod points;
+mod profiles;
 
 use std::array::from_fn;
 use std::borrow::Cow;
@@ -11,10 +12,11 @@ use oaktwin_simd::run;
 
 use super::pair::{Luminance, Pair};
 use super::parameters::Parameters;
-use difference::{LeastDifference, SIDES, WINDOW};
+use difference::{AREA, LeastDifference, SIDES, WINDOW};
+use profiles::Profiles;
 
-/// The maximum vertical offset that is searched in both directions, px.
-const MOST_ROWS: usize = 16;
+/// The maximum vertical offset that is searched in both directions, px: raw images of real pairs differ by up to 40.
+const MOST_ROWS: usize = 48;
 
 /// The number of cells along a row and along a column of the image; each cell gives one point.
 const CELLS: [usize; 2] = [24, 14];
@@ -22,11 +24,22 @@ const CELLS: [usize; 2] = [24, 14];
 /// The minimum number of points for a finding.
 const FEWEST: usize = 12;
 
-/// The number of points between those that are compared one after another.
-const SPREAD: usize = 16;
-
 /// The factor by which the difference must be smaller at another position.
 const BETTER: f64 = 1.5;
+
+/// A point has a match if its difference is below this share of its contrast, or explained by noise.
+const MATCHED: f64 = 0.5;
+
+/// A match is unique if its difference is below this share of the least one more than `NEAR` rows away.
+const UNIQUE: f64 = 0.7;
+const NEAR: usize = 3;
+
+/// The share of points with a match in their row from which a pair is not searched further. In rectified pairs of real cameras 57 to
+/// 63 % have one, and in unrectified ones or with another unit's calibration 15 to 37 %.
+const ALIGNED: f64 = 0.5;
+
+/// The offsets of true matches are within this many rows of their median; those by chance are spread over the whole search.
+const COMPACT: isize = 12;
 
 /// A match is by chance if its difference exceeds these shares of the difference at an unrelated row and of the
 /// contrast.
@@ -40,6 +53,9 @@ const FLOOR: f64 = 1.0;
 
 /// The maximum share of saturated pixels.
 const SATURATED: f64 = 0.4;
+
+/// The code of the finding about rows that do not correspond, whose remedy depends on how the images were rectified.
+pub const VERTICAL_OFFSET: &str = "vertical-offset";
 
 /// Returns the problems of a pair, or of its search range, that make depth wrong or invalid. All findings are warnings:
 /// `range-beyond-image`, `saturated`, `no-texture`, `same-image`, `pair-swapped`, `vertical-offset`, `unrelated`.
@@ -109,6 +125,41 @@ fn saturated(name: &str, grey: &[u8]) -> Option<Finding> {
     })
 }
 
+/// Reports matches above or below their points, if they are clearly better than those in the same row.
+fn vertical_offset(profiles: &Profiles, offsets: &[(usize, isize)]) -> Option<Finding> {
+    let mut rows: Vec<isize> = offsets.iter().map(|(_, rows)| *rows).collect();
+    rows.sort_unstable();
+    let at = |tenths: usize| {
+        rows.get((rows.len() - 1) * tenths / 10)
+            .copied()
+            .unwrap_or_default()
+    };
+    let mean = |of: &dyn Fn(usize, isize) -> f64| {
+        offsets.iter().map(|&(point, rows)| of(point, rows)).sum::<f64>() / offsets.len() as f64
+    };
+    let in_row = mean(&|point, _| profiles.difference(point, 0));
+    let best = mean(&|point, rows| profiles.difference(point, rows));
+    if in_row <= BETTER * best.max(FLOOR) {
+        return None;
+    }
+    let (least, most) = (at(1), at(9));
+    let message = if most - least <= 2 {
+        let to = if at(5) > 0 { "lower" } else { "higher" };
+        format!(
+            "the right image is about {} px {to} than the left one",
+            at(5).abs()
+        )
+    } else {
+        format!("points of the right image are {least} to {most} px below those of the left one")
+    };
+    Some(warning(
+        VERTICAL_OFFSET,
+        "stereo pair",
+        message,
+        "rectify both with this unit's calibration",
+    ))
+}
+
 struct Look<'a> {
     width: usize,
     height: usize,
@@ -145,13 +196,20 @@ impl<'a> Look<'a> {
 
     /// Returns the problems of how the images correspond.
     fn misplaced(&self, points: &[[usize; 2]]) -> Vec<Finding> {
-        let given = self.by_rows(points, false, f64::INFINITY);
-        let given = given.unwrap_or((f64::MAX, 0));
-        // Only an order that is better by the factor is reported.
-        let swapped = self.by_rows(points, true, given.0 / BETTER);
-        let swapped = swapped.filter(|swapped| given.0 > BETTER * swapped.0.max(FLOOR));
-        let is_swapped = swapped.is_some();
-        let (least, rows) = swapped.unwrap_or(given);
+        let most = MOST_ROWS.min(self.height / 8);
+        let beside = Profiles::new(self, points, false, most.min(2));
+        if beside.matched_in_row() >= ALIGNED && beside.least().1 == 0 {
+            return Vec::new();
+        }
+        let given = Profiles::new(self, points, false, most);
+        let swapped = Profiles::new(self, points, true, most);
+        let [in_order, in_swapped] = [&given, &swapped].map(Profiles::offsets);
+        let is_swapped = in_swapped.len() >= FEWEST && in_swapped.len() > 2 * in_order.len();
+        let (profiles, offsets) = if is_swapped {
+            (&swapped, in_swapped)
+        } else {
+            (&given, in_order)
+        };
         let mut findings = Vec::new();
         if is_swapped {
             findings.push(warning(
@@ -161,8 +219,9 @@ impl<'a> Look<'a> {
                 "swap the left and the right image",
             ));
         }
-        let exceeds = |rows, limit| self.difference(points, rows, is_swapped, limit).is_none();
-        if !is_swapped && self.is_by_chance(points, least) {
+        if offsets.len() >= FEWEST {
+            findings.extend(vertical_offset(profiles, &offsets));
+        } else if self.is_by_chance(points, given.least().0) {
             findings.push(warning(
                 "unrelated",
                 "stereo pair",
@@ -171,17 +230,6 @@ impl<'a> Look<'a> {
                     "give both images of the same moment; for near objects enable ",
                     opt("extended-disparity")
                 ],
-            ));
-        } else if rows != 0 && exceeds(0, BETTER * least.max(FLOOR)) {
-            let to = if rows > 0 { "lower" } else { "higher" };
-            findings.push(warning(
-                "vertical-offset",
-                "stereo pair",
-                format!(
-                    "the right image is about {} px {to} than the left one",
-                    rows.abs()
-                ),
-                "rectify both with this unit's calibration",
             ));
         }
         findings
@@ -212,65 +260,33 @@ impl<'a> Look<'a> {
         if far <= 2 * MOST_ROWS.cast_signed() || least <= NOISE {
             return false;
         }
-        let elsewhere = [far, -far].map(|rows| self.difference(points, rows, false, f64::INFINITY));
+        let elsewhere = [far, -far].map(|rows| self.difference(points, rows));
         let elsewhere = elsewhere.into_iter().flatten().fold(f64::MAX, f64::min);
-        least > CHANCE[0] * elsewhere && least > CHANCE[1] * self.contrast(points)
+        let contrast =
+            points.iter().map(|&point| self.contrast(point)).sum::<f64>() / points.len().max(1) as f64;
+        least > CHANCE[0] * elsewhere && least > CHANCE[1] * contrast
     }
 
-    /// Returns the mean absolute deviation around the points, in grey levels.
-    fn contrast(&self, points: &[[usize; 2]]) -> f64 {
+    /// Returns the mean absolute deviation around a point, in grey levels.
+    fn contrast(&self, [x, y]: [usize; 2]) -> f64 {
         let [side, up] = WINDOW;
-        let area = (SIDES[0] * SIDES[1]) as f64;
-        let all = points.iter().map(|&[x, y]| {
-            let levels = || {
-                let rows = y - up..=y + up;
-                rows.flat_map(|y| (x - side..=x + side).map(move |x| f64::from(self.at(self.left, x, y))))
-            };
-            let mean = levels().sum::<f64>() / area;
-            levels().map(|level| (level - mean).abs()).sum::<f64>() / area
-        });
-        all.sum::<f64>() / points.len().max(1) as f64
-    }
-
-    /// Returns the least mean difference over all vertical offsets, and its offset, if it is at most the limit; of equal ones, that
-    /// of the smallest offset.
-    fn by_rows(&self, points: &[[usize; 2]], is_swapped: bool, limit: f64) -> Option<(f64, isize)> {
-        let offsets = (1..=MOST_ROWS.cast_signed()).flat_map(|rows| [-rows, rows]);
-        let mut best: Option<(f64, isize)> = None;
-        for rows in std::iter::once(0).chain(offsets) {
-            let limit = best.map_or(limit, |(least, _)| least);
-            if let Some(found) = self.difference(points, rows, is_swapped, limit)
-                && best.is_none_or(|(least, _)| found < least)
-            {
-                best = Some((found, rows));
-            }
-        }
-        best
-    }
-
-    /// Returns the mean difference in grey levels between the points and their best match `rows` rows below: to the
-    /// left, or to the right if the images are swapped. `None` if it exceeds the limit, which most offsets do after a few points.
-    fn difference(&self, points: &[[usize; 2]], rows: isize, is_swapped: bool, limit: f64) -> Option<f64> {
-        let there = |y: usize| {
-            let inside = WINDOW[1]..self.height.saturating_sub(WINDOW[1]);
-            y.checked_add_signed(rows).filter(|there| inside.contains(there))
+        let levels = || {
+            let rows = y - up..=y + up;
+            rows.flat_map(|y| (x - side..=x + side).map(move |x| f64::from(self.at(self.left, x, y))))
         };
-        let count = points.iter().filter(|&&[_, y]| there(y).is_some()).count();
-        let mean = |sum: u32| f64::from(sum) / count as f64 / (SIDES[0] * SIDES[1]) as f64;
-        if count == 0 {
-            return (f64::MAX <= limit).then_some(f64::MAX);
-        }
-        let mut sum = 0;
-        // Neighbouring points resemble each other, so those visited first are spread over the image.
-        let spread = (0..SPREAD).flat_map(|first| points.iter().skip(first).step_by(SPREAD));
-        for &[x, y] in spread {
-            let Some(there) = there(y) else { continue };
-            sum += self.least([x, y], there, is_swapped);
-            if mean(sum) > limit {
-                return None;
-            }
-        }
-        Some(mean(sum))
+        let mean = levels().sum::<f64>() / AREA;
+        levels().map(|level| (level - mean).abs()).sum::<f64>() / AREA
+    }
+
+    /// Returns the mean difference in grey levels between the points and their best match `rows` rows below.
+    fn difference(&self, points: &[[usize; 2]], rows: isize) -> Option<f64> {
+        let inside = WINDOW[1]..self.height.saturating_sub(WINDOW[1]);
+        let there = |y: usize| y.checked_add_signed(rows).filter(|there| inside.contains(there));
+        let sums: Vec<u32> = points
+            .iter()
+            .filter_map(|&[x, y]| Some(self.least([x, y], there(y)?, false)))
+            .collect();
+        (!sums.is_empty()).then(|| f64::from(sums.iter().sum::<u32>()) / (sums.len() as f64 * AREA))
     }
 
     /// Returns the minimum sum of differences between a point's window and the windows of a row of the right image.

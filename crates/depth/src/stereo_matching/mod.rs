@@ -64,7 +64,7 @@ mod scan;
 mod select;
 mod view;
 
-pub use inspect::inspect;
+pub use inspect::{VERTICAL_OFFSET, inspect};
 pub use pair::{Luminance, Pair, PairError};
 pub use parameters::{
     AdaptiveMedian, AdaptivePenalty, CensusKernel, ConfidenceMetrics, DisparityWidth, HoleFilling,

@@ -101,9 +101,13 @@ impl Kernel for Measure<'_> {
         let beyond = s.max_fixed as i32 as f32 + 1.0;
         let pixels = self.columns.iter().zip(self.disparities).zip(self.sums);
         for (out, ((&x, &d), &sum)) in self.out.iter_mut().zip(pixels) {
-            let biased = d + s.bias;
-            let locked = biased - s.locking * sin_of_turns(biased);
-            let jitter = (sum as i32 as f32 - s.jitter_mean) * s.jitter;
+            let close = (d - s.close_from) * s.close_per_px;
+            let close = if close > 0.0 { close } else { 0.0 };
+            let close = if close < 1.0 { close } else { 1.0 };
+            let factor = 1.0 + s.close_change * close;
+            let biased = d + factor * s.bias;
+            let locked = biased - factor * s.locking * sin_of_turns(biased);
+            let jitter = (sum as i32 as f32 - s.jitter_mean) * (factor * s.jitter);
             let steps = (locked + jitter - s.shift) * s.steps;
             let positive = if steps > 0.0 { steps } else { 0.0 };
             let bounded = if positive < beyond { positive } else { beyond };

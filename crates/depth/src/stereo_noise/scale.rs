@@ -1,7 +1,7 @@
 //! The parameters in single precision and the pixels of one image.
 
 use super::field::Numbers;
-use super::parameters::Parameters;
+use super::parameters::{CLOSE_RANGE_M, Parameters};
 use super::window::MAX_SIDE;
 
 /// The mean absolute difference between neighbours along a row, relative to the peak of a dot, of the pattern of an ams Belago 1.1
@@ -17,6 +17,11 @@ pub(super) struct Scale {
     pub(super) image_px: f32,
     pub(super) bias: f32,
     pub(super) locking: f32,
+    /// What [`Parameters::close_range_factor`] adds to a factor of 1.
+    pub(super) close_change: f32,
+    /// The disparity from which it changes, and the reciprocal of the range over which it does.
+    pub(super) close_from: f32,
+    pub(super) close_per_px: f32,
     /// The factor from a window's sum, less [`jitter_mean`](Self::jitter_mean), to its jitter.
     pub(super) jitter: f32,
     pub(super) jitter_mean: f32,
@@ -52,11 +57,15 @@ impl Scale {
         let window = ((f64::from(p.window_px) * image_px).round() as usize).clamp(1, MAX_SIDE);
         let numbers = Numbers::under(window);
         let count = (window * window) as f64;
+        let [full, none] = CLOSE_RANGE_M.map(|z| p.stereo.disparity(z));
         Self {
             px_m: (p.stereo.focal_length_px * p.stereo.baseline_m) as f32,
             image_px: image_px as f32,
             bias: p.bias_px as f32,
             locking: p.pixel_locking_px as f32,
+            close_change: (p.close_range_factor - 1.0) as f32,
+            close_from: none as f32,
+            close_per_px: (full - none).recip() as f32,
             jitter: (p.jitter_px / (count * numbers.variance()).sqrt()) as f32,
             jitter_mean: (count * numbers.mean()) as f32,
             numbers,

@@ -7,6 +7,7 @@
     reason = "a test"
 )]
 
+use oaktwin_depth::preset::Platform;
 use std::fs;
 use std::path::PathBuf;
 
@@ -77,7 +78,7 @@ fn unit(focal_length_px: f64, width_px: u32, bias_px: f64, pixel_locking_px: f64
     let parameters = Parameters {
         bias_px,
         pixel_locking_px,
-        ..Parameters::new(stereo, width_px)
+        ..Parameters::new(Platform::Rvc2, stereo, width_px)
     };
     StereoNoise::new(parameters).unwrap()
 }

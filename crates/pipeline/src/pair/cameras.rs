@@ -212,7 +212,7 @@ fn eye(twin: &Twin, role: Role, options: &PairOptions) -> Result<StereoCamera, P
             device: device(),
             error,
         })?;
-        optics.intrinsics = optics.intrinsics.resized(size, true);
+        optics.intrinsics = twin.resized(&optics.intrinsics, size);
     }
     let (near_m, far_m) = camera.spec.clipping_range_m;
     Ok(StereoCamera {

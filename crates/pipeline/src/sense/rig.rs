@@ -56,7 +56,7 @@ pub(super) fn aligner(
     if let Some(size) = to.size {
         check_size(size)
             .map_err(|error| SenseError::option(message![opt("align-size"), format!(": {error}")]))?;
-        own.intrinsics = own.intrinsics.resized(size, true);
+        own.intrinsics = twin.resized(&own.intrinsics, size);
     }
     let target_from_reported =
         target.body_from_camera.inverse() * source.body_from_camera * reported.input_from_output();

@@ -1,6 +1,6 @@
 //! The drift of a stereo pair since its calibration, and the baseline of its design, in the engines that measure depth images.
 
-use oaktwin_base::diagnostic::{Finding, Level, fold_name};
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::{ImageSize, Intrinsics, OpenCv, PixelPoint, StereoDrift};
 use oaktwin_depth::{DriftedPair, EngineKind, ParameterError, Setup};
 
@@ -56,14 +56,7 @@ pub(super) fn pair(
 
 /// Adds the share of pixels that the matcher of a drifted pair loses, unless it is given.
 pub(super) fn add_loss(pair: &DriftedPair, setup: &mut Setup) {
-    if pair.drift.is_none() {
-        return;
-    }
-    if setup
-        .parameters
-        .iter()
-        .any(|(name, _)| fold_name(name) == "dropout")
-    {
+    if pair.drift.is_none() || setup.sets("dropout") {
         return;
     }
     let scale = f64::from(setup.width_px) / f64::from(pair.intrinsics.size.width.max(1));

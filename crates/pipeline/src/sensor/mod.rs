@@ -4,6 +4,7 @@ mod choose;
 mod drift;
 mod frame;
 mod matching;
+mod median;
 mod option;
 mod options;
 mod parameter_file;
@@ -32,7 +33,9 @@ pub use parameters::{single_view_parameters, stereo_noise_parameters, time_of_fl
 
 use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_catalog::{Source as DataSource, Twin, TwinDepthSensor};
+use oaktwin_depth::PresetConfig;
 use oaktwin_depth::filter::{self, Chain};
+use oaktwin_depth::preset::Platform;
 use oaktwin_depth::random::Stream;
 
 use setup::Source;
@@ -138,12 +141,19 @@ fn create(
     let engine = kind.create(&setup)?;
     let names: Vec<&str> = setup.parameters.iter().map(|(name, _)| name.as_str()).collect();
     findings.extend(engine.without_effect(place, &names));
-    let filters = if options.filters.is_empty() {
-        setup.preset.map(|preset| preset.filters()).unwrap_or_default()
+    let mut filters = if options.filters.is_empty() {
+        setup
+            .preset
+            .as_ref()
+            .map(PresetConfig::filters)
+            .unwrap_or_default()
     } else {
         let filters = options.filters.iter().map(|text| filter::parse(text));
         filters.collect::<Result<_, _>>()?
     };
+    if source.platform(&setup) == Some(Platform::Rvc2) {
+        findings.extend(median::switch_off(&mut filters, engine.as_ref(), place));
+    }
     let name = options.name.as_deref().unwrap_or(place);
     let random = Stream::new(options.seed, name);
     let sensor = Sensor::new(engine, Chain::new(filters), random).with_drift(drifted);

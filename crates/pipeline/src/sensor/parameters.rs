@@ -1,5 +1,6 @@
 use oaktwin_camera::{Intrinsics, StereoGeometry, Usd};
 use oaktwin_catalog::{Role, Twin, TwinDepthSensor};
+use oaktwin_depth::preset::Platform;
 use oaktwin_depth::{single_view, stereo_noise, time_of_flight};
 use oaktwin_usd::asset::IsaacVersion;
 
@@ -29,12 +30,17 @@ pub(super) fn stereo_pair(twin: &Twin, pair: (Role, Role)) -> Option<(StereoGeom
     Some((stereo, left.intrinsics.size.width))
 }
 
+/// Returns the platform of a twin. Devices with an unknown processor are treated as the most common one.
+pub(super) fn platform_of(twin: &Twin) -> Platform {
+    twin.platform().unwrap_or(Platform::Rvc2)
+}
+
 /// Returns the `stereo_noise` parameters of the stereo pair of a twin at its cameras' used resolution, or `None` if it has
 /// no pair.
 #[must_use]
 pub fn stereo_noise_parameters(twin: &Twin) -> Option<stereo_noise::Parameters> {
     let (stereo, width_px) = stereo_pair(twin, (Role::Left, Role::Right))?;
-    Some(stereo_noise::Parameters::new(stereo, width_px))
+    Some(stereo_noise::Parameters::new(platform_of(twin), stereo, width_px))
 }
 
 /// Returns the `time_of_flight` parameters of a camera.

@@ -1,14 +1,14 @@
 //! What engines are made of, from a twin, a render product or a stereo pair.
 
-use oaktwin_base::diagnostic::{Finding, Level};
-use oaktwin_camera::{Intrinsics, StereoGeometry, Usd};
+use oaktwin_base::diagnostic::{Finding, Level, fold_name, message, opt};
+use oaktwin_camera::{ImageSize, Intrinsics, StereoGeometry, Usd};
 use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_depth::preset::Platform;
 use oaktwin_depth::{EngineKind, ParameterError, PresetConfig, Setup, single_view};
 
 use super::options::technology;
-use super::parameters::stereo_pair;
-use super::{ENGINES, SensorOptions, preset, single_view_parameters};
+use super::parameters::{platform_of, stereo_pair};
+use super::{ENGINES, STEREO_NOISE, SensorOptions, preset, single_view_parameters};
 
 /// The largest relative difference between the focal lengths of the images and of the twin, at the same width, at which
 /// they count as the same: the rounding of single precision, in which USD holds its cameras.
@@ -43,6 +43,21 @@ impl<'a> Source<'a> {
             (!is_same).then_some(image)
         });
         Self::Twin { twin, sensor, own }
+    }
+
+    /// Returns the processor that computes depth, if it is known.
+    pub(super) fn platform(&self, setup: &Setup) -> Option<Platform> {
+        let own = match self {
+            Self::Twin { twin, .. } => twin.platform(),
+            Self::Product(_) => None,
+            Self::Pair { platform, .. } => Some(*platform),
+        };
+        let given = setup
+            .parameters
+            .iter()
+            .rev()
+            .find(|(name, _)| fold_name(name) == "platform");
+        given.and_then(|(_, value)| Platform::from_name(value)).or(own)
     }
 }
 
@@ -96,7 +111,37 @@ pub(super) fn setup(
     }
     setup.device_seed = options.device_seed;
     setup.parameters.clone_from(&options.parameters);
+    if let (Source::Twin { sensor, .. }, Some(image)) = (source, options.image)
+        && *kind == STEREO_NOISE
+    {
+        findings.extend(smaller_than_mode(image.size, &setup, &sensor.spec.prim));
+    }
     Ok(setup)
+}
+
+/// Says that images with the size of a smaller mode have the errors of the larger one.
+fn smaller_than_mode(size: ImageSize, setup: &Setup, prim: &str) -> Option<Finding> {
+    let mode = match (size.width, size.height) {
+        (640, 400) => "400P",
+        (640, 480) => "480P",
+        _ => return None,
+    };
+    (size.width < setup.width_px && !setup.sets("width")).then(|| {
+        Finding::new(
+            "mode",
+            Level::Note,
+            prim,
+            message![
+                format!(
+                    "{size} images have the errors of the matcher's mode with {} px in a row; ",
+                    setup.width_px
+                ),
+                opt("param").with("width=640"),
+                format!(" simulates {mode}")
+            ],
+            "",
+        )
+    })
 }
 
 fn of_twin(
@@ -150,8 +195,7 @@ fn of_twin(
         });
     }
     Ok(Setup {
-        // Devices with an unknown processor are treated as the most common one.
-        platform: twin.platform().unwrap_or(Platform::Rvc2),
+        platform: platform_of(twin),
         preset,
         ..geometry.unwrap_or_else(|| Setup::new(0.0, 0, 0.0))
     })

@@ -1,12 +1,13 @@
 use super::*;
 use oaktwin_camera::ImageSize;
 use oaktwin_camera::Intrinsics;
-use oaktwin_catalog::Catalog;
+use oaktwin_catalog::{Catalog, Role};
 use oaktwin_depth::filter::Filter;
 use oaktwin_depth::single_view::SingleView;
 use oaktwin_depth::stereo_noise::StereoNoise;
 use oaktwin_depth::time_of_flight::TimeOfFlight;
 use oaktwin_depth::{stereo_noise, time_of_flight as tof};
+use oaktwin_image::Image;
 
 fn twin(model: &str) -> Twin {
     let catalog = Catalog::builtin();
@@ -91,7 +92,9 @@ fn the_images_own_focal_length_is_said() {
     };
     let own = twin("OAK-D Pro PoE").cameras[1].intrinsics.fx;
     let (same, findings) = of("OAK-D Pro PoE", 0, &image(640, own / 2.0)).unwrap();
-    assert!(findings.is_empty());
+    // Only what the size means is said.
+    let codes: Vec<&str> = findings.iter().map(|finding| finding.code).collect();
+    assert_eq!(codes, ["mode"]);
     assert_eq!(stereo(&same).stereo.focal_length_px, own);
     let (other, findings) = of("OAK-D Pro PoE", 0, &image(640, 300.0)).unwrap();
     assert_eq!(findings[0].code, "own-focal-length");
@@ -254,4 +257,60 @@ fn reports_parameters_of_another_processor() {
     );
     let (_, findings) = of("OAK4-D", 0, &set("horizontalPenaltyCostP1")).unwrap();
     assert_eq!(findings[0].code, "other-platform");
+}
+
+#[test]
+fn rvc2_has_no_median_with_many_subpixel_bits() {
+    let with = |model: &str, bits: &str| {
+        let options = SensorOptions {
+            filters: vec!["median:size=5".to_owned(), "speckle".to_owned()],
+            parameters: vec![("subpixelFractionalBits".to_owned(), bits.to_owned())],
+            ..SensorOptions::default()
+        };
+        let (sensor, findings) = of(model, 0, &options).unwrap();
+        let codes: Vec<&str> = findings.iter().map(|finding| finding.code).collect();
+        (sensor.filters().filters().len(), codes.contains(&"median-off"))
+    };
+    for bits in ["4", "5"] {
+        assert_eq!(with("OAK-D Pro PoE", bits), (1, true));
+        assert_eq!(with("OAK4-D", bits), (2, false));
+        assert_eq!(with("RealSense D455", bits), (2, false));
+    }
+    assert_eq!(with("OAK-D Pro PoE", "3"), (2, false));
+    assert_eq!(with("OAK-D Pro PoE", "0"), (2, false));
+}
+
+#[test]
+fn rvc4_is_more_accurate_at_close_range() {
+    let factor = |model| {
+        let sensor = of(model, 0, &SensorOptions::default()).unwrap().0;
+        stereo(&sensor).close_range_factor
+    };
+    assert_eq!(factor("OAK4-D"), 0.75);
+    assert_eq!(factor("OAK-D Pro PoE"), 1.0);
+}
+
+/// A unit whose processor uses the baseline of the design has that scale error.
+#[test]
+fn the_baseline_of_the_design_scales_depth() {
+    let mut twin = twin("OAK-D Pro PoE");
+    let pair = (Role::Left, Role::Right);
+    let sense = |twin: &Twin| {
+        let options = SensorOptions {
+            parameters: vec![
+                ("jitter".to_owned(), "0".to_owned()),
+                ("pixelLocking".to_owned(), "0".to_owned()),
+            ],
+            ..SensorOptions::default()
+        };
+        let sensor = &twin.depth_sensors[0];
+        let (mut sensor, _) = super::sensor(twin, sensor, &options).unwrap();
+        let depth = Image::filled(1280, 8, 2.0);
+        let capture = sensor.capture(Shot::new((&depth).into()), &[]).unwrap();
+        f64::from(capture.distance.0.pixels()[1280 * 4 + 640])
+    };
+    assert!((sense(&twin) - 2.0).abs() < 0.004);
+    let design = twin.baseline_m(pair).unwrap() * 1.016;
+    twin.design_baselines_m.insert(pair, design);
+    assert!((sense(&twin) - 2.032).abs() < 0.004);
 }

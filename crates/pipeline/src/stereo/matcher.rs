@@ -17,7 +17,7 @@ use oaktwin_catalog::{Role, Twin};
 use oaktwin_depth::imager::Recorded;
 use oaktwin_depth::preset::Platform;
 use oaktwin_depth::rectify::{Method, RectifyOptions, StereoRectify};
-use oaktwin_depth::stereo_matching::{self, Pair};
+use oaktwin_depth::stereo_matching::{self, Pair, VERTICAL_OFFSET};
 use oaktwin_image::annotation::Annotator;
 use oaktwin_usd::asset::LensChoice;
 
@@ -201,7 +201,8 @@ impl Matcher {
     /// Returns an error if the images differ in size or bit depth, or have another size than the matcher.
     pub fn look(&mut self, left: Recorded, right: Recorded) -> Result<Seen, StereoError> {
         let rectified = self.rectified(left, right)?;
-        see(&mut self.sensor, rectified)
+        let is_raw = self.rectify.is_some();
+        see(&mut self.sensor, rectified, is_raw)
     }
 
     /// Matches simultaneous pairs of many rigs: each independently, without history. Each thread matches one pair; the threads share
@@ -222,7 +223,7 @@ impl Matcher {
             }
             let look = |[left, right]: [Recorded; 2]| {
                 let rectified = self.rectified(left, right)?;
-                see(&mut fresh.clone(), rectified)
+                see(&mut fresh.clone(), rectified, self.rectify.is_some())
             };
             let some: Vec<Result<Seen, StereoError>> = some.into_par_iter().map(look).collect();
             for seen in some {
@@ -260,15 +261,22 @@ impl Matcher {
     }
 }
 
-fn see(sensor: &mut Sensor, rectified: [Recorded; 2]) -> Result<Seen, StereoError> {
+/// Matches a rectified pair. If the matcher has rectified it, findings do not advise to do so.
+fn see(sensor: &mut Sensor, rectified: [Recorded; 2], is_raw: bool) -> Result<Seen, StereoError> {
     let [left, right] = &rectified;
     let pair = Pair::new(left, right)?;
     let input = Input::Pair(pair);
     let engine = Arc::clone(sensor.engine());
-    let (capture, findings) = rayon::join(
+    let (capture, mut findings) = rayon::join(
         || sensor.capture(input, &[Annotator::Disparity, Annotator::Confidence]),
         || engine.inspect(&input),
     );
+    for finding in findings
+        .iter_mut()
+        .filter(|found| is_raw && found.code == VERTICAL_OFFSET)
+    {
+        finding.remedy = "check that the calibration is this unit's, and that the images are raw".into();
+    }
     Ok(Seen {
         capture: capture?,
         rectified,

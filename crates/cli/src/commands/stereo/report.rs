@@ -1,5 +1,6 @@
 use std::path::PathBuf;
 
+use oaktwin::camera::OpenCv;
 use oaktwin::catalog::Twin;
 use oaktwin::diagnostic::{self, Finding};
 use oaktwin::files::WrittenFile;
@@ -18,6 +19,8 @@ pub(super) struct Report {
     output: PathBuf,
     resolution: [u32; 2],
     focal_length_px: f64,
+    /// The principal point in OpenCV's convention, px.
+    principal_point_px: [f64; 2],
     baseline_m: f64,
     /// The rectification of raw images.
     rectification: Option<&'static str>,
@@ -39,11 +42,13 @@ impl Report {
             None => (None, Vec::new()),
         };
         let intrinsics = matched.camera.intrinsics;
+        let centre = intrinsics.principal_point::<OpenCv>();
         Self {
             model,
             output: args.output.clone(),
             resolution: [intrinsics.size.width, intrinsics.size.height],
             focal_length_px: intrinsics.fx,
+            principal_point_px: [centre.x, centre.y],
             baseline_m: matched.baseline_m,
             rectification: matched.method,
             pairs: matched.fill.len(),
@@ -80,10 +85,13 @@ impl Report {
         };
         let fill = self.fill.iter().sum::<f64>() / self.fill.len().max(1) as f64;
         let mut text = format!(
-            "{}: {} {pairs} of {width}x{height}, {rectification}, focal length {:.1} px, baseline {:.1} mm, {:.1} % measured\n",
+            "{}: {} {pairs} of {width}x{height}, {rectification}, focal length {:.1} px, principal point ({:.2}, {:.2}) px, \
+             baseline {:.1} mm, {:.1} % measured\n",
             self.model.as_deref().unwrap_or("stereo-matching"),
             self.pairs,
             self.focal_length_px,
+            self.principal_point_px[0],
+            self.principal_point_px[1],
             self.baseline_m * 1000.0,
             fill * 100.0
         );

@@ -8,6 +8,9 @@ pub(super) const WINDOW: [usize; 2] = [6, 3];
 /// The number of columns and rows of the compared window.
 pub(super) const SIDES: [usize; 2] = [2 * WINDOW[0] + 1, 2 * WINDOW[1] + 1];
 
+/// The number of pixels of the compared window.
+pub(super) const AREA: f64 = (SIDES[0] * SIDES[1]) as f64;
+
 /// The number of positions compared at once.
 const AT_ONCE: usize = 32;
 

@@ -1,4 +1,5 @@
 use super::*;
+use crate::preset::Platform;
 use crate::stereo_noise::DEVICE_BIAS_SIGMA_PX;
 
 /// A plane, seen by a camera of any image width, all of it within sight.
@@ -155,7 +156,7 @@ fn an_image_of_any_width_has_the_same_error() {
         bias_px: -0.22,
         pixel_locking_px: 0.13,
         occlusion: false,
-        ..Parameters::new(STEREO, 1280)
+        ..Parameters::new(Platform::Rvc2, STEREO, 1280)
     };
     let z = 3.3;
     let statistics = |width, height| {
@@ -177,7 +178,11 @@ fn an_image_of_any_width_has_the_same_error() {
 
 #[test]
 fn a_device_has_one_bias_and_devices_spread() {
-    let bias = |seed| Parameters::new(STEREO, 1280).of_device(seed).bias_px;
+    let bias = |seed| {
+        Parameters::new(Platform::Rvc2, STEREO, 1280)
+            .of_device(seed)
+            .bias_px
+    };
     assert_eq!(bias(5), bias(5));
     let (mean, sigma) = mean_and_sigma((0..4000).map(bias));
     assert!(mean.abs() < 5.0 * DEVICE_BIAS_SIGMA_PX / 4000f64.sqrt(), "{mean}");

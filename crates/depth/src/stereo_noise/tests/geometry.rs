@@ -1,4 +1,5 @@
 use super::*;
+use crate::preset::Platform;
 use crate::stereo_noise::{DepthRounding, Subpixel};
 
 /// Near from column `from` up to, not with, `to`; far elsewhere.
@@ -191,7 +192,7 @@ fn what_is_no_surface_is_not_measured() {
     for z in nothing {
         let mut depth = Image::filled(128, 2, 3.0f32);
         depth.pixels_mut()[100] = z;
-        let distance = sense(Parameters::new(STEREO, 1280), &depth);
+        let distance = sense(Parameters::new(Platform::Rvc2, STEREO, 1280), &depth);
         assert_eq!(distance.0.pixels()[100], 0.0, "{z}");
         // And hides at most what is left of it.
         assert!(distance.0.pixels()[101..128].iter().all(|&z| z > 2.8));
@@ -204,10 +205,10 @@ fn images_of_no_and_of_one_pixel() {
     for (width, height) in [(0, 0), (0, 5), (5, 0), (1, 1), (1, 9), (9, 1), (65, 1)] {
         let depth = Image::filled(width, height, 3.0f32);
         for p in [
-            Parameters::new(STEREO, 1280),
+            Parameters::new(Platform::Rvc2, STEREO, 1280),
             Parameters {
                 edge_dilation_px: 3.0,
-                ..Parameters::new(STEREO, 9)
+                ..Parameters::new(Platform::Rvc2, STEREO, 9)
             },
         ] {
             let rgb = Image::filled(width, height, [9u8; 4]);

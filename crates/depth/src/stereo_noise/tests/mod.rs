@@ -6,6 +6,7 @@ mod geometry;
 mod parameters;
 mod same_bytes;
 
+use crate::preset::Platform;
 use oaktwin_camera::StereoGeometry;
 use oaktwin_image::{Image, ZDepth};
 
@@ -22,7 +23,7 @@ fn exact() -> Parameters {
     Parameters {
         pixel_locking_px: 0.0,
         jitter_px: 0.0,
-        ..Parameters::new(STEREO, 1280)
+        ..Parameters::new(Platform::Rvc2, STEREO, 1280)
     }
 }
 

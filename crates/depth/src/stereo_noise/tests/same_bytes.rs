@@ -1,5 +1,6 @@
 use super::*;
 use crate::BatchEngine as _;
+use crate::preset::Platform;
 use crate::random::Stream;
 use crate::stereo_noise::sense::{Job, Scratch};
 use oaktwin_simd::Level;
@@ -14,7 +15,7 @@ fn everything(width_px: u32) -> Parameters {
         dot_contrast: 0.5,
         disparity_shift_px: 2,
         invalid_edge_px: 5,
-        ..Parameters::new(STEREO, width_px)
+        ..Parameters::new(Platform::Rvc2, STEREO, width_px)
     }
 }
 
@@ -30,7 +31,7 @@ fn picture(width: u32, height: u32) -> Image<[u8; 4]> {
 fn all_instruction_sets_give_the_same_bytes() {
     for (width, height, of) in [(1280, 90, 1280), (106, 60, 1280), (257, 33, 640), (3, 70, 640)] {
         let (depth, rgb) = (room(width, height), picture(width, height));
-        for p in [Parameters::new(STEREO, of), everything(of)] {
+        for p in [Parameters::new(Platform::Rvc2, STEREO, of), everything(of)] {
             let sensor = sensor(p);
             let shot = shot(&depth, 2).with_rgb((&rgb).into()).unwrap();
             let expected = sensor.disparity(&shot, &random());
@@ -66,7 +67,7 @@ fn threads_do_not_matter() {
 
 #[test]
 fn depth_is_of_the_disparities() {
-    for p in [Parameters::new(STEREO, 1280), everything(640)] {
+    for p in [Parameters::new(Platform::Rvc2, STEREO, 1280), everything(640)] {
         let (sensor, depth) = (sensor(p), room(700, 80));
         let shot = shot(&depth, 4);
         let disparity = sensor.disparity(&shot, &random());
@@ -90,7 +91,7 @@ fn a_batch_is_its_images_one_by_one() {
         .collect();
     let depth: Vec<f32> = images.iter().flat_map(|image| image.pixels().to_vec()).collect();
     let (shape, pixels) = ([9, 70, 106], 7420);
-    for p in [Parameters::new(STEREO, 1280), everything(640)] {
+    for p in [Parameters::new(Platform::Rvc2, STEREO, 1280), everything(640)] {
         let sensor = sensor(p);
         let batch = |threads| {
             let pool = rayon::ThreadPoolBuilder::new()
@@ -114,7 +115,7 @@ fn a_batch_is_its_images_one_by_one() {
         }
     }
     // Items have their own noise.
-    let sensor = sensor(Parameters::new(STEREO, 1280));
+    let sensor = sensor(Parameters::new(Platform::Rvc2, STEREO, 1280));
     let (flat, mut out) = (vec![3.0; 2 * pixels], vec![0.0; 2 * pixels]);
     sensor
         .sense_batch(&flat, [2, 70, 106], 0, 0, &random(), &mut out)
@@ -124,7 +125,7 @@ fn a_batch_is_its_images_one_by_one() {
 
 #[test]
 fn a_batch_that_does_not_fit() {
-    let sensor = sensor(Parameters::new(STEREO, 1280));
+    let sensor = sensor(Parameters::new(Platform::Rvc2, STEREO, 1280));
     let mut out = [1.0; 11];
     let error = sensor
         .sense_batch(&[2.0; 12], [1, 3, 4], 0, 0, &random(), &mut out)

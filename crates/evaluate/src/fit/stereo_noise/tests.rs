@@ -1,5 +1,6 @@
 //! Fits of simulated recordings with known parameters.
 
+use oaktwin_depth::preset::Platform;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -47,7 +48,7 @@ fn truth(bias: f64, locking: f64, jitter: f64, window: u32) -> Parameters {
         pixel_locking_px: locking,
         jitter_px: jitter,
         window_px: window,
-        ..Parameters::new(stereo, WIDTH)
+        ..Parameters::new(Platform::Rvc2, stereo, WIDTH)
     }
 }
 

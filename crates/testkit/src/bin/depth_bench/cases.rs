@@ -1,5 +1,6 @@
 //! The benchmark cases.
 
+use oaktwin_depth::preset::Platform;
 use std::error::Error;
 use std::sync::Arc;
 
@@ -75,7 +76,11 @@ pub(crate) fn all<'a>(
         focal_length_px: 805.0,
         baseline_m: 0.075,
     };
-    let engine = StereoNoise::new(stereo_noise::Parameters::new(stereo, depth.width()))?;
+    let engine = StereoNoise::new(stereo_noise::Parameters::new(
+        Platform::Rvc2,
+        stereo,
+        depth.width(),
+    ))?;
     let mut cases = single_view_cases(depth, rgb, &batch, random)?;
     cases.extend(stereo_noise_cases(depth, batch, &engine, random));
     cases.push(time_of_flight_case(random)?);

@@ -1,3 +1,4 @@
+use oaktwin_depth::preset::Platform;
 use std::error::Error;
 use std::fs;
 use std::path::Path;
@@ -33,7 +34,7 @@ pub(crate) fn images(folder: &Path) -> Result<(), Box<dyn Error>> {
         focal_length_px: 805.0,
         baseline_m: 0.075,
     };
-    let engine = StereoNoise::new(Parameters::new(stereo, WIDTH))?;
+    let engine = StereoNoise::new(Parameters::new(Platform::Rvc2, stereo, WIDTH))?;
     let mut frames = Vec::new();
     for frame in 0..4 {
         let mut shot = Shot::new((&depth).into());

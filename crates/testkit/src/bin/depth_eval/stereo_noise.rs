@@ -1,3 +1,4 @@
+use oaktwin_depth::preset::Platform;
 use std::error::Error;
 use std::fs;
 use std::path::PathBuf;
@@ -71,7 +72,7 @@ impl Request {
             focal_length_px: self.focal_length_px,
             baseline_m: self.baseline_m,
         };
-        let mut parameters = Parameters::new(stereo, self.width_px);
+        let mut parameters = Parameters::new(Platform::Rvc2, stereo, self.width_px);
         for (name, value) in &self.parameters {
             match value {
                 Value::String(value) => parameters.set(name, value)?,

@@ -197,7 +197,11 @@ struct Noise {
 impl Noise {
     fn new(width: u32) -> Result<Self, Box<dyn Error>> {
         Ok(Self {
-            engine: StereoNoise::new(stereo_noise::Parameters::new(stereo(width), width))?,
+            engine: StereoNoise::new(stereo_noise::Parameters::new(
+                Platform::Rvc2,
+                stereo(width),
+                width,
+            ))?,
             random: Stream::new(7, "Camera_pseudo_depth"),
         })
     }
