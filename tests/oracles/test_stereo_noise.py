@@ -30,6 +30,8 @@ SETTINGS = [
     {"confidenceThreshold": 120, "dotContrast": 3},
     {"confidenceThreshold": 200, "dotContrast": 1e4, "edgeDilation": 3},
     {"confidenceThreshold": 0, "jitter": 0, "pixelLocking": 0},
+    {"closeRangeFactor": 0.75, "bias": -0.4, "pixelLocking": 0.2, "jitter": 0.3},
+    {"closeRangeFactor": 2, "bias": 0.4, "window": 5},
 ]
 
 SIZES = [(96, 1280), (60, 106), (70, 333), (40, 640), (9, 1), (1, 65), (30, 1920)]

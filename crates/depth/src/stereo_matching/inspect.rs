@@ -196,7 +196,7 @@ impl<'a> Look<'a> {
 
     /// Returns the problems of how the images correspond.
     fn misplaced(&self, points: &[[usize; 2]]) -> Vec<Finding> {
-        let most = MOST_ROWS.min(self.height / 8);
+        let most = self.most_rows();
         let beside = Profiles::new(self, points, false, most.min(2));
         if beside.matched_in_row() >= ALIGNED && beside.least().1 == 0 {
             return Vec::new();
@@ -239,10 +239,15 @@ impl<'a> Look<'a> {
         image.get(y * self.width + x).copied().unwrap_or_default().into()
     }
 
+    /// Returns the number of rows searched above and below a point.
+    fn most_rows(&self) -> usize {
+        MOST_ROWS.min(self.height / 8)
+    }
+
     /// Returns the point with the most texture in each cell of an image, if it has enough.
     fn points(&self, image: &[u8]) -> Vec<[usize; 2]> {
         let [side, up] = [WINDOW[0] + 1, WINDOW[1] + 1];
-        let (left, top) = (self.reach + side, MOST_ROWS.min(self.height / 8) + up);
+        let (left, top) = (self.reach + side, self.most_rows() + up);
         let (Some(columns), Some(rows)) = (
             self.width.checked_sub(2 * left).filter(|&columns| columns > 0),
             self.height.checked_sub(2 * top).filter(|&rows| rows > 0),
@@ -257,7 +262,7 @@ impl<'a> Look<'a> {
     /// cannot correspond. A repeating pattern matches there too, but with a small difference.
     fn is_by_chance(&self, points: &[[usize; 2]], least: f64) -> bool {
         let far = self.height.cast_signed() / 2;
-        if far <= 2 * MOST_ROWS.cast_signed() || least <= NOISE {
+        if far <= 2 * self.most_rows().cast_signed() || least <= NOISE {
             return false;
         }
         let elsewhere = [far, -far].map(|rows| self.difference(points, rows));

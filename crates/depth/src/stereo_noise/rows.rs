@@ -95,16 +95,32 @@ impl Kernel for Measure<'_> {
     type Output = ();
 
     #[inline(always)]
-    #[expect(clippy::cast_possible_wrap, reason = "sums are below 2³¹, values fit 16 bits")]
     fn run(self) {
+        // Most devices have the same errors at close range, and need not compute the factor.
+        if self.scale.close_change == 0.0 {
+            self.measure::<false>();
+        } else {
+            self.measure::<true>();
+        }
+    }
+}
+
+impl Measure<'_> {
+    #[inline(always)]
+    #[expect(clippy::cast_possible_wrap, reason = "sums are below 2³¹, values fit 16 bits")]
+    fn measure<const IS_CLOSER: bool>(self) {
         let s = self.scale;
         let beyond = s.max_fixed as i32 as f32 + 1.0;
         let pixels = self.columns.iter().zip(self.disparities).zip(self.sums);
         for (out, ((&x, &d), &sum)) in self.out.iter_mut().zip(pixels) {
-            let close = (d - s.close_from) * s.close_per_px;
-            let close = if close > 0.0 { close } else { 0.0 };
-            let close = if close < 1.0 { close } else { 1.0 };
-            let factor = 1.0 + s.close_change * close;
+            let factor = if IS_CLOSER {
+                let close = (d - s.close_from) * s.close_per_px;
+                let close = if close > 0.0 { close } else { 0.0 };
+                let close = if close < 1.0 { close } else { 1.0 };
+                1.0 + s.close_change * close
+            } else {
+                1.0
+            };
             let biased = d + factor * s.bias;
             let locked = biased - factor * s.locking * sin_of_turns(biased);
             let jitter = (sum as i32 as f32 - s.jitter_mean) * (factor * s.jitter);
