@@ -6,3 +6,4 @@ mod exports;
 mod fixtures;
 mod imports;
 mod models;
+mod rigs;
