@@ -3,6 +3,7 @@
 use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 use oaktwin_camera::{LensModel, OpenCv, PixelPoint, RigidTransform};
 
+use crate::CalibrationError;
 use crate::model::{Calibration, CameraCalibration, Link};
 use crate::reader::Reader;
 use crate::rectify::rectifying_rotations;
@@ -127,7 +128,7 @@ pub(crate) fn links(reader: &mut Reader, calibration: &Calibration) {
     let of_cameras = calibration.cameras.values().filter_map(|c| c.extrinsics.as_ref());
     let others = calibration.imu.iter().chain(&calibration.housing);
     for link in of_cameras.chain(others) {
-        if !calibration.cameras.contains_key(&link.to) {
+        if calibration.link(link.to).is_none() {
             let message = format!("refers to {}, which is not in cameraData", link.to);
             reader.error(
                 "dangling-socket",
@@ -170,7 +171,7 @@ fn cycle_through(calibration: &Calibration, start: &CameraCalibration) -> Option
             return None; // a cycle that does not contain this camera
         }
         seen.push(*to);
-        link = calibration.cameras.get(to)?.extrinsics.as_ref();
+        link = calibration.link(*to)?;
     }
     None
 }
@@ -184,10 +185,18 @@ pub(crate) fn stereo(reader: &mut Reader, calibration: &Calibration) {
     };
     let place = || calibration.baseline_place(left, right);
     let t = right_from_left.translation;
-    if let Ok(spec) = calibration.baseline(left, right, true)
-        && let Some(finding) = baseline_finding(place(), t.length(), spec, "the board's design has")
-    {
-        reader.findings.push(finding);
+    match calibration.baseline(left, right, true) {
+        Ok(spec) => {
+            let finding = baseline_finding(place(), t.length(), spec, "the board's design has");
+            reader.findings.extend(finding);
+        }
+        Err(CalibrationError::NoSpecTranslation { place, .. }) => reader.warn(
+            "no-design",
+            format!("{place}.specTranslation"),
+            format!("is zero: the baseline of {left} and {right} cannot be compared with the design, and getBaselineDistance of DepthAI fails"),
+            "write the translation of the board's design, in centimetres",
+        ),
+        Err(_) => {}
     }
     if t.length() < 1e-3 {
         let message = format!("{left} and {right} are {:.3} mm apart", t.length() * 1e3);

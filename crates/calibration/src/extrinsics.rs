@@ -15,6 +15,13 @@ impl Calibration {
         to: Socket,
         use_spec: bool,
     ) -> Result<RigidTransform, CalibrationError> {
+        self.camera(from)?;
+        self.camera(to)?;
+        self.between(from, to, use_spec)
+    }
+
+    /// Returns [`Self::transform`] of cameras that may lack intrinsics.
+    fn between(&self, from: Socket, to: Socket, use_spec: bool) -> Result<RigidTransform, CalibrationError> {
         let (root_of_from, root_from_from) = self.root_from(from, use_spec)?;
         let (root_of_to, root_from_to) = self.root_from(to, use_spec)?;
         if root_of_from != root_of_to {
@@ -67,7 +74,7 @@ impl Calibration {
             file: self.file_name.clone(),
             place,
         })?;
-        let camera_from_to = self.transform(link.to, camera, use_spec)?;
+        let camera_from_to = self.between(link.to, camera, use_spec)?;
         let mut to_from_self = link.camera_from_self;
         if use_spec {
             // DepthAI accepts a zero translation here.
@@ -85,8 +92,12 @@ impl Calibration {
         let mut at = camera;
         let mut at_from_camera = RigidTransform::IDENTITY;
         // Cycles are rejected when the file is read, but a caller may have changed the value.
-        for _ in 0..=self.cameras.len() {
-            let Some(link) = &self.camera(at)?.extrinsics else {
+        for _ in 0..=self.cameras.len() + self.uncalibrated.len() {
+            let link = match self.link(at) {
+                Some(link) => link,
+                None => self.camera(at)?.extrinsics.as_ref(),
+            };
+            let Some(link) = link else {
                 return Ok((at, at_from_camera));
             };
             at_from_camera = link.transform(&self.file_name, use_spec)? * at_from_camera;

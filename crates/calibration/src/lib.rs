@@ -18,6 +18,7 @@ pub mod raw;
 mod read;
 mod reader;
 mod rectify;
+mod rig;
 mod socket;
 mod summary;
 mod twin;
@@ -29,6 +30,7 @@ pub use model::{Board, Calibration, CameraCalibration, CameraKind, Link, StereoR
 pub use nominal::{calibration_of, nominal_calibration};
 pub use raw::Raw;
 pub use rectify::StereoPair;
+pub use rig::rig;
 pub use socket::Socket;
 pub use summary::{CalibrationSummary, CameraSummary, ImuSummary, PairSummary, StereoSummary, summary};
 pub use twin::twin;

@@ -17,6 +17,9 @@ pub struct Calibration {
     pub board: Board,
     /// The cameras.
     pub cameras: BTreeMap<Socket, CameraCalibration>,
+    /// The extrinsics of cameras without intrinsics; `None` at the root of a chain. These cameras count as missing, but others may
+    /// refer to them.
+    pub uncalibrated: BTreeMap<Socket, Option<Link>>,
     /// The stereo pair in the file.
     pub stereo: Option<StereoRectification>,
     /// The extrinsics of the inertial unit.
@@ -153,6 +156,16 @@ impl Calibration {
                 socket,
                 present: self.cameras.keys().copied().collect(),
             })
+    }
+
+    /// Returns the extrinsics of a camera, with or without intrinsics, `Some(None)` at a root, or `None` if there is no such camera.
+    #[expect(
+        clippy::option_option,
+        reason = "no camera, a root, and extrinsics are three things"
+    )]
+    pub(crate) fn link(&self, socket: Socket) -> Option<Option<&Link>> {
+        let calibrated = self.cameras.get(&socket).map(|camera| camera.extrinsics.as_ref());
+        calibrated.or_else(|| self.uncalibrated.get(&socket).map(Option::as_ref))
     }
 
     /// Returns the sockets of the stereo pair, (left, right): those in the file, or else `CAM_B` and `CAM_C` if it has both.

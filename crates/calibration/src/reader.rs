@@ -188,6 +188,14 @@ impl Reader {
         found
     }
 
+    pub(crate) fn flag(&mut self, field: &Field<'_>) -> Option<bool> {
+        let Value::Bool(flag) = field.node.value else {
+            self.wrong_type(field, "true or false");
+            return None;
+        };
+        Some(flag)
+    }
+
     pub(crate) fn text(&mut self, field: &Field<'_>) -> Option<String> {
         let Value::String(text) = &field.node.value else {
             self.wrong_type(field, "a string");

@@ -1,5 +1,6 @@
 use std::fmt;
 
+use oaktwin_base::diagnostic::fold_name;
 use serde::{Serialize, Serializer};
 
 /// A camera socket of the board, as numbered by `DepthAI`: 0 is `CAM_A`.
@@ -27,6 +28,17 @@ impl Socket {
                 .map(Some)
                 .ok_or_else(|| format!("{number} is not a camera socket")),
         }
+    }
+
+    /// Returns the socket of a name from `CAM_A` to `CAM_J`, ignoring case and underscores.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        let folded = fold_name(name);
+        let [letter] = folded.strip_prefix("cam")?.as_bytes() else {
+            return None;
+        };
+        let number = letter.checked_sub(b'a')?;
+        Some(Self(number)).filter(|socket| *socket <= Self::LAST)
     }
 
     /// Returns the number in files.

@@ -1,6 +1,6 @@
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::RigidTransform;
-use oaktwin_camera::math::DMat3;
+use oaktwin_camera::math::{DMat3, DVec3};
 use serde::Serialize;
 
 use crate::rectify::rectifying_rotations;
@@ -98,6 +98,10 @@ pub struct ImuSummary {
     pub camera_from_imu_cm: [[f64; 4]; 4],
     /// The transform with the translations of the board's design; `None` if the file lacks one.
     pub spec_camera_from_imu_cm: Option<[[f64; 4]; 4]>,
+    /// The direction of the camera that is nearest to each axis of the unit: `x down, y left, z forward`.
+    pub axes: String,
+    /// The largest angle between an axis and its direction, degrees.
+    pub axes_deviation_deg: f64,
 }
 
 /// Creates the summary of a calibration with its findings.
@@ -177,13 +181,49 @@ fn imu(calibration: &Calibration) -> Vec<ImuSummary> {
         .cameras
         .keys()
         .filter_map(|camera| {
+            let camera_from_imu = calibration.camera_from_imu(*camera, false);
+            let (axes, axes_deviation_deg) = nearest_directions(camera_from_imu.as_ref().ok()?.rotation);
             Some(ImuSummary {
                 camera: *camera,
-                camera_from_imu_cm: rows_cm(calibration.camera_from_imu(*camera, false))?,
+                axes,
+                axes_deviation_deg,
+                camera_from_imu_cm: rows_cm(camera_from_imu)?,
                 spec_camera_from_imu_cm: rows_cm(calibration.camera_from_imu(*camera, true)),
             })
         })
         .collect()
+}
+
+/// Returns the direction of a camera (x right, y down, z forward) that is nearest to each axis, and the largest angle between the two,
+/// degrees.
+fn nearest_directions(camera_from_imu: DMat3) -> (String, f64) {
+    let directions = [
+        (DVec3::X, "right"),
+        (DVec3::NEG_X, "left"),
+        (DVec3::Y, "down"),
+        (DVec3::NEG_Y, "up"),
+        (DVec3::Z, "forward"),
+        (DVec3::NEG_Z, "backward"),
+    ];
+    let axes = [
+        camera_from_imu.x_axis,
+        camera_from_imu.y_axis,
+        camera_from_imu.z_axis,
+    ];
+    let mut words = Vec::new();
+    let mut deviation_deg: f64 = 0.0;
+    for (name, axis) in ["x", "y", "z"].into_iter().zip(axes) {
+        let angle = |direction: DVec3| axis.cross(direction).length().atan2(axis.dot(direction));
+        let nearest = directions
+            .iter()
+            .map(|(direction, word)| (angle(*direction), word))
+            .min_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some((angle, word)) = nearest {
+            deviation_deg = deviation_deg.max(angle.to_degrees());
+            words.push(format!("{name} {word}"));
+        }
+    }
+    (words.join(", "), deviation_deg)
 }
 
 fn rows_cm(transform: Result<RigidTransform, CalibrationError>) -> Option<[[f64; 4]; 4]> {

@@ -1,6 +1,7 @@
 use std::fmt;
 use std::path::PathBuf;
 
+use oaktwin_base::diagnostic::{command, message};
 use thiserror::Error;
 
 /// An error in a TOML file: of a catalog, or of a recipe.
@@ -54,18 +55,15 @@ pub struct UnknownModel {
     pub name: String,
     /// The nearest names, best first; may be empty.
     pub nearest: Vec<String>,
-    /// The names of all models.
-    pub known: Vec<String>,
 }
 
-/// `unknown model 'oak d tofu'; did you mean OAK-D ToF?`
+/// `unknown model 'oak d tofu'; did you mean OAK-D ToF? 'models' lists all`, in the style of the front end.
 impl fmt::Display for UnknownModel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "unknown model '{}'; ", self.name)?;
-        if self.nearest.is_empty() {
-            write!(f, "known models: {}", self.known.join(", "))
-        } else {
-            write!(f, "did you mean {}?", self.nearest.join(" or "))
+        if !self.nearest.is_empty() {
+            write!(f, "did you mean {}? ", self.nearest.join(" or "))?;
         }
+        write!(f, "{}", message![command("models"), " lists all"])
     }
 }

@@ -24,6 +24,7 @@ mod compare;
 mod document;
 mod error;
 mod folder;
+mod imu_frame;
 mod model;
 mod nominal;
 mod optics;
@@ -38,6 +39,7 @@ pub use choose::{DepthFilter, UnknownMaker};
 pub use compare::{Table, compare};
 pub use document::Document;
 pub use error::{CatalogError, UnknownModel};
+pub use imu_frame::ImuFrame;
 pub use model::{
     Accelerometer, Accuracy, AccuracyBand, AccuracyHeadline, Body, BodyShape, Camera, DepthKind, DepthSensor,
     Device, Evidence, Gyroscope, Imu, InertialPart, LegacyDistortion, Magnetometer, Note, Projector, Role,

@@ -303,6 +303,9 @@ pub struct Imu {
     pub position_mm: [f64; 3],
     /// The axes in the body frame: the rows of `body_from_imu`'s rotation.
     pub rotation: [[f64; 3]; 3],
+    /// The axes according to the vendor's board file, if they differ.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub board_file_rotation: Option<[[f64; 3]; 3]>,
     /// The source of the values above.
     pub source: Source,
     /// The sources of keys that differ from `source`.

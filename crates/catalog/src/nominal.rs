@@ -76,7 +76,7 @@ fn forward(pitch_deg: f64) -> DMat3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{DepthKind, Role};
+    use crate::{DepthKind, ImuFrame, Role};
 
     #[test]
     fn depth_focal_lengths_are_the_rounded_fx_of_their_camera() {
@@ -128,7 +128,8 @@ mod tests {
             ("oak_d_tof", sr, [0.8091, 0.849, -0.2]),
         ] {
             let catalog = Catalog::builtin();
-            let twin = catalog.nominal(catalog.device(model).unwrap());
+            let device = catalog.device(model).unwrap().with_imu_frame(ImuFrame::BoardFile);
+            let twin = catalog.nominal(&device);
             let cam_a = twin.cameras.iter().find(|c| c.spec.socket == Some(0)).unwrap();
             let camera_from_imu = RigidTransform::new(
                 DMat3::from_cols_array_2d(&rotation).transpose(),

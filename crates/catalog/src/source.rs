@@ -27,6 +27,8 @@ pub enum Source {
     BoardFile,
     /// A robot description (URDF) of the manufacturer or of a robot's.
     RobotDescription,
+    /// Software or measurements of others, such as the driver of `RTAB-Map`.
+    ThirdParty,
     /// Computed from other entries.
     Derived,
     /// An estimate in the absence of sources.
@@ -50,6 +52,7 @@ impl Source {
             Self::Schema => "schema",
             Self::BoardFile => "board-file",
             Self::RobotDescription => "robot-description",
+            Self::ThirdParty => "third-party",
             Self::Derived => "derived",
             Self::Estimate => "estimate",
             Self::User => "user",
@@ -111,6 +114,7 @@ mod tests {
             Source::Schema,
             Source::BoardFile,
             Source::RobotDescription,
+            Source::ThirdParty,
             Source::Derived,
             Source::Estimate,
             Source::User,

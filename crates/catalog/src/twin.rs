@@ -80,6 +80,16 @@ impl TwinDepthSensor {
     }
 }
 
+impl Device {
+    /// Returns the processor of the device for `DepthAI`, or `None` if it is unknown.
+    #[must_use]
+    pub fn depthai_platform(&self) -> Option<Platform> {
+        let generation = fold_name(&self.generation);
+        let mut all = [Platform::Rvc2, Platform::Rvc4].into_iter();
+        all.find(|platform| fold_name(platform.name()) == generation)
+    }
+}
+
 impl Twin {
     /// Returns the camera of a role, if the device has it.
     #[must_use]
@@ -129,9 +139,7 @@ impl Twin {
     /// Returns the processor of the device, or `None` if it is unknown.
     #[must_use]
     pub fn platform(&self) -> Option<Platform> {
-        let generation = fold_name(&self.device.generation);
-        let mut all = [Platform::Rvc2, Platform::Rvc4].into_iter();
-        all.find(|platform| fold_name(platform.name()) == generation)
+        self.device.depthai_platform()
     }
 
     /// Returns the camera that the images of a depth sensor are from: a pinhole, because depth is rectified.

@@ -15,6 +15,7 @@ mod fit;
 #[cfg(feature = "generate")]
 mod generate;
 mod imu;
+mod imu_frame;
 mod limit;
 mod outputs;
 mod pair;
@@ -60,6 +61,7 @@ pub(crate) use fit::{Also, FitArgs};
 #[cfg(feature = "generate")]
 pub(crate) use generate::GenerateArgs;
 pub(crate) use imu::ImuArgs;
+pub(crate) use imu_frame::ImuFrameArgs;
 pub(crate) use outputs::OutputArgs;
 pub(crate) use pair::PairArgs;
 pub(crate) use place::PlaceArgs;
@@ -174,6 +176,9 @@ pub(crate) struct ShowArgs {
 
     #[command(flatten)]
     pub(crate) unit: UnitArgs,
+
+    #[command(flatten)]
+    pub(crate) axes: ImuFrameArgs,
 
     /// Also print the source of each value and conflicting evidence
     #[arg(long)]

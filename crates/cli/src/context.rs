@@ -4,10 +4,10 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use oaktwin::catalog::{Catalog, Device, Twin};
-use oaktwin::diagnostic::Finding;
+use oaktwin::diagnostic::{Finding, Level, message, opt};
 use oaktwin::{render, unit};
 
-use crate::args::UnitArgs;
+use crate::args::{ImuFrameArgs, UnitArgs};
 
 pub(crate) type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
@@ -70,11 +70,36 @@ impl Context {
 
     /// Returns the twin of a model or, with a calibration, of one unit, and the calibration's findings.
     pub(crate) fn twin(&self, model: &str, unit: &UnitArgs) -> Result<(Twin, Vec<Finding>)> {
-        let device = self.device(model)?;
-        let (twin, findings) = match &unit.calibration {
+        self.twin_with_axes(model, unit, &ImuFrameArgs { imu_frame: None })
+    }
+
+    /// Returns [`Self::twin`] with the axes of its inertial unit from a source.
+    pub(crate) fn twin_with_axes(
+        &self,
+        model: &str,
+        unit: &UnitArgs,
+        axes: &ImuFrameArgs,
+    ) -> Result<(Twin, Vec<Finding>)> {
+        let device = &self
+            .device(model)?
+            .with_imu_frame(axes.imu_frame.unwrap_or_default());
+        let (twin, mut findings) = match &unit.calibration {
             Some(path) => unit::open(&self.catalog, device, path, unit.force)?,
             None => (self.catalog.nominal(device), Vec::new()),
         };
+        if axes.imu_frame.is_some() && twin.body_from_imu != self.catalog.nominal(device).body_from_imu {
+            findings.push(Finding::new(
+                "imu-frame",
+                Level::Note,
+                "imuExtrinsics",
+                message![
+                    "has the axes of the inertial unit; ",
+                    opt("imu-frame"),
+                    " has no effect"
+                ],
+                "",
+            ));
+        }
         render::check_lens(&twin, unit.lens)?;
         Ok((twin, findings))
     }

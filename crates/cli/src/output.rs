@@ -47,8 +47,11 @@ pub(crate) fn say_findings(file: &Path, findings: &[Finding]) {
     }
 }
 
-/// Formats an option as on the command line: `--fx 500`.
+/// Formats an option or a command as on the command line: `--fx 500`, `oaktwin models`.
 pub(crate) fn flag(option: &Opt) -> String {
+    if option.is_command() {
+        return format!("`oaktwin {}`", option.name());
+    }
     match option.value() {
         Some(value) => format!("--{} {value}", option.name()),
         None => format!("--{}", option.name()),

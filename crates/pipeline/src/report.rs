@@ -126,9 +126,11 @@ fn imu(twin: &Twin) -> Option<Imu> {
     let mut imu = twin.device.imu.clone()?;
     let body_from_imu = twin.body_from_imu?;
     let position_mm = body_from_imu.translation * 1e3;
-    if position_mm.distance(DVec3::from(imu.position_mm)) > 1e-6 {
+    let rotation = body_from_imu.rotation.transpose().to_cols_array_2d();
+    if position_mm.distance(DVec3::from(imu.position_mm)) > 1e-6 || rotation != imu.rotation {
         imu.position_mm = position_mm.to_array();
-        imu.rotation = body_from_imu.rotation.transpose().to_cols_array_2d();
+        imu.rotation = rotation;
+        imu.board_file_rotation = None;
         for key in ["position_mm", "rotation"] {
             imu.sources.insert(key.to_owned(), Source::CalibrationExport);
         }

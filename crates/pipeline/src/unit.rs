@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use oaktwin_base::diagnostic::{Finding, Level};
+use oaktwin_base::parameter::Platform;
 use oaktwin_calibration::raw::MAX_BYTES;
-use oaktwin_calibration::{self as calibration, Calibration, CalibrationError, Raw};
+use oaktwin_calibration::{self as calibration, Calibration, CalibrationError, Raw, Socket};
 use oaktwin_catalog::{Catalog, Device, Twin};
 use oaktwin_files::{self as files, FileError};
 
@@ -70,6 +71,24 @@ pub fn of_raw(
     accept(path, &mut findings, force)?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let (twin, more) = calibration::twin(&calibration, &nominal, &name)?;
+    findings.extend(more);
+    Ok((twin, findings))
+}
+
+/// Returns the twin of a rig with a calibration file, and the findings; see [`calibration::rig`].
+///
+/// # Errors
+/// Returns an error if the file cannot be read, is not a calibration, or does not determine a stereo pair.
+pub fn open_rig(
+    path: &Path,
+    pair: Option<(Socket, Socket)>,
+    platform: Platform,
+    force: bool,
+) -> Result<(Twin, Vec<Finding>), UnitError> {
+    let (_, calibration, mut findings) = read_calibration(path)?;
+    accept(path, &mut findings, force)?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let (twin, more) = calibration::rig(&calibration, pair, platform, &name)?;
     findings.extend(more);
     Ok((twin, findings))
 }

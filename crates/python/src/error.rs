@@ -39,8 +39,11 @@ const ARGUMENTS: [(&str, &str); 10] = [
     ("stereo-width", "width_px"),
 ];
 
-/// An option as an argument: `fx=500`, `engine="single-view"`.
+/// An option as an argument: `fx=500`, `engine="single-view"`; a command as a function: `oaktwin.models()`.
 fn argument(option: &Opt) -> String {
+    if option.is_command() {
+        return format!("oaktwin.{}()", option.name());
+    }
     if option.name() == "param"
         && let Some((name, value)) = option.value().and_then(|value| value.split_once('='))
     {

@@ -1,7 +1,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use oaktwin::diagnostic::with_style;
+use oaktwin::diagnostic::{Opt, with_style};
 
 use crate::protocol::Failure;
 
@@ -9,10 +9,17 @@ use crate::protocol::Failure;
 pub(crate) async fn blocking<T: Send + 'static>(
     compute: impl FnOnce() -> Result<T, Failure> + Send + 'static,
 ) -> Result<T, Failure> {
-    let task = tokio::task::spawn_blocking(|| with_style(|option| format!("--{}", option.name()), compute));
+    let task = tokio::task::spawn_blocking(|| with_style(flag, compute));
     let failed = "the computation failed; please report this";
     task.await
         .unwrap_or_else(|_| Err(Failure::from(failed.to_owned())))
+}
+
+fn flag(option: &Opt) -> String {
+    match option.is_command() {
+        true => format!("`oaktwin {}`", option.name()),
+        false => format!("--{}", option.name()),
+    }
 }
 
 /// Exists while a client waits for its answer.

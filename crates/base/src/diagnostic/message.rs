@@ -43,12 +43,27 @@ pub fn with_style<T>(style: Style, print: impl FnOnce() -> T) -> T {
 pub struct Opt {
     name: &'static str,
     value: Option<String>,
+    is_command: bool,
 }
 
 /// A reference to the option `name`.
 #[must_use]
 pub const fn opt(name: &'static str) -> Opt {
-    Opt { name, value: None }
+    Opt {
+        name,
+        value: None,
+        is_command: false,
+    }
+}
+
+/// A reference to the program's command `name`, which is a function of the Python package.
+#[must_use]
+pub const fn command(name: &'static str) -> Opt {
+    Opt {
+        name,
+        value: None,
+        is_command: true,
+    }
 }
 
 impl Opt {
@@ -65,6 +80,12 @@ impl Opt {
     #[must_use]
     pub const fn name(&self) -> &'static str {
         self.name
+    }
+
+    /// Whether it is a command, not an option.
+    #[must_use]
+    pub const fn is_command(&self) -> bool {
+        self.is_command
     }
 
     /// The value to set it to.

@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::diagnostic::{Finding, Level, Message, opt};
+use crate::diagnostic::{Finding, Level, Message, command, opt};
 
 /// The maximum number of different names of findings and options, of which there are fewer than 500.
 const MAX_NAMES: usize = 2000;
@@ -31,6 +31,8 @@ enum Part {
         option: String,
         #[serde(default, skip_serializing_if = "Option::is_none")]
         value: Option<String>,
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        command: bool,
     },
 }
 
@@ -76,6 +78,7 @@ fn parts(message: &Message) -> Vec<Part> {
         parts.extend(option.map(|option| Part::Option {
             option: option.name().to_owned(),
             value: option.value().map(str::to_owned),
+            command: option.is_command(),
         }));
     }
     parts
@@ -86,8 +89,13 @@ fn message(parts: Vec<Part>) -> Option<Message> {
     for part in parts {
         match part {
             Part::Text(text) => message.push(text),
-            Part::Option { option, value } => {
-                let option = opt(interned(&option)?);
+            Part::Option {
+                option,
+                value,
+                command: is_command,
+            } => {
+                let name = interned(&option)?;
+                let option = if is_command { command(name) } else { opt(name) };
                 message.push(match value {
                     Some(value) => option.with(value),
                     None => option,
@@ -116,7 +124,7 @@ fn interned(name: &str) -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::{message, opt};
+    use crate::diagnostic::message;
 
     #[derive(Debug, PartialEq, Deserialize, Serialize)]
     struct Record {
@@ -133,8 +141,13 @@ mod tests {
             message![opt("fx").with(500), " has no effect"],
             message!["remove ", opt("fx"), "; or ", opt("fy")],
         );
+        let unknown = Finding::new("unknown", Level::Error, "model", message![command("models")], "");
         let record = Record {
-            findings: vec![finding, Finding::new("far", Level::Note, "depth", "8 m", "")],
+            findings: vec![
+                finding,
+                unknown,
+                Finding::new("far", Level::Note, "depth", "8 m", ""),
+            ],
         };
         let text = serde_json::to_string(&record).unwrap();
         assert_eq!(serde_json::from_str::<Record>(&text).unwrap(), record);

@@ -75,6 +75,10 @@ pub(super) fn document(parts: Parts, nominal: Option<&Twin>) -> Result<Imported,
     Ok(Imported {
         raw: document.into_raw(first_file.unwrap_or_default()),
         findings,
+        cameras: cameras
+            .into_values()
+            .map(|camera| (camera.file, camera.place))
+            .collect(),
     })
 }
 

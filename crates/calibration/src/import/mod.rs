@@ -84,6 +84,35 @@ pub struct Imported {
     /// Suspicious content of the files. An implausible baseline and a pair of two image sizes are
     /// [errors](oaktwin_base::diagnostic::Level::Error), which [`crate::force`] downgrades to warnings.
     pub findings: Vec<FileFinding>,
+    /// The file and the place of each camera of the document, in its order.
+    cameras: Vec<(String, String)>,
+}
+
+impl Imported {
+    /// Returns a finding about the document as one about the files: one about the intrinsics of a camera is at the camera's place in its
+    /// file, others are in the first file, at their place in the document.
+    #[must_use]
+    pub fn located(&self, finding: Finding) -> FileFinding {
+        let of_camera = finding.place.strip_prefix("cameraData[").and_then(|rest| {
+            let (number, key) = rest.split_once("].")?;
+            let is_intrinsic = ["width", "intrinsicMatrix", "distortionCoeff"].contains(&key);
+            self.cameras
+                .get(number.parse::<usize>().ok().filter(|_| is_intrinsic)?)
+        });
+        match of_camera {
+            Some((file, place)) => FileFinding {
+                file: file.clone(),
+                finding: Finding {
+                    place: place.clone(),
+                    ..finding
+                },
+            },
+            None => FileFinding {
+                file: self.raw.name.clone(),
+                finding,
+            },
+        }
+    }
 }
 
 /// Converts files to a `DepthAI` document of version 7, with findings. `nominal` is the model's [nominal

@@ -17,7 +17,7 @@ impl NamedCamera {
     #[must_use]
     pub fn from_text(text: &str) -> Option<Self> {
         let (name, position) = text.split_once('=')?;
-        let socket = word(&fold_name(position)).or_else(|| board_socket(&fold_name(position)))?;
+        let socket = word(&fold_name(position)).or_else(|| Socket::from_name(position))?;
         (!name.is_empty()).then(|| Self {
             name: name.to_owned(),
             socket,
@@ -39,7 +39,7 @@ pub(super) fn socket(names: &[String], given: &[NamedCamera]) -> Option<Socket> 
 
 /// Returns the socket that a name such as `narrow_stereo/left`, `rgb_camera` or `CAM_D` states.
 fn conventional(name: &str) -> Option<Socket> {
-    board_socket(&fold_name(name)).or_else(|| {
+    Socket::from_name(name).or_else(|| {
         let lower = name.to_lowercase();
         lower.split(|c: char| !c.is_alphabetic()).find_map(word)
     })
@@ -52,15 +52,6 @@ fn word(word: &str) -> Option<Socket> {
         "rgb" | "color" | "colour" | "tof" => Some(Socket::CAM_A),
         _ => None,
     }
-}
-
-/// Returns the socket of a folded name from `cama` to `camj`.
-fn board_socket(folded: &str) -> Option<Socket> {
-    let [letter] = folded.strip_prefix("cam")?.as_bytes() else {
-        return None;
-    };
-    let number = letter.to_ascii_lowercase().checked_sub(b'a')?;
-    Some(Socket(number)).filter(|socket| *socket <= Socket::LAST)
 }
 
 #[cfg(test)]

@@ -1,10 +1,12 @@
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use oaktwin_camera::{ImageSize, Intrinsics, LensModel, OpenCvFisheye, OpenCvPinhole};
 
 use super::link::camera_link;
+use super::size::size;
+use super::uncalibrated::uncalibrated;
 use crate::Socket;
-use crate::model::{CameraCalibration, CameraKind};
+use crate::model::{CameraCalibration, CameraKind, Link};
 use crate::reader::{Field, Reader};
 
 const CAMERA_KEYS: [&str; 9] = [
@@ -19,10 +21,20 @@ const CAMERA_KEYS: [&str; 9] = [
     "measuredFovDeg",
 ];
 
-pub(super) fn cameras(reader: &mut Reader, root: &Field<'_>) -> Option<BTreeMap<Socket, CameraCalibration>> {
+/// The cameras of a file.
+pub(super) struct Cameras {
+    pub(super) calibrated: BTreeMap<Socket, CameraCalibration>,
+    /// The extrinsics of the cameras without intrinsics.
+    pub(super) uncalibrated: BTreeMap<Socket, Option<Link>>,
+}
+
+pub(super) fn cameras(reader: &mut Reader, root: &Field<'_>) -> Option<Cameras> {
     let list = reader.require(root, "cameraData")?;
+    let list = reader.array(&list)?;
+    let without_intrinsics = uncalibrated(&list);
     let mut cameras = BTreeMap::new();
-    for item in reader.array(&list)? {
+    let mut uncalibrated = BTreeMap::new();
+    for item in list {
         let Some(pair) = reader.array(&item) else { continue };
         let [socket, info] = pair.as_slice() else {
             let message = format!("line {} is not a [socket, camera] pair", item.node.at.line);
@@ -48,7 +60,16 @@ pub(super) fn cameras(reader: &mut Reader, root: &Field<'_>) -> Option<BTreeMap<
                 continue;
             }
         };
-        let Some(camera) = camera(reader, socket, &item.path, info) else {
+        // The camera is the pair's second element; findings omit that [1].
+        let info = &Field {
+            node: info.node,
+            path: item.path.clone(),
+        };
+        if without_intrinsics.contains(&socket) {
+            uncalibrated.insert(socket, link_without_intrinsics(reader, socket, info));
+            continue;
+        }
+        let Some(camera) = camera(reader, socket, info, &without_intrinsics) else {
             continue;
         };
         if cameras.insert(socket, camera).is_some() {
@@ -57,7 +78,10 @@ pub(super) fn cameras(reader: &mut Reader, root: &Field<'_>) -> Option<BTreeMap<
         }
     }
     if cameras.is_empty() && reader.errors.is_empty() {
-        let message = "the list is empty";
+        let message = match uncalibrated.is_empty() {
+            true => "the list is empty",
+            false => "no camera has intrinsics",
+        };
         reader.error(
             "no-cameras",
             "cameraData",
@@ -65,36 +89,48 @@ pub(super) fn cameras(reader: &mut Reader, root: &Field<'_>) -> Option<BTreeMap<
             "calibrate the device, then export again",
         );
     }
-    Some(cameras)
+    let is_known = |link: &Link| cameras.contains_key(&link.to) || without_intrinsics.contains(&link.to);
+    let uncalibrated = uncalibrated
+        .into_iter()
+        .map(|(socket, link)| (socket, link.filter(is_known)))
+        .collect();
+    Some(Cameras {
+        calibrated: cameras,
+        uncalibrated,
+    })
 }
 
-fn camera(reader: &mut Reader, socket: Socket, place: &str, info: &Field<'_>) -> Option<CameraCalibration> {
-    // The camera is the pair's second element; findings omit that [1].
-    let info = &Field {
-        node: info.node,
-        path: place.to_owned(),
-    };
+/// Reports a camera without intrinsics, and returns its extrinsics if they are usable.
+fn link_without_intrinsics(reader: &mut Reader, socket: Socket, info: &Field<'_>) -> Option<Link> {
+    let message = format!(
+        "{socket} has no intrinsics (the focal lengths are 0, or the matrix is empty); it counts as missing"
+    );
+    reader.warn(
+        "uncalibrated",
+        info.key_path("intrinsicMatrix"),
+        message,
+        "calibrate the camera to use it",
+    );
+    let extrinsics = info.get("extrinsics")?;
+    // Other cameras may refer to this one; its own errors do not matter otherwise.
+    camera_link(&mut Reader::default(), &extrinsics, &BTreeSet::new())
+}
+
+fn camera(
+    reader: &mut Reader,
+    socket: Socket,
+    info: &Field<'_>,
+    without_intrinsics: &BTreeSet<Socket>,
+) -> Option<CameraCalibration> {
     reader.object(info, &CAMERA_KEYS)?;
     let kind = match info.get("cameraType") {
         None => Some(CameraKind::Perspective),
         Some(field) => kind(reader, &field),
     };
-    let mut side = |key| {
-        let field = reader.require(info, key)?;
-        reader
-            .integer(&field, 1, u16::MAX.into())
-            .and_then(|n| u32::try_from(n).ok())
-    };
-    let size = (side("width"), side("height"));
     let matrix = reader
         .require(info, "intrinsicMatrix")
-        .and_then(|field| match reader.matrix(&field)? {
-            Some(matrix) => Some(matrix),
-            None => {
-                reader.error("no-intrinsics", field.path, "empty", "calibrate the camera");
-                None
-            }
-        });
+        .and_then(|field| reader.matrix(&field)?);
+    let size = size(reader, info, matrix);
     let distortion = reader
         .require(info, "distortionCoeff")
         .and_then(|field| reader.numbers(&field));
@@ -111,12 +147,12 @@ fn camera(reader: &mut Reader, socket: Socket, place: &str, info: &Field<'_>) ->
     };
     let extrinsics = reader
         .require(info, "extrinsics")
-        .and_then(|field| camera_link(reader, &field));
-    let (kind, size, matrix, distortion) = (kind?, ImageSize::new(size.0?, size.1?), matrix?, distortion?);
+        .and_then(|field| camera_link(reader, &field, without_intrinsics));
+    let (kind, size, matrix, distortion) = (kind?, size?, matrix?, distortion?);
     let (lens, distortion) = lens(reader, info, kind, distortion)?;
     Some(CameraCalibration {
         socket,
-        place: place.to_owned(),
+        place: info.path.clone(),
         kind,
         intrinsics: intrinsics(reader, info, size, matrix)?,
         lens,

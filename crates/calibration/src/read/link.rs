@@ -1,3 +1,5 @@
+use std::collections::BTreeSet;
+
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DMat3, DVec3};
 
@@ -23,8 +25,13 @@ const SUSPICIOUS_ROTATION: f64 = 1e-4;
 /// The orthonormality error that makes a rotation invalid.
 const INVALID_ROTATION: f64 = 1e-2;
 
-/// Reads the extrinsics of a camera; `None` at a root.
-pub(super) fn camera_link(reader: &mut Reader, field: &Field<'_>) -> Option<Link> {
+/// Reads the extrinsics of a camera; `None` at a root. A camera without a rotation is a root if it refers to one of
+/// `without_intrinsics`.
+pub(super) fn camera_link(
+    reader: &mut Reader,
+    field: &Field<'_>,
+    without_intrinsics: &BTreeSet<Socket>,
+) -> Option<Link> {
     let read = link(reader, field)?;
     let Some(to) = read.to else {
         if read.translation_m != DVec3::ZERO {
@@ -34,6 +41,9 @@ pub(super) fn camera_link(reader: &mut Reader, field: &Field<'_>) -> Option<Link
         return None;
     };
     let Some(rotation) = read.rotation else {
+        if without_intrinsics.contains(&to) {
+            return None;
+        }
         let message = format!("missing, but the extrinsics refer to {to}");
         let place = field.key_path("rotationMatrix");
         reader.error(

@@ -7,7 +7,9 @@ use crate::{CalibrationError, check};
 
 mod camera;
 mod link;
+mod size;
 mod stereo;
+mod uncalibrated;
 
 const TOP_KEYS: [&str; 21] = [
     "version",
@@ -67,6 +69,7 @@ fn document(reader: &mut Reader, raw: &Raw) -> Option<Calibration> {
     reader.object(&root, &TOP_KEYS)?;
     let version = version(reader, &root)?;
     let board = board(reader, &root);
+    check_flags(reader, &root);
     let cameras = camera::cameras(reader, &root)?;
     if reader.errors.is_empty() {
         old_names(reader, &root, version);
@@ -79,12 +82,13 @@ fn document(reader: &mut Reader, raw: &Raw) -> Option<Calibration> {
         .is_none_or(|field| reader.boolean(&field).unwrap_or(true));
     let stereo = root
         .get("stereoRectificationData")
-        .and_then(|field| stereo::stereo(reader, &field, &cameras));
+        .and_then(|field| stereo::stereo(reader, &field, &cameras.calibrated));
     Some(Calibration {
         file_name: raw.name.clone(),
         version,
         board,
-        cameras,
+        cameras: cameras.calibrated,
+        uncalibrated: cameras.uncalibrated,
         stereo,
         imu,
         housing,
@@ -150,6 +154,18 @@ fn board(reader: &mut Reader, root: &Field<'_>) -> Board {
     board.batch_time = number("batchTime", 1 << 52);
     board.board_options = number("boardOptions", u32::MAX.into());
     board
+}
+
+/// Checks the types of flags, with which `DepthAI` rejects a file.
+fn check_flags(reader: &mut Reader, root: &Field<'_>) {
+    let keys = [
+        "stereoUseSpecTranslation",
+        "stereoEnableDistortionCorrection",
+        "swapLeftRightCam",
+    ];
+    for field in keys.iter().filter_map(|key| root.get(key)) {
+        reader.flag(&field);
+    }
 }
 
 /// Warns about files with keys of version 5, which `DepthAI` rejects.

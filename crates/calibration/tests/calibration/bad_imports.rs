@@ -19,7 +19,7 @@ type Case = (&'static str, Vec<InputFile>);
 
 fn error_of(files: &[InputFile]) -> String {
     match import(files, &ImportOptions::default(), None) {
-        Ok(Imported { raw, findings }) => {
+        Ok(Imported { raw, findings, .. }) => {
             let mut errors = findings
                 .into_iter()
                 .filter(|found| found.finding.level == Level::Error);

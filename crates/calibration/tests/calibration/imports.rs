@@ -43,7 +43,7 @@ pub(crate) fn exported(of: &(Raw, Calibration), format: Format) -> Vec<InputFile
 }
 
 fn imported(files: &[InputFile], options: &ImportOptions) -> Calibration {
-    let Imported { raw, findings } = import(files, options, None).unwrap();
+    let Imported { raw, findings, .. } = import(files, options, None).unwrap();
     assert!(
         findings.iter().all(|found| found.finding.level < Level::Error),
         "{findings:?}"

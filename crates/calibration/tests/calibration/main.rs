@@ -7,3 +7,4 @@ mod exports;
 mod fixtures;
 mod imports;
 mod models;
+mod rigs;

@@ -13,14 +13,21 @@ pub(super) fn imu(doc: &Document<'_>, device: &Device, catalog: &Catalog) -> Che
     let Some(imu) = &device.imu else {
         return Ok(());
     };
-    let rotation = DMat3::from_cols_array_2d(&imu.rotation).transpose();
-    let off = RigidTransform::new(rotation, DVec3::ZERO).orthonormality_error();
-    if off > 1e-6 {
-        return Err(doc.error(
-            "imu.rotation",
-            "not a rotation",
-            "give three orthogonal rows of length 1 with determinant +1",
-        ));
+    let rotations = [
+        ("imu.rotation", Some(&imu.rotation)),
+        ("imu.board_file_rotation", imu.board_file_rotation.as_ref()),
+    ];
+    for (place, rows) in rotations {
+        let Some(rows) = rows else { continue };
+        let rotation = DMat3::from_cols_array_2d(rows).transpose();
+        let off = RigidTransform::new(rotation, DVec3::ZERO).orthonormality_error();
+        if off > 1e-6 {
+            return Err(doc.error(
+                place,
+                "not a rotation",
+                "give three orthogonal rows of length 1 with determinant +1",
+            ));
+        }
     }
     for (i, id) in imu.parts.iter().enumerate() {
         if catalog.inertial_part(id).is_none() {

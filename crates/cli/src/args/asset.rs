@@ -6,7 +6,7 @@ use oaktwin::usd::asset::{Format, IsaacVersion, Target};
 use oaktwin::usd::stage::SceneLimit;
 
 use super::choice::parser;
-use super::{UnitArgs, limit};
+use super::{ImuFrameArgs, UnitArgs, limit};
 
 #[derive(Args, Debug)]
 pub(crate) struct AssetArgs {
@@ -32,6 +32,9 @@ pub(crate) struct AssetArgs {
 
     #[command(flatten)]
     pub(crate) unit: UnitArgs,
+
+    #[command(flatten)]
+    pub(crate) axes: ImuFrameArgs,
 
     /// The convention of aperture offsets for a calibrated principal point
     #[arg(long, value_parser = parser::<ApertureOffsets>(), default_value_t)]

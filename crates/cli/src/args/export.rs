@@ -3,8 +3,8 @@ use std::path::PathBuf;
 use clap::{Args, ValueHint};
 use oaktwin::robot::{Attachment, Format, Mount, RobotError};
 
-use super::UnitArgs;
 use super::choice::parser;
+use super::{ImuFrameArgs, UnitArgs};
 
 #[derive(Args, Debug)]
 pub(crate) struct ExportArgs {
@@ -22,6 +22,9 @@ pub(crate) struct ExportArgs {
 
     #[command(flatten)]
     pub(crate) unit: UnitArgs,
+
+    #[command(flatten)]
+    pub(crate) axes: ImuFrameArgs,
 
     /// The name of the device, the prefix of its frames
     #[arg(long, default_value = "oak")]

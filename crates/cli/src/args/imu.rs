@@ -2,6 +2,8 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
 
+use super::ImuFrameArgs;
+
 /// The options of the inertial sensor.
 #[derive(Args, Debug)]
 pub(crate) struct ImuArgs {
@@ -16,4 +18,7 @@ pub(crate) struct ImuArgs {
     /// Simulate this inertial part, such as BMI270 [default: the model's]
     #[arg(long, value_name = "PART", requires = "imu")]
     pub(crate) imu_part: Option<String>,
+
+    #[command(flatten)]
+    pub(crate) axes: ImuFrameArgs,
 }

@@ -1,6 +1,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
+use oaktwin::calibration::Socket;
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::Method;
 
@@ -41,12 +42,24 @@ pub(crate) struct StereoArgs {
     #[arg(short, long, value_name = "DIR", default_value = "oaktwin-stereo", value_hint = ValueHint::DirPath)]
     pub(crate) output: PathBuf,
 
-    /// The model of the cameras [default: from the calibration's product name]
+    /// The model of the cameras [default: from the calibration, which need not be of a model]
     #[arg(long, help_heading = "Cameras")]
     pub(crate) model: Option<String>,
 
     #[command(flatten, next_help_heading = "Cameras")]
     pub(crate) unit: UnitArgs,
+
+    /// The sockets of a rig's pair, such as CAM_B CAM_C [default: from the calibration]
+    #[arg(
+        long,
+        num_args = 2,
+        value_names = ["LEFT", "RIGHT"],
+        value_parser = socket,
+        requires = "calibration",
+        conflicts_with_all = ["model", "sensor"],
+        help_heading = "Cameras"
+    )]
+    pub(crate) pair: Option<Vec<Socket>>,
 
     /// The prim of the depth sensor whose pair took the images [default: the model's first pair]
     #[arg(
@@ -126,4 +139,8 @@ pub(crate) struct StereoArgs {
     /// Print the result as JSON
     #[arg(long, help_heading = "Execution")]
     pub(crate) json: bool,
+}
+
+fn socket(name: &str) -> Result<Socket, String> {
+    Socket::from_name(name).ok_or_else(|| "use CAM_A to CAM_J".to_owned())
 }

@@ -45,7 +45,7 @@ fn write(context: &Context, args: &AssetArgs) -> Result<Vec<Written>> {
     } else if is("sheet") {
         context.catalog.sheet().collect()
     } else {
-        let (twin, findings) = context.twin(&args.model, &args.unit)?;
+        let (twin, findings) = context.twin_with_axes(&args.model, &args.unit, &args.axes)?;
         return Ok(vec![write_one(&twin, findings, args)?]);
     };
     if args.unit.calibration.is_some() {
@@ -55,7 +55,10 @@ fn write(context: &Context, args: &AssetArgs) -> Result<Vec<Written>> {
     let format = args.format.unwrap_or_default();
     let twins: Vec<Twin> = devices
         .iter()
-        .map(|device| context.catalog.nominal(device))
+        .map(|device| {
+            let axes = args.axes.imu_frame.unwrap_or_default();
+            context.catalog.nominal(&device.with_imu_frame(axes))
+        })
         .collect();
     // All assets are created before the first is written, so that an error leaves no files behind.
     let made = asset::files(&twins, &args.options(), format)?;

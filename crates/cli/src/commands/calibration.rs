@@ -71,10 +71,7 @@ fn text(file: &Path, summary: &CalibrationSummary, device: Option<&Device>) -> S
         file.display(),
         summary.version
     );
-    let model = device.map_or_else(
-        || "not in the catalog; choose one with --model".to_owned(),
-        |d| d.name.clone(),
-    );
+    let model = device.map_or_else(|| "not in the catalog".to_owned(), |d| d.name.clone());
     field(
         &mut out,
         "product",
@@ -122,8 +119,13 @@ fn text(file: &Path, summary: &CalibrationSummary, device: Option<&Device>) -> S
         field(
             &mut out,
             &format!("IMU in {}", imu.camera),
-            &format!("({:.3}, {:.3}, {:.3}) cm", t[0][3], t[1][3], t[2][3]),
+            &format!(
+                "({:.3}, {:.3}, {:.3}) cm; {}, within {:.2}°",
+                t[0][3], t[1][3], t[2][3], imu.axes, imu.axes_deviation_deg
+            ),
         );
+        let [right, down, forward, _] = t.map(|[a, b, c, _]| format!("[{a:.6}, {b:.6}, {c:.6}]"));
+        field(&mut out, "  rotation", &format!("[{right}, {down}, {forward}]"));
     }
     if !summary.findings.is_empty() {
         let _ = writeln!(out, "\nFindings");

@@ -63,23 +63,27 @@ fn calibration_file(args: &ExportArgs) -> Option<&Path> {
 fn twin(context: &Context, args: &ExportArgs) -> Result<(Twin, Vec<Finding>)> {
     let file = Path::new(&args.model);
     if !file.is_file() {
-        return context.twin(&args.model, &args.unit);
+        return context.twin_with_axes(&args.model, &args.unit, &args.axes);
     }
     if args.unit.calibration.is_some() {
         return Err(format!("{} is a calibration already; omit --calibration", file.display()).into());
     }
     let (_, calibration, _) = unit::read_calibration(file)?;
-    let product = &calibration.board.product_name;
+    let board = &calibration.board;
+    let of_unit = context
+        .catalog
+        .device_of_unit(&board.product_name, &board.board_name);
     let unit = UnitArgs {
         calibration: Some(file.to_owned()),
         force: args.unit.force,
         lens: args.unit.lens,
     };
-    context.twin(product, &unit).map_err(|error| {
-        format!(
-            "{}: {error}; give the model, and the file with --calibration",
-            file.display()
-        )
-        .into()
-    })
+    let explained = |error: &dyn std::fmt::Display| {
+        let remedy = "give the model, and the file with --calibration";
+        format!("{}: {error}; {remedy}", file.display())
+    };
+    let device = of_unit.map_err(|unknown| explained(&unknown))?;
+    context
+        .twin_with_axes(&device.id, &unit, &args.axes)
+        .map_err(|error| explained(&error).into())
 }

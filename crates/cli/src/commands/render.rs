@@ -157,7 +157,7 @@ impl Oak {
             )
             .into());
         }
-        let (twin, calibration_findings) = context.twin(model, &args.unit)?;
+        let (twin, calibration_findings) = context.twin_with_axes(model, &args.unit, &args.imu.axes)?;
         Ok(Some(Self {
             twin,
             calibration_findings,

@@ -1,6 +1,6 @@
 use std::fmt::Write;
 
-use oaktwin::catalog::{Sensor, Source, Sourced, Sources};
+use oaktwin::catalog::{Imu, Sensor, Source, Sourced, Sources};
 use oaktwin::diagnostic;
 use oaktwin::report::{CameraReport, DepthReport, DeviceReport};
 
@@ -9,7 +9,7 @@ use crate::context::{Context, Exit, Result};
 use crate::output;
 
 pub(crate) fn run(context: &Context, args: &ShowArgs) -> Result<Exit> {
-    let (twin, findings) = context.twin(&args.model, &args.unit)?;
+    let (twin, findings) = context.twin_with_axes(&args.model, &args.unit, &args.axes)?;
     let report = DeviceReport::new(&context.catalog, &twin, args.unit.lens, findings);
     if args.json {
         output::print_json(&report)?;
@@ -108,9 +108,25 @@ fn device_text(out: &mut String, report: &DeviceReport) {
             },
         ),
     );
+    if let Some(imu) = &report.imu {
+        line("IMU axes", imu_axes(imu));
+    }
     for sensor in &report.sensors {
         line(&sensor.id, sensor_text(sensor));
     }
+}
+
+/// The axes of an inertial unit with their source, and the board file's if these differ.
+fn imu_axes(imu: &Imu) -> String {
+    let own = imu.axes().unwrap_or_else(|| {
+        let rows = imu.rotation.map(|[a, b, c]| format!("({a:.4}, {b:.4}, {c:.4})"));
+        format!("the rows {}", rows.join(", "))
+    });
+    let source = imu.source_of("rotation");
+    let other = imu.board_file_axes().map_or_else(String::new, |axes| {
+        format!("; board-file: {axes}, see the notes and --imu-frame")
+    });
+    format!("{own} ({source}){other}")
 }
 
 fn sensor_text(sensor: &Sensor) -> String {

@@ -1,9 +1,12 @@
 mod report;
 
-use oaktwin::catalog::Twin;
+use std::path::Path;
+
+use oaktwin::catalog::{Device, Twin, UnknownModel};
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::RectifyOptions;
-use oaktwin::diagnostic::{Finding, suggest};
+use oaktwin::diagnostic::{Finding, Level, Message, message, opt, suggest};
+use oaktwin::render;
 use oaktwin::sense::FieldOfView;
 use oaktwin::sensor::stereo_cameras;
 use oaktwin::stereo::{self, PairOf, StereoOptions, StereoOutput};
@@ -62,7 +65,7 @@ fn outputs(args: &StereoArgs) -> Result<Vec<StereoOutput>> {
     Ok(outputs)
 }
 
-/// The device, if one is named, and the findings about its calibration.
+/// The device or the rig, if the options determine one, and the findings about its calibration.
 fn twin(context: &Context, args: &StereoArgs) -> Result<Option<(Twin, Vec<Finding>)>> {
     let model = match (&args.model, &args.unit.calibration) {
         (Some(model), _) => model.clone(),
@@ -72,22 +75,13 @@ fn twin(context: &Context, args: &StereoArgs) -> Result<Option<(Twin, Vec<Findin
         (None, None) => return Ok(None),
         (None, Some(file)) => {
             let board = unit::read_calibration(file)?.1.board;
-            let product = board.product_name;
-            let known = context.catalog.device_of_unit(&product, &board.board_name);
-            let device = known.map_err(|unknown| {
-                let names = if product.is_empty() {
-                    "no product name".to_owned()
-                } else {
-                    format!("unknown model {product:?}")
-                };
-                let nearest = match &unknown.nearest[..] {
-                    [] => &unknown.known,
-                    nearest => nearest,
-                };
-                let remedy = format!("set --model: {}", nearest.join(" or "));
-                format!("{}: productName: {names}; {remedy}", file.display())
-            })?;
-            device.id.clone()
+            let known = context
+                .catalog
+                .device_of_unit(&board.product_name, &board.board_name);
+            match known {
+                Ok(device) if args.pair.is_none() => device.id.clone(),
+                known => return rig(args, file, known).map(Some),
+            }
         }
     };
     let (twin, findings) = context.twin(&model, &args.unit)?;
@@ -95,6 +89,39 @@ fn twin(context: &Context, args: &StereoArgs) -> Result<Option<(Twin, Vec<Findin
         stereo::check_calibration(file, &findings)?;
     }
     Ok(Some((twin, findings)))
+}
+
+/// The rig with a calibration, which is of no model, or whose pair is named.
+fn rig(
+    args: &StereoArgs,
+    file: &Path,
+    known: std::result::Result<&Device, UnknownModel>,
+) -> Result<(Twin, Vec<Finding>)> {
+    let pair = match args.pair.as_deref() {
+        Some([left, right]) => Some((*left, *right)),
+        _ => None,
+    };
+    let own = known.as_ref().ok().and_then(|device| device.depthai_platform());
+    let platform = args.platform.or(own).unwrap_or(Platform::Rvc2);
+    let (twin, mut findings) = unit::open_rig(file, pair, platform, args.unit.force)?;
+    render::check_lens(&twin, args.unit.lens)?;
+    if let Err(unknown) = known {
+        let remedy = match unknown.nearest.is_empty() {
+            true => Message::default(),
+            false => message![
+                opt("model"),
+                format!(" compares them with a model: {}", unknown.nearest.join(" or "))
+            ],
+        };
+        findings.push(Finding::new(
+            "no-model",
+            Level::Note,
+            "productName",
+            "of no model in the catalog; the cameras are the calibration's alone",
+            remedy,
+        ));
+    }
+    Ok((twin, findings))
 }
 
 fn pair_of<'a>(args: &StereoArgs, twin: Option<&'a Twin>) -> Result<PairOf<'a>> {

@@ -87,6 +87,48 @@ fn another_unit_of_length_is_an_error() {
 
 /// A calibration whose lenses Kalibr cannot represent.
 #[test]
+fn sizes_that_the_model_does_not_have() {
+    let program = Program::new();
+    program.good(&["calibration", "export", EXAMPLE, "--to", "ros", "-o", "ros/"]);
+    let sized = |name: &str, width: &str, height: &str| {
+        let text = std::fs::read_to_string(program.path(&format!("ros/{name}.yaml"))).unwrap();
+        let text = text
+            .replace("image_width: 1280", &format!("image_width: {width}"))
+            .replace("image_height: 800", &format!("image_height: {height}"));
+        program.put(&format!("{name}.yaml"), text);
+    };
+    let mut all = String::new();
+    for (left, right) in [
+        (["1920", "1200"], ["1920", "1200"]),
+        (["1280", "800"], ["640", "400"]),
+        (["1000", "1000"], ["1000", "1000"]),
+        (["0", "800"], ["0", "800"]),
+        (["1280", "-800"], ["1280", "-800"]),
+    ] {
+        sized("left", left[0], left[1]);
+        sized("right", right[0], right[1]);
+        let run = program.run(&[
+            "calibration",
+            "import",
+            "left.yaml",
+            "right.yaml",
+            "--model",
+            "OAK-D Pro PoE",
+            "-o",
+            "cal.json",
+        ]);
+        all += &format!(
+            "{} and {}\n{}exit code {}\n\n",
+            left.join("x"),
+            right.join("x"),
+            run.stderr,
+            run.code
+        );
+    }
+    insta::assert_snapshot!(all);
+}
+
+#[test]
 fn a_lens_that_a_format_cannot_represent_is_an_error() {
     let program = Program::new();
     let mut calibration: serde_json::Value =

@@ -53,6 +53,48 @@ fn show_a_model() {
     ]));
 }
 
+/// The lines about the inertial unit.
+fn about_imu(program: &Program, arguments: &[&str]) -> String {
+    let out = program.good(arguments);
+    let lines = out
+        .lines()
+        .filter(|line| line.contains("IMU") || line.contains("imu"));
+    format!(
+        "$ oaktwin {}\n{}\n",
+        arguments.join(" "),
+        lines.collect::<Vec<_>>().join("\n")
+    )
+}
+
+#[test]
+fn the_axes_of_the_inertial_unit() {
+    let program = Program::new();
+    program.put(
+        "unit.json",
+        program.good(&["calibration", "export", "OAK4-D", "--to", "depthai"]),
+    );
+    let mut all = String::new();
+    for arguments in [
+        &["show", "OAK-D", "--provenance"][..],
+        &["show", "OAK-D", "--imu-frame", "board-file"],
+        &["show", "OAK-D LR"],
+        &["show", "OAK-D Lite", "--imu-frame", "board-file"],
+        &[
+            "show",
+            "OAK-D Pro PoE",
+            "--calibration",
+            EXAMPLE,
+            "--imu-frame",
+            "driver",
+        ],
+        &["calibration", "show", "unit.json"],
+        &["calibration", "show", EXAMPLE],
+    ] {
+        all += &about_imu(&program, arguments).replace(EXAMPLE, "EXAMPLE");
+    }
+    insta::assert_snapshot!(all);
+}
+
 #[test]
 fn show_a_unit() {
     insta::assert_snapshot!(Program::new().good(&["show", "oak d pro poe", "--calibration", EXAMPLE]));

@@ -58,6 +58,17 @@ fn without_pair(calibration: &str) -> String {
     json.to_string()
 }
 
+/// A rig of two or three cameras, of no model.
+fn rig(calibration: &str, has_pair: bool) -> String {
+    let mut json: serde_json::Value = serde_json::from_str(calibration).unwrap();
+    json["productName"] = "OAK-FFC-3P".into();
+    json["boardName"] = "DM1090FFC".into();
+    if !has_pair {
+        json["stereoRectificationData"] = serde_json::json!({});
+    }
+    json.to_string()
+}
+
 const PLAIN: [&str; 4] = ["--fx", "300", "--baseline", "0.075"];
 
 fn stereo<'a>(left: &'a str, right: &'a str, more: &[&'a str]) -> Vec<&'a str> {
@@ -187,6 +198,57 @@ fn what_is_wrong_with_a_pair() {
         vec!["stereo", "left.png", "right.png", "--fx", "-3", "--baseline", "1"],
     ] {
         all += &text(&program.run(&arguments));
+    }
+    insta::assert_snapshot!(all);
+}
+
+/// The rectified images of a rig have the focal length of its right camera, as on RVC2.
+#[test]
+fn a_rig_needs_no_model() {
+    let program = program();
+    let calibration = fs::read_to_string(EXAMPLE).unwrap();
+    program.put("rig.json", rig(&calibration, true));
+    program.put("three.json", rig(&calibration, false));
+    let json: serde_json::Value = serde_json::from_str(&calibration).unwrap();
+    let camera = |socket: u64| {
+        let cameras = json["cameraData"].as_array().unwrap();
+        &cameras.iter().find(|camera| camera[0] == socket).unwrap()[1]
+    };
+    let t = &camera(1)["extrinsics"]["translation"];
+    let squares = ["x", "y", "z"].map(|axis| t[axis].as_f64().unwrap().powi(2));
+    let baseline_m = squares.iter().sum::<f64>().sqrt() / 100.0;
+    let fx = camera(2)["intrinsicMatrix"][0][0].as_f64().unwrap() * f64::from(SIZE.0) / 1280.0;
+    let expected = fx * baseline_m / f64::from(DISPARITY);
+    let mut all = String::new();
+    for (file, more) in [
+        ("rig.json", &[][..]),
+        ("three.json", &["--pair", "CAM_B", "CAM_C"]),
+        ("three.json", &["--pair", "cam_b", "cam_c", "--platform", "rvc4"]),
+        ("three.json", &[]),
+        ("three.json", &["--pair", "CAM_C", "CAM_B"]),
+        ("three.json", &["--pair", "CAM_B", "CAM_B"]),
+        ("three.json", &["--pair", "CAM_B", "CAM_E"]),
+        ("three.json", &["--pair", "CAM_B", "right"]),
+        ("three.json", &["--pair", "CAM_B", "CAM_C", "--model", "OAK-D"]),
+        ("three.json", &["--pair", "CAM_B", "CAM_C", "--lens", "fisheye"]),
+    ] {
+        let arguments = [
+            "stereo",
+            "left.png",
+            "right.png",
+            "-o",
+            "out",
+            "--rectified",
+            "--calibration",
+            file,
+        ];
+        let run = program.run(&[&arguments[..], more].concat());
+        all += &text(&run);
+        if run.code == 0 {
+            let distance = floats(&program, "out/depth_sensor_distance.npy");
+            let middle = f64::from(distance[SIZE.0 as usize * 60 + 160]);
+            assert!((middle / expected - 1.0).abs() < 0.01, "{middle} {expected}");
+        }
     }
     insta::assert_snapshot!(all);
 }

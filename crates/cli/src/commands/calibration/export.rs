@@ -60,12 +60,13 @@ fn open(
     Ok((raw, calibration, findings))
 }
 
-/// Returns the file of the inertial sensor of the named model, or of the model that the calibration's product name determines.
+/// Returns the file of the inertial sensor of the named model, or of the model of the calibration's board.
 fn imu(context: &Context, name: &str, calibration: &Calibration) -> Export {
     let catalog = &context.catalog;
+    let board = &calibration.board;
     let device = catalog
         .device(name)
-        .or_else(|_| catalog.device(&calibration.board.product_name));
+        .or_else(|_| catalog.device_of_unit(&board.product_name, &board.board_name));
     let part = device.ok().and_then(|device| catalog.inertial_part_of(device));
     part.map(export::kalibr_imu).unwrap_or_default()
 }

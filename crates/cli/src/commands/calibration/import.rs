@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use oaktwin::calibration::import::{FileFinding, ImportOptions, Imported, InputFile, import};
+use oaktwin::calibration::import::{FileFinding, ImportOptions, InputFile, import};
 use oaktwin::calibration::raw::MAX_BYTES;
 use oaktwin::calibration::{self, Calibration};
 use oaktwin::{files, unit};
@@ -32,13 +32,9 @@ pub(crate) fn run(context: &Context, args: &CalibrationImportArgs) -> Result<Exi
         size: size::parse("--size", args.size.as_deref())?,
         is_fisheye: args.fisheye,
     };
-    let Imported { raw, findings: about } = import(&inputs, &options, nominal.as_ref())?;
-    for FileFinding { file, finding } in about {
-        let (file, mut finding) = (Path::new(&file), [finding]);
-        unit::accept(file, &mut finding, args.force)?;
-        output::say_findings(file, &finding);
-    }
-    let (calibration, mut findings) = Calibration::from_raw(&raw)?;
+    let imported = import(&inputs, &options, nominal.as_ref())?;
+    say(&imported.findings, args)?;
+    let (calibration, mut findings) = Calibration::from_raw(&imported.raw)?;
     if let Some(nominal) = &nominal {
         findings.extend(calibration::check_against(
             &calibration,
@@ -46,10 +42,12 @@ pub(crate) fn run(context: &Context, args: &CalibrationImportArgs) -> Result<Exi
             &context.catalog,
         ));
     }
-    let first = args.files.first().map_or(Path::new(""), |path| path.as_path());
-    unit::accept(first, &mut findings, args.force)?;
-    output::say_findings(first, &findings);
-    let text = raw.to_text();
+    let findings: Vec<FileFinding> = findings
+        .into_iter()
+        .map(|finding| imported.located(finding))
+        .collect();
+    say(&findings, args)?;
+    let text = imported.raw.to_text();
     match &args.output {
         None => output::print(&text)?,
         Some(path) => {
@@ -60,4 +58,14 @@ pub(crate) fn run(context: &Context, args: &CalibrationImportArgs) -> Result<Exi
         }
     }
     Ok(Exit::Success)
+}
+
+/// Prints findings, each with its file, up to an error that is not ignored.
+fn say(findings: &[FileFinding], args: &CalibrationImportArgs) -> Result<()> {
+    for FileFinding { file, finding } in findings {
+        let (file, mut finding) = (Path::new(file), [finding.clone()]);
+        unit::accept(file, &mut finding, args.force)?;
+        output::say_findings(file, &finding);
+    }
+    Ok(())
 }
