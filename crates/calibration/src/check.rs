@@ -193,7 +193,7 @@ pub(crate) fn stereo(reader: &mut Reader, calibration: &Calibration) {
         Err(CalibrationError::NoSpecTranslation { place, .. }) => reader.warn(
             "no-design",
             format!("{place}.specTranslation"),
-            format!("is zero: the baseline of {left} and {right} cannot be compared with the design, and getBaselineDistance of DepthAI fails"),
+            format!("is zero: the baseline of {left} and {right} cannot be compared with the design, depth is computed with the calibrated one, and getBaselineDistance of DepthAI fails"),
             "write the translation of the board's design, in centimetres",
         ),
         Err(_) => {}

@@ -33,22 +33,12 @@ pub(crate) fn apply(calibration: &Calibration, twin: &mut Twin, findings: &mut V
     findings.extend(finding(calibration, twin));
 }
 
-/// Reports the error of depth that the design's baseline causes, or that the file has no design.
+/// Reports the error of depth that the design's baseline causes.
 fn finding(calibration: &Calibration, twin: &Twin) -> Option<Finding> {
     let (left, right) = pair_of(twin)?;
     let calibrated = calibration.baseline(left, right, false).ok()?;
     let place = "stereoUseSpecTranslation";
-    let Ok(design) = calibration.baseline(left, right, true) else {
-        let message = "true, but the file has no design translation of the stereo pair; depth is computed with the calibrated \
-                       baseline";
-        return Some(Finding::new(
-            "no-design-baseline",
-            Level::Note,
-            place,
-            message,
-            "",
-        ));
-    };
+    let design = calibration.baseline(left, right, true).ok()?;
     let error = design / calibrated - 1.0;
     if error.abs() < NOTABLE {
         return None;

@@ -1,5 +1,7 @@
 //! Stereo rigs that are in no catalog: two cameras with a common calibration.
 
+use std::collections::BTreeMap;
+
 use oaktwin_base::diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_base::parameter::Platform;
 use oaktwin_camera::math::DVec3;
@@ -41,6 +43,7 @@ pub fn rig(
         cameras,
         depth_sensors: Vec::new(),
         body_from_imu: None,
+        design_baselines_m: BTreeMap::new(),
         origin: Origin::Nominal,
     };
     crate::twin(calibration, &nominal, file_name)

@@ -76,7 +76,7 @@ fn is_the_calibrated_one_if_the_file_says_so() {
 fn is_the_calibrated_one_without_a_design() {
     let (twin, findings) = unit(&[("\"x\": -7.5,", "\"x\": 0.0,")]).unwrap();
     assert!(close(twin.depth_baseline_m(PAIR), CALIBRATED_M));
-    assert_eq!(findings[0].code, "no-design-baseline");
+    assert!(findings.is_empty(), "{findings:?}");
 }
 
 #[test]

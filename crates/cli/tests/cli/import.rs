@@ -91,7 +91,7 @@ fn sizes_that_the_model_does_not_have() {
     let program = Program::new();
     program.good(&["calibration", "export", EXAMPLE, "--to", "ros", "-o", "ros/"]);
     let sized = |name: &str, width: &str, height: &str| {
-        let text = std::fs::read_to_string(program.path(&format!("ros/{name}.yaml"))).unwrap();
+        let text = fs::read_to_string(program.path(&format!("ros/{name}.yaml"))).unwrap();
         let text = text
             .replace("image_width: 1280", &format!("image_width: {width}"))
             .replace("image_height: 800", &format!("image_height: {height}"));
