@@ -3,6 +3,7 @@
 #[cfg(not(all(feature = "bridge", feature = "generate", feature = "studio")))]
 mod absent;
 mod accuracy;
+mod align;
 mod annotators;
 mod asset;
 #[cfg(feature = "bridge")]
@@ -49,6 +50,7 @@ pub(crate) use absent::AbsentArgs as GenerateArgs;
 #[cfg(not(feature = "studio"))]
 pub(crate) use absent::AbsentArgs as StudioArgs;
 pub(crate) use accuracy::AccuracyArgs;
+pub(crate) use align::AlignArgs;
 pub(crate) use asset::AssetArgs;
 #[cfg(feature = "bridge")]
 pub(crate) use bridge::BridgeArgs;

@@ -91,7 +91,9 @@ pub use oaktwin_files::memory;
 #[cfg(feature = "generate")]
 pub use oaktwin_generate as generate;
 pub use oaktwin_image as image;
-pub use oaktwin_pipeline::{imu, pair, progress, recording, render, report, sense, sensor, stereo, unit};
+pub use oaktwin_pipeline::{
+    align, imu, pair, progress, recording, render, report, sense, sensor, stereo, unit,
+};
 pub use oaktwin_robot as robot;
 pub use oaktwin_scene as scene;
 pub use oaktwin_usd as usd;

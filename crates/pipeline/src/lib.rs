@@ -4,12 +4,14 @@
 //! * [`sense`] runs a depth sensor on existing depth images;
 //! * [`stereo`] matches existing pairs of images, and [`pair`] renders such pairs;
 //! * [`imu`] simulates the inertial sensor of a twin along a trajectory;
+//! * [`align`] aligns depth to another camera of the device;
 //! * [`sensor`] configures the depth sensor of a twin;
 //! * [`mod@unit`] opens one unit's calibration as a twin, and [`report`] describes a twin;
 //! * [`input`] reads depth images from files and folders;
 //! * [`recording`] opens recordings for ROS 2, Foxglove and Rerun;
 //! * [`progress`] reports the progress of all of them, and interrupts them.
 
+pub mod align;
 mod geometry;
 pub mod imu;
 pub mod input;

@@ -1,5 +1,5 @@
 use oaktwin::camera::ImageSize;
-use oaktwin::depth::align::Align;
+use oaktwin::depth::align::{Align, AlignMode};
 use oaktwin::image::ImageView;
 use pyo3::prelude::*;
 
@@ -48,6 +48,7 @@ pub(crate) fn aligned<'py>(
 ///     values that are not finite and above 0 are invalid.
 /// source, target: the cameras.
 /// target_from_source: (4, 4) transform in metres; by default computed from the cameras' poses on their device.
+/// z: "geometric" (default): depth along the target's axis; "measured": the samples' own, as RVC2's alignment reports it.
 /// fill: "footprint" (default): a sample fills all pixels that it covers; "nearest": only the one that contains its centre.
 /// out: the output array, as for a call of DepthSensor.
 ///
@@ -55,13 +56,15 @@ pub(crate) fn aligned<'py>(
 ///
 /// Raises oaktwin.Error if the size of depth is not the source's.
 #[pyfunction]
-#[pyo3(signature = (depth, source, target, *, target_from_source = None, fill = "footprint", out = None))]
+#[expect(clippy::too_many_arguments, reason = "keywords in Python")]
+#[pyo3(signature = (depth, source, target, *, target_from_source = None, z = "geometric", fill = "footprint", out = None))]
 pub(crate) fn align<'py>(
     py: Python<'py>,
     depth: &Bound<'py, PyAny>,
     source: &Camera,
     target: &Camera,
     target_from_source: Option<&Bound<'py, PyAny>>,
+    z: &str,
     fill: &str,
     out: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
@@ -74,7 +77,10 @@ pub(crate) fn align<'py>(
         source.camera,
         target.camera,
         target_from_source,
-        named("fill", fill)?,
+        AlignMode {
+            fill: named("fill", fill)?,
+            z: named("z", z)?,
+        },
     );
     aligned(py, &align, &depth, shape, out)
 }

@@ -1,14 +1,12 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
-use oaktwin::catalog::Role;
 use oaktwin::dataset::CloudAxes;
-use oaktwin::depth::align::Fill;
 use oaktwin::sense::InputKind;
 
 use super::annotators::sensor_outputs;
 use super::choice::parser;
-use super::{OutputArgs, SensorArgs, ThreadArgs, UnitArgs};
+use super::{AlignArgs, OutputArgs, SensorArgs, ThreadArgs, UnitArgs};
 
 #[derive(Args, Debug)]
 #[command(
@@ -100,17 +98,8 @@ pub(crate) struct SenseArgs {
     #[command(flatten, next_help_heading = "Depth sensor")]
     pub(crate) engine: SensorArgs,
 
-    /// Also write depth aligned to another camera of the model
-    #[arg(long, value_parser = parser::<Role>(), value_name = "CAMERA", help_heading = "Outputs")]
-    pub(crate) align: Option<Role>,
-
-    /// The size of aligned images, resized by DepthAI's rule, such as 1280x800 [default: the camera's]
-    #[arg(long, value_name = "WxH", requires = "align", help_heading = "Outputs")]
-    pub(crate) align_size: Option<String>,
-
-    /// The splatting of aligned samples
-    #[arg(long, value_parser = parser::<Fill>(), default_value_t, help_heading = "Outputs")]
-    pub(crate) align_fill: Fill,
+    #[command(flatten)]
+    pub(crate) align: AlignArgs,
 
     #[command(flatten)]
     pub(crate) outputs: OutputArgs,

@@ -6,7 +6,7 @@ use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::Method;
 
 use super::choice::parser;
-use super::{MatcherArgs, OutputArgs, ThreadArgs, UnitArgs};
+use super::{AlignArgs, MatcherArgs, OutputArgs, ThreadArgs, UnitArgs};
 
 #[derive(Args, Debug)]
 #[command(
@@ -120,6 +120,9 @@ pub(crate) struct StereoArgs {
 
     #[command(flatten)]
     pub(crate) settings: MatcherArgs,
+
+    #[command(flatten)]
+    pub(crate) align: AlignArgs,
 
     #[command(flatten)]
     pub(crate) outputs: OutputArgs,

@@ -28,6 +28,7 @@ pub(crate) fn run(context: &Context, args: &StereoArgs) -> Result<Exit> {
         outputs: outputs(args)?,
         extras: args.outputs.extras(),
         ply: args.outputs.ply,
+        align: args.align.to()?,
     };
     let matched = progress::watched(|watch| stereo::stereo(&pairs, &of, &options, &args.output, watch));
     let Some(matched) = matched? else {

@@ -310,3 +310,41 @@ fn an_interrupted_sequence_is_whole_as_far_as_it_went() {
         floats(&program, &name);
     }
 }
+
+#[test]
+fn aligned_depth_is_the_devices() {
+    let program = program();
+    let aligned = |model: &str, depth: &[&str]| {
+        let pair = ["stereo", "left.png", "right.png", "--model", model, "-o", "out"];
+        let run = program.run(&[&pair, &["--align", "rgb", "--align-size", "320x120"][..], depth].concat());
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        let distance = floats(&program, "out/depth_sensor_distance.npy");
+        (
+            floats(&program, "out/depth_sensor_distance_aligned_rgb.npy"),
+            distance,
+        )
+    };
+    let own = |(aligned, distance): &(Vec<f32>, Vec<f32>)| {
+        aligned
+            .iter()
+            .filter(|z| **z > 0.0 && distance.contains(z))
+            .count()
+    };
+    let count = |(aligned, _): &(Vec<f32>, Vec<f32>)| aligned.iter().filter(|&&z| z > 0.0).count();
+    let rvc2 = aligned("oak-d-pro", &[]);
+    assert!(count(&rvc2) > 10_000, "{}", count(&rvc2));
+    assert_eq!(own(&rvc2), count(&rvc2));
+    let turned = aligned("oak-d-pro", &["--align-depth", "geometric"]);
+    assert_eq!(count(&turned), count(&rvc2));
+    let rvc4 = aligned("oak4-d", &[]);
+    assert_eq!(rvc4, aligned("oak4-d", &["--align-depth", "geometric"]));
+    // Other makers' cameras are not known.
+    let run = program.run(&stereo("left.png", "right.png", &["--align", "rgb"]));
+    assert_eq!(run.code, 2);
+    assert!(
+        run.stderr
+            .contains("--align: the other cameras are unknown; set --model"),
+        "{}",
+        run.stderr
+    );
+}

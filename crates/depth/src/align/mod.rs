@@ -3,13 +3,17 @@
 //!
 //! # Splatting
 //! A pixel (x, y) is the ray through (x + 0.5, y + 0.5). Its point goes into the target pixel that contains its
-//! projection; the depth there is along the target's axis. With [`Fill::Footprint`], the default, it also goes into the
+//! projection; the depth there is the one that [`AlignedZ`] names. With [`Fill::Footprint`], the default, it also goes into the
 //! other pixels whose centres lie in its *footprint*: the area that the source pixel covers in the target, a rectangle
 //! around the projection whose size follows from the projections of half a pixel to the right and below, and an eighth more
 //! on each side, since neighbours on a slanted surface are a little apart. Depth of 800 rows is therefore dense in an image
 //! of 2160 rows without being blended: every value was measured. `DepthAI`'s `ImageAlign` aligns at the depth's own size and
 //! resizes the result, with an interpolation that is an option there; at depth edges resizing mixes near and far unless
 //! it takes the nearest, and no value is mixed here.
+//!
+//! # Depth
+//! The stereo of RVC2 moves pixels and does not change their depth: in aligned pictures of five units, every value is f·b/d of
+//! a whole disparity d, rounded to millimetres. [`AlignedZ::of_stereo`] is the default for each platform.
 //!
 //! Pixels that only the target sees, or that the source did not measure, are 0. A footprint is at most
 //! [`MOST_PIXELS_A_SIDE`] pixels wide and high: a sample close to the target's lens would cover the image.
@@ -20,7 +24,7 @@ mod tests;
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use oaktwin_base::parameter::choice;
+use oaktwin_base::parameter::{Platform, choice};
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Camera, LensModel, PixelPoint, RigidTransform, Usd};
 use oaktwin_image::{Image, ImageView, ZDepth};
@@ -45,13 +49,44 @@ choice! {
     }
 }
 
+choice! {
+    /// The depth of aligned samples.
+    AlignedZ {
+        /// Along the axis of the camera that depth is aligned to.
+        Geometric = "geometric",
+        /// The depth that the sensor measured, along its own axis: pixels move and keep their values.
+        Measured = "measured",
+    }
+}
+
+impl AlignedZ {
+    /// Returns the depth that the alignment of a stereo pair reports on a platform: `measured` on RVC2, as pictures of five
+    /// units show. No picture shows what RVC4 reports; it is `geometric` there.
+    #[must_use]
+    pub fn of_stereo(platform: Option<Platform>) -> Self {
+        match platform {
+            Some(Platform::Rvc2) => Self::Measured,
+            Some(Platform::Rvc4) | None => Self::Geometric,
+        }
+    }
+}
+
+/// The modes of an alignment.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct AlignMode {
+    /// The splatting mode.
+    pub fill: Fill,
+    /// The depth of aligned samples.
+    pub z: AlignedZ,
+}
+
 /// The alignment of one camera's depth to another camera.
 #[derive(Clone, Debug)]
 pub struct Align {
     source: Camera,
     target: Camera,
     target_from_source: RigidTransform,
-    fill: Fill,
+    mode: AlignMode,
     /// For lenses with distortion, the intersection of each pixel's ray with z = 1, row by row; NaN without a ray.
     rays: Option<Vec<[f64; 2]>>,
 }
@@ -60,13 +95,13 @@ impl Align {
     /// Creates the alignment from the camera that measured, the target camera, and their relative pose (OpenCV's axes,
     /// metres).
     #[must_use]
-    pub fn new(source: Camera, target: Camera, target_from_source: RigidTransform, fill: Fill) -> Self {
+    pub fn new(source: Camera, target: Camera, target_from_source: RigidTransform, mode: AlignMode) -> Self {
         let rays = (source.lens != LensModel::Pinhole).then(|| rays(&source));
         Self {
             source,
             target,
             target_from_source,
-            fill,
+            mode,
             rays,
         }
     }
@@ -77,8 +112,8 @@ impl Align {
         &self.target
     }
 
-    /// Returns the depth in the target camera: metres along its axis, 0 where nothing was measured. Values in `depth` that
-    /// are not finite and positive are ignored.
+    /// Returns the depth in the target camera: metres along the axis that [`AlignedZ`] names, 0 where nothing was measured.
+    /// Values in `depth` that are not finite and positive are ignored.
     ///
     /// # Errors
     /// Returns an error if the size of the depth differs from the source camera's.
@@ -133,6 +168,7 @@ impl Align {
                 Some(rays) => rays[y * row.len() + x],
                 None => [(x as f64 + 0.5 - centre.x) * step_x, ray_y],
             };
+            let measured = z;
             let z = f64::from(z);
             let at = |a: f64, b: f64| rotation * DVec3::new(a * z, b * z, z) + translation;
             let point = at(a, b);
@@ -140,8 +176,12 @@ impl Align {
                 continue;
             };
             #[expect(clippy::cast_possible_truncation, reason = "depth is single precision")]
-            let bits = (point.z as f32).to_bits();
-            let half = match self.fill {
+            let aligned = match self.mode.z {
+                AlignedZ::Geometric => point.z as f32,
+                AlignedZ::Measured => measured,
+            };
+            let bits = aligned.to_bits();
+            let half = match self.mode.fill {
                 Fill::Nearest => [0.0; 2],
                 Fill::Footprint => {
                     let right = projection.pixel(at(a + 0.5 * step_x, b));

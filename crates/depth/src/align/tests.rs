@@ -16,6 +16,13 @@ fn camera(size: [u32; 2], f: f64, lens: LensModel) -> Camera {
     Camera::new(Intrinsics::new(size, f, f * 1.01, centre), lens)
 }
 
+fn splat(fill: Fill) -> AlignMode {
+    AlignMode {
+        fill,
+        ..AlignMode::default()
+    }
+}
+
 fn distorted() -> LensModel {
     LensModel::OpenCvPinhole(OpenCvPinhole::from_slice(&[-0.2, 0.05, 1e-3, -2e-3, 0.01]).unwrap())
 }
@@ -84,7 +91,7 @@ proptest! {
             camera([40, 25], 30.0, lenses[source_lens]),
             camera([55, 33], 37.0, lenses[lens]),
             turned(turn[0], turn[1], turn[2], t),
-            Fill::Nearest,
+            splat(Fill::Nearest),
         );
         let depth = Image::new(40, 25, depths).unwrap();
         let ZDepth(aligned) = align.align((&depth).into()).unwrap();
@@ -115,7 +122,7 @@ proptest! {
         let depth: Vec<f32> = (0..40).flat_map(|y| (0..64).map(move |x| (x, y)))
             .map(|(x, y)| plane(&source, normal, height, x, y) as f32).collect();
         let depth = Image::new(64, 40, depth).unwrap();
-        let align = Align::new(source, target, target_from_source, Fill::Footprint);
+        let align = Align::new(source, target, target_from_source, splat(Fill::Footprint));
         let ZDepth(aligned) = align.align((&depth).into()).unwrap();
         let normal_in_target = target_from_source.rotation * normal;
         let height_in_target = height + normal_in_target.dot(target_from_source.translation);
@@ -149,7 +156,7 @@ fn a_wall_in_front_by_the_closed_form_of_disparity() {
         .collect();
     let depth = Image::new(200, 4, row.repeat(4)).unwrap();
     for fill in [Fill::Nearest, Fill::Footprint] {
-        let align = Align::new(pinhole, pinhole, right_from_left, fill);
+        let align = Align::new(pinhole, pinhole, right_from_left, splat(fill));
         let ZDepth(aligned) = align.align((&depth).into()).unwrap();
         let row = &aligned.pixels()[..200];
         // The wall moves by 10 px and the thing by 30: it hides what was left of it and uncovers 20 px on its right.
@@ -167,7 +174,7 @@ fn a_larger_target_is_a_grid_of_holes_only_if_asked() {
     let small = camera([64, 40], 50.0, LensModel::Pinhole);
     let large = camera([256, 160], 200.0, LensModel::Pinhole);
     let filled = |fill| {
-        let align = Align::new(small, large, RigidTransform::IDENTITY, fill);
+        let align = Align::new(small, large, RigidTransform::IDENTITY, splat(fill));
         let ZDepth(aligned) = align.align((&wall).into()).unwrap();
         assert!(aligned.pixels().iter().all(|&z| z == 0.0 || z == 3.0));
         aligned.pixels().iter().filter(|&&z| z > 0.0).count()
@@ -180,7 +187,7 @@ fn a_larger_target_is_a_grid_of_holes_only_if_asked() {
 #[test]
 fn what_is_no_sample_goes_nowhere() {
     let pinhole = camera([8, 4], 8.0, LensModel::Pinhole);
-    let align = Align::new(pinhole, pinhole, RigidTransform::IDENTITY, Fill::Footprint);
+    let align = Align::new(pinhole, pinhole, RigidTransform::IDENTITY, splat(Fill::Footprint));
     for z in [0.0, -1.0, f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         let ZDepth(aligned) = align.align((&Image::filled(8, 4, z)).into()).unwrap();
         assert!(aligned.pixels().iter().all(|&z| z == 0.0), "{z}");
@@ -189,7 +196,7 @@ fn what_is_no_sample_goes_nowhere() {
         pinhole,
         pinhole,
         RigidTransform::new(DMat3::IDENTITY, DVec3::new(0.0, 0.0, -2.0)),
-        Fill::Footprint,
+        splat(Fill::Footprint),
     );
     let ZDepth(aligned) = behind.align((&Image::filled(8, 4, 1f32)).into()).unwrap();
     assert!(aligned.pixels().iter().all(|&z| z == 0.0));
@@ -201,7 +208,7 @@ fn what_is_no_sample_goes_nowhere() {
 fn a_sample_at_the_lens_covers_no_more_than_allowed() {
     let source = camera([8, 4], 8.0, LensModel::Pinhole);
     let target = camera([1000, 500], 4000.0, LensModel::Pinhole);
-    let align = Align::new(source, target, RigidTransform::IDENTITY, Fill::Footprint);
+    let align = Align::new(source, target, RigidTransform::IDENTITY, splat(Fill::Footprint));
     let mut depth = Image::filled(8, 4, 0f32);
     depth.pixels_mut()[8 + 3] = 1e-3;
     let ZDepth(aligned) = align.align((&depth).into()).unwrap();
@@ -222,7 +229,7 @@ fn the_same_bytes_on_any_number_of_threads() {
         camera([320, 200], 200.0, LensModel::Pinhole),
         camera([500, 300], 330.0, distorted()),
         turned(0.02, -0.03, 0.01, [0.05, 0.01, 0.0]),
-        Fill::Footprint,
+        splat(Fill::Footprint),
     );
     let on = |threads| {
         let pool = rayon::ThreadPoolBuilder::new()
@@ -236,4 +243,38 @@ fn the_same_bytes_on_any_number_of_threads() {
     for threads in [2, 8] {
         assert_eq!(on(threads), one);
     }
+}
+
+#[test]
+fn measured_depth_moves_and_keeps_its_value() {
+    let source = camera([64, 40], 50.0, LensModel::Pinhole);
+    let target = camera([64, 40], 62.0, LensModel::Pinhole);
+    // Turned and 2 cm behind, so that no depth along the target's axis equals the measured one.
+    let pose = turned(0.01, 0.02, 0.0, [0.03, 0.0, 0.02]);
+    let depth: Vec<f32> = (0..64 * 40u16).map(|i| 1.5 + 0.001 * f32::from(i % 64)).collect();
+    let depth = Image::new(64, 40, depth).unwrap();
+    let aligned = |z| {
+        let mode = AlignMode {
+            z,
+            ..AlignMode::default()
+        };
+        let ZDepth(image) = Align::new(source, target, pose, mode)
+            .align((&depth).into())
+            .unwrap();
+        image.pixels().to_vec()
+    };
+    let (measured, geometric) = (aligned(AlignedZ::Measured), aligned(AlignedZ::Geometric));
+    assert!(measured.iter().filter(|&&z| z > 0.0).count() > 1500);
+    for (&own, &turned) in measured.iter().zip(&geometric) {
+        assert_eq!(own > 0.0, turned > 0.0);
+        assert!(own == 0.0 || depth.pixels().contains(&own), "{own}");
+        assert!(turned == 0.0 || !depth.pixels().contains(&turned), "{turned}");
+    }
+}
+
+#[test]
+fn each_platform_has_its_depth() {
+    assert_eq!(AlignedZ::of_stereo(Some(Platform::Rvc2)), AlignedZ::Measured);
+    assert_eq!(AlignedZ::of_stereo(Some(Platform::Rvc4)), AlignedZ::Geometric);
+    assert_eq!(AlignedZ::of_stereo(None), AlignedZ::Geometric);
 }

@@ -1,9 +1,8 @@
+use crate::align::AlignTo;
 use crate::input::InputKind;
 use crate::sensor::SensorOptions;
-use oaktwin_camera::{Camera, ImageSize};
-use oaktwin_catalog::Role;
+use oaktwin_camera::Camera;
 use oaktwin_dataset::{CloudAxes, Extras};
-use oaktwin_depth::align::Fill;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_usd::asset::LensChoice;
 
@@ -32,17 +31,6 @@ impl FieldOfView {
             (None, None) => Self::Known,
         }
     }
-}
-
-/// The camera that depth is aligned to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct AlignTo {
-    /// The camera.
-    pub camera: Role,
-    /// The size of its image, resized by `DepthAI`'s rule; by default the camera's own.
-    pub size: Option<ImageSize>,
-    /// The splatting mode.
-    pub fill: Fill,
 }
 
 /// The options of [`sense`](super::sense).

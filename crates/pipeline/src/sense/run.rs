@@ -12,7 +12,8 @@ use super::picture::Pictures;
 use super::plan::{self, DepthFile, Sequence};
 use super::shot::OutputContext;
 use super::stream::StreamWriter;
-use super::{FieldOfView, Input, SenseError, SenseOptions, camera, rig};
+use super::{FieldOfView, Input, SenseError, SenseOptions, camera};
+use crate::align;
 use crate::input::check_depth_scale;
 use crate::input::source::Source;
 use crate::limits;
@@ -216,8 +217,9 @@ impl<'a> Run<'a, '_, '_> {
         let align = options
             .align
             .as_ref()
-            .map(|to| rig::aligner(self.twin, sequence.sensor, &reported, to, options.lens))
-            .transpose()?;
+            .map(|to| align::of_sensor(self.twin, sequence.sensor, &reported, to, options.lens))
+            .transpose()
+            .map_err(SenseError::option)?;
         let session = Session {
             first: file.path.clone(),
             size,

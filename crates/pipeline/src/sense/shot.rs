@@ -4,12 +4,13 @@ use std::path::Path;
 
 use super::SenseOptions;
 use super::camera::read_pose;
+use crate::align;
 use crate::sensor::{Capture, OutputCamera, Sensor, frame, sensor_view};
 use oaktwin_camera::{Camera, RigidTransform};
 use oaktwin_dataset::{CameraParams, InputName, Layer, LayerData, Shot, View};
 use oaktwin_depth::align::Align;
 use oaktwin_image::annotation::Annotator;
-use oaktwin_image::{Image, ImageView, ZDepth};
+use oaktwin_image::{Image, ImageView};
 
 /// The camera and outputs of a sequence.
 pub(super) struct OutputContext<'a> {
@@ -59,17 +60,9 @@ impl OutputContext<'_> {
     ) -> Shot {
         let options = self.options;
         let wants = |annotator: &Annotator| options.annotators.contains(annotator);
-        let name = Annotator::DepthSensorDistance.name();
         let mut layers = Vec::new();
         if let (Some(align), Some(to)) = (&self.align, options.align) {
-            // The aligner was made for this size.
-            if let Ok(ZDepth(aligned)) = align.align((&capture.distance.0).into()) {
-                layers.push(Layer {
-                    folder: name,
-                    name: format!("{name}_aligned_{}", to.camera),
-                    data: LayerData::Depth(aligned),
-                });
-            }
+            layers.extend(align::layer(align, &to, &capture.distance.0));
         }
         let rgb = rgb.map(ImageView::from);
         let mut frame = frame(sensor, &self.camera, capture, rgb, &self.request());

@@ -17,7 +17,7 @@ use std::path::Path;
 
 use crate::pair::PairError;
 use crate::sensor::ParameterError;
-use oaktwin_base::diagnostic::Finding;
+use oaktwin_base::diagnostic::{Finding, Message};
 use oaktwin_dataset::WriteError;
 use oaktwin_depth::stereo_matching;
 use oaktwin_files::FileError;
@@ -31,6 +31,9 @@ pub enum StereoError {
     /// A parameter of the matcher or the cameras is invalid.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
+    /// An invalid option: `OPTION: what is wrong; what to do`.
+    #[error("{0}")]
+    Option(Message),
     /// The cameras are not a stereo pair.
     #[error(transparent)]
     Cameras(#[from] PairError),

@@ -8,15 +8,17 @@ use super::StereoError;
 use super::files::PairFiles;
 use super::grey::read_pair;
 use super::matcher::{Matcher, PairOf, Seen};
+use crate::align::{self, AlignTo, Measuring};
 use crate::limits;
 use crate::progress::Watch;
 use crate::sensor::{FixedDisparity, SensorOptions, frame, sensor_view};
 use crate::write::write_while;
-use oaktwin_base::diagnostic::{Finding, Level};
+use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 use oaktwin_camera::{Camera, ImageSize, RigidTransform, UsdOptics};
 use oaktwin_dataset::{
     self as dataset, CameraParams, CloudAxes, Extras, FlatWriter, Layer, LayerData, Shot, View,
 };
+use oaktwin_depth::align::Align;
 use oaktwin_depth::rectify::Method;
 use oaktwin_files::{FileError, OutputFiles, WrittenFile};
 use oaktwin_image::annotation::Annotator;
@@ -36,6 +38,8 @@ pub struct StereoOptions {
     pub extras: Extras,
     /// Whether the point cloud is also written, as PLY: x right, y down, z forward.
     pub ply: bool,
+    /// The camera of the twin that depth is also aligned to.
+    pub align: Option<AlignTo>,
 }
 
 /// An output of stereo matching.
@@ -105,6 +109,7 @@ pub fn stereo(
     let size = ImageSize::new(images[0].width(), images[0].height());
     limits::check_memory(&first.left, size, limits::match_bytes(size))?;
     let mut matcher = Matcher::new(of, size, &options.sensor)?;
+    let align = aligner(of, &matcher, options.align.as_ref())?;
     let mut matched = Matched {
         files: Vec::new(),
         fill: Vec::new(),
@@ -138,7 +143,7 @@ pub fn stereo(
             before = pair;
             let seen = matcher.look(left, right).map_err(|error| in_files(error, pair))?;
             matched.add(&seen, pair);
-            let shot = shot(seen, &matcher, options, pair);
+            let shot = shot(seen, &matcher, align.as_ref(), options, pair);
             if producer.write(shot).is_break() || producer.finish().is_break() {
                 return Ok(ControlFlow::Break(()));
             }
@@ -151,6 +156,25 @@ pub fn stereo(
         .truncate(usize::try_from(written.frames).unwrap_or(usize::MAX));
     matched.files = output.files().to_vec();
     Ok(Some(matched))
+}
+
+/// The alignment of the depth to a camera of the twin that the pair is from.
+fn aligner(of: &PairOf<'_>, matcher: &Matcher, to: Option<&AlignTo>) -> Result<Option<Align>, StereoError> {
+    let Some(to) = to else {
+        return Ok(None);
+    };
+    let PairOf::Twin { twin, lens, .. } = *of else {
+        let unknown = message![opt("align"), ": the other cameras are unknown; set --model"];
+        return Err(StereoError::Option(unknown));
+    };
+    let from = Measuring {
+        body_from_camera: matcher.body_from_camera(),
+        reported: &matcher.camera(),
+        is_stereo: true,
+    };
+    align::aligner(twin, &from, to, lens)
+        .map(Some)
+        .map_err(StereoError::Option)
 }
 
 /// The folder of the results, if no two pairs have results of one name.
@@ -225,7 +249,13 @@ fn nothing_measured() -> Finding {
 }
 
 /// The frame of a matched pair.
-fn shot(seen: Seen, matcher: &Matcher, options: &StereoOptions, pair: &PairFiles) -> Shot {
+fn shot(
+    seen: Seen,
+    matcher: &Matcher,
+    align: Option<&Align>,
+    options: &StereoOptions,
+    pair: &PairFiles,
+) -> Shot {
     let wants = |output: StereoOutput| options.outputs.contains(&output);
     let Seen {
         capture, rectified, ..
@@ -246,7 +276,11 @@ fn shot(seen: Seen, matcher: &Matcher, options: &StereoOptions, pair: &PairFiles
         .filter(|(wanted, _)| *wanted)
         .map(|(_, one)| one)
         .collect();
-    let mut layers = Vec::new();
+    let mut layers: Vec<Layer> = align
+        .zip(options.align.as_ref())
+        .and_then(|(align, to)| align::layer(align, to, &capture.distance.0))
+        .into_iter()
+        .collect();
     let mut add = |name: &'static str, data| {
         layers.push(Layer {
             folder: name,

@@ -9,6 +9,7 @@ from ._cameras import Camera
 from ._devices import Device
 from ._findings import Finding
 from ._types import (
+    _AlignedZ,
     _Annotator,
     _Array,
     _Depth,
@@ -173,6 +174,7 @@ class DepthSensor:
         to: _Role = "rgb",
         *,
         size: Sequence[int] | None = None,
+        z: _AlignedZ | None = None,
         fill: _Fill = "footprint",
         out: None = None,
     ) -> npt.NDArray[_Depth]:
@@ -181,10 +183,12 @@ class DepthSensor:
         depth: the output of this sensor, (H, W) or (N, H, W), float32 metres or uint16 millimetres.
         to: the camera: "rgb", "left", "right", "tof".
         size: the (width, height) of its image, resized by DepthAI's rule; by default the camera's own.
+        z: "geometric": along that camera's axis; "measured": as this sensor measured it; by default as on the device, which
+            is "measured" for stereo on RVC2 and otherwise "geometric", where the device's is unknown.
         fill: "footprint" (default) fills all pixels that a sample covers, "nearest" only the one that it falls into.
         out: as in a call.
 
-        Returns metres (or millimetres) along that camera's axis, 0 where invalid.
+        Returns metres (or millimetres), 0 where invalid.
 
         Raises oaktwin.Error for a camera that the device does not have, TypeError for an object that is not an array or
         has another dtype.
@@ -196,6 +200,7 @@ class DepthSensor:
         to: _Role = "rgb",
         *,
         size: Sequence[int] | None = None,
+        z: _AlignedZ | None = None,
         fill: _Fill = "footprint",
         out: None = None,
     ) -> _Measured: ...
@@ -206,6 +211,7 @@ class DepthSensor:
         to: _Role = "rgb",
         *,
         size: Sequence[int] | None = None,
+        z: _AlignedZ | None = None,
         fill: _Fill = "footprint",
         out: _Out,
     ) -> _Out: ...
@@ -368,6 +374,7 @@ def align(
     target: Camera,
     *,
     target_from_source: npt.ArrayLike | None = None,
+    z: _AlignedZ = "geometric",
     fill: _Fill = "footprint",
     out: None = None,
 ) -> npt.NDArray[_Depth]:
@@ -377,6 +384,7 @@ def align(
         values that are not finite and above 0 are invalid.
     source, target: the cameras.
     target_from_source: (4, 4) transform in metres; by default computed from the cameras' poses on their device.
+    z: "geometric" (default): depth along the target's axis; "measured": the samples' own, as RVC2's alignment reports it.
     fill: "footprint" (default): a sample fills all pixels that it covers; "nearest": only the one that contains its centre.
     out: the output array, as for a call of DepthSensor.
 
@@ -391,6 +399,7 @@ def align(
     target: Camera,
     *,
     target_from_source: npt.ArrayLike | None = None,
+    z: _AlignedZ = "geometric",
     fill: _Fill = "footprint",
     out: None = None,
 ) -> _Measured: ...
@@ -401,6 +410,7 @@ def align(
     target: Camera,
     *,
     target_from_source: npt.ArrayLike | None = None,
+    z: _AlignedZ = "geometric",
     fill: _Fill = "footprint",
     out: _Out,
 ) -> _Out: ...

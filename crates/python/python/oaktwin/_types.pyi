@@ -30,6 +30,7 @@ _Annotator = Literal[
 ]
 _Backend = Literal["auto", "raster", "ray"]
 _Engine = Literal["stereo-noise", "stereo-matching", "time-of-flight", "single-view"]
+_AlignedZ = Literal["geometric", "measured"]
 _Fill = Literal["footprint", "nearest"]
 _Intrinsics = Literal["zero-disparity", "free-disparity", "left-camera", "right-camera"]
 _Isaac = Literal["5.1", "6"]

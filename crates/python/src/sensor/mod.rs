@@ -7,11 +7,12 @@ mod units;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use oaktwin::align::{self, AlignTo};
 use oaktwin::camera::ImageSize;
 use oaktwin::image::annotation::Frame;
 use oaktwin::image::{Image, ZDepth};
 use oaktwin::render::{Clip, sense_frame};
-use oaktwin::sense::{self as sensing, AlignTo, FieldOfView};
+use oaktwin::sense::{self as sensing, FieldOfView};
 use oaktwin::sensor::{EngineInput, SensorOptions, depth_sensor};
 use oaktwin::usd::asset::LensChoice;
 use pyo3::prelude::*;
@@ -288,20 +289,23 @@ impl DepthSensor {
     /// depth: the output of this sensor, (H, W) or (N, H, W), float32 metres or uint16 millimetres.
     /// to: the camera: "rgb", "left", "right", "tof".
     /// size: the (width, height) of its image, resized by DepthAI's rule; by default the camera's own.
+    /// z: "geometric": along that camera's axis; "measured": as this sensor measured it; by default as on the device, which
+    ///     is "measured" for stereo on RVC2 and otherwise "geometric", where the device's is unknown.
     /// fill: "footprint" (default) fills all pixels that a sample covers, "nearest" only the one that it falls into.
     /// out: as in a call.
     ///
-    /// Returns metres (or millimetres) along that camera's axis, 0 where invalid.
+    /// Returns metres (or millimetres), 0 where invalid.
     ///
     /// Raises oaktwin.Error for a camera that the device does not have, TypeError for an object that is not an array or
     /// has another dtype.
-    #[pyo3(signature = (depth, to = "rgb", *, size = None, fill = "footprint", out = None))]
+    #[pyo3(signature = (depth, to = "rgb", *, size = None, z = None, fill = "footprint", out = None))]
     fn align<'py>(
         &self,
         py: Python<'py>,
         depth: &Bound<'py, PyAny>,
         to: &str,
         size: Option<Size>,
+        z: Option<&str>,
         fill: &str,
         out: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
@@ -309,6 +313,7 @@ impl DepthSensor {
             camera: named("to", to)?,
             size: size.map(|Size(width, height)| ImageSize::new(width, height)),
             fill: named("fill", fill)?,
+            z: z.map(|z| named("z", z)).transpose()?,
         };
         let (depth, shape) = Depth::read("depth", depth)?;
         let eye = self.now(py, None)?;
@@ -322,7 +327,7 @@ impl DepthSensor {
         };
         let eye = self.source.eye(Some(of_images))?;
         let (twin, depth_sensor) = (&self.source.twin, &self.source.depth);
-        let align = sensing::align_to(twin, depth_sensor, &eye.sensor, &eye.camera, &to, self.lens);
+        let align = align::align_to(twin, depth_sensor, &eye.sensor, &eye.camera, &to, self.lens);
         let align = align.map_err(error)?;
         aligned(py, &align, &depth, shape, out)
     }

@@ -5,14 +5,12 @@ use std::path::{Path, PathBuf};
 use oaktwin::files::FileError;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render;
-use oaktwin::sense::{AlignTo, FieldOfView, Input, SenseOptions};
+use oaktwin::sense::{FieldOfView, Input, SenseOptions};
 
 use crate::args::SenseArgs;
 use crate::context::Result;
-use crate::size;
 
 pub(super) fn options(args: &SenseArgs) -> Result<SenseOptions> {
-    let size = size::parse("--align-size", args.align_size.as_deref())?;
     Ok(SenseOptions {
         sensor: args.engine.options()?,
         depth_sensor: args.sensor.clone(),
@@ -22,11 +20,7 @@ pub(super) fn options(args: &SenseArgs) -> Result<SenseOptions> {
         resample: args.resample,
         is_sequence: args.sequence,
         lens: args.unit.lens,
-        align: args.align.map(|camera| AlignTo {
-            camera,
-            size,
-            fill: args.align_fill,
-        }),
+        align: args.align.to()?,
         annotators: annotators(args)?,
         extras: args.outputs.extras(),
         cloud: args.outputs.ply.then_some(args.ply_frame),
