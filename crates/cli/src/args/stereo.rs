@@ -49,9 +49,9 @@ pub(crate) struct StereoArgs {
     #[command(flatten, next_help_heading = "Cameras")]
     pub(crate) unit: UnitArgs,
 
-    /// The sockets of a rig's pair, such as CAM_B CAM_C [default: from the calibration]
     #[arg(
         long,
+        help = "The sockets of a rig's pair, such as CAM_B CAM_C [default: from the calibration]",
         num_args = 2,
         value_names = ["LEFT", "RIGHT"],
         value_parser = socket,
