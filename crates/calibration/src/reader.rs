@@ -204,14 +204,6 @@ impl Reader {
         Some(text.clone())
     }
 
-    pub(crate) fn boolean(&mut self, field: &Field<'_>) -> Option<bool> {
-        let Value::Bool(value) = field.node.value else {
-            self.wrong_type(field, "true or false");
-            return None;
-        };
-        Some(value)
-    }
-
     pub(crate) fn numbers(&mut self, field: &Field<'_>) -> Option<Vec<f64>> {
         let items = self.array(field)?;
         let numbers: Vec<_> = items.iter().filter_map(|item| self.number(item)).collect();

@@ -1,7 +1,6 @@
 //! Commands that a build leaves out say how to get them.
 
 #![cfg(not(feature = "full"))]
-#![expect(clippy::unwrap_used, reason = "a test")]
 
 use std::process::Command;
 

@@ -69,7 +69,7 @@ fn document(reader: &mut Reader, raw: &Raw) -> Option<Calibration> {
     reader.object(&root, &TOP_KEYS)?;
     let version = version(reader, &root)?;
     let board = board(reader, &root);
-    check_flags(reader, &root);
+    let use_spec_translation = use_spec_translation(reader, &root);
     let cameras = camera::cameras(reader, &root)?;
     if reader.errors.is_empty() {
         old_names(reader, &root, version);
@@ -77,9 +77,6 @@ fn document(reader: &mut Reader, raw: &Raw) -> Option<Calibration> {
     let link = |reader: &mut Reader, key| root.get(key).and_then(|field| link::placed(reader, &field));
     let imu = link(reader, "imuExtrinsics");
     let housing = link(reader, "housingExtrinsics");
-    let use_spec_translation = root
-        .get("stereoUseSpecTranslation")
-        .is_none_or(|field| reader.boolean(&field).unwrap_or(true));
     let stereo = root
         .get("stereoRectificationData")
         .and_then(|field| stereo::stereo(reader, &field, &cameras.calibrated));
@@ -156,16 +153,12 @@ fn board(reader: &mut Reader, root: &Field<'_>) -> Board {
     board
 }
 
-/// Checks the types of flags, with which `DepthAI` rejects a file.
-fn check_flags(reader: &mut Reader, root: &Field<'_>) {
-    let keys = [
-        "stereoUseSpecTranslation",
-        "stereoEnableDistortionCorrection",
-        "swapLeftRightCam",
-    ];
-    for field in keys.iter().filter_map(|key| root.get(key)) {
-        reader.flag(&field);
-    }
+/// Reads the flag of the baseline, and checks the types of the others, with which `DepthAI` rejects a file.
+fn use_spec_translation(reader: &mut Reader, root: &Field<'_>) -> bool {
+    let mut flag = |key| root.get(key).and_then(|field| reader.flag(&field));
+    flag("stereoEnableDistortionCorrection");
+    flag("swapLeftRightCam");
+    flag("stereoUseSpecTranslation").unwrap_or(true)
 }
 
 /// Warns about files with keys of version 5, which `DepthAI` rejects.

@@ -15,7 +15,7 @@ pub(crate) struct AlignArgs {
     #[arg(long, value_parser = parser::<Role>(), value_name = "CAMERA")]
     align: Option<Role>,
 
-    /// The size of aligned images, resized by DepthAI's rule, such as 1280x800 [default: the camera's]
+    /// The size of aligned images, such as 1280x800 [default: the camera's]
     #[arg(long, value_name = "WxH", requires = "align")]
     align_size: Option<String>,
 
