@@ -7,11 +7,11 @@ mod units;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use oaktwin::align::{self, AlignTo};
 use oaktwin::camera::ImageSize;
 use oaktwin::image::annotation::Frame;
 use oaktwin::image::{Image, ZDepth};
 use oaktwin::render::{Clip, sense_frame};
-use oaktwin::align::{self, AlignTo};
 use oaktwin::sense::{self as sensing, FieldOfView};
 use oaktwin::sensor::{EngineInput, SensorOptions, depth_sensor};
 use oaktwin::usd::asset::LensChoice;
