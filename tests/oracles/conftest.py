@@ -16,6 +16,7 @@ os.environ["DEPTHAI_TELEMETRY"] = "0"
 # Not every environment has these packages; tests that need them do not depend on the version of OpenUSD.
 NEEDS = {
     "test_blender.py": ("bpy",),
+    "test_board_rig.py": ("cv2",),
     "test_bridge.py": ("cv2", "cyclonedds"),
     "test_calibration.py": ("cv2", "depthai", "yaml"),
     "test_camera_maths.py": ("cv2",),

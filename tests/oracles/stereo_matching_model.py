@@ -43,6 +43,7 @@ class Parameters:
     beta: int = 2
     linearEquationParameters_threshold: int = 127
     blockSize: int = 5
+    blockRows: int = 0
     divisionFactor: int = 1
     platform: str = "RVC2"
     horizontalPenaltyCostP1: int = 250
@@ -126,15 +127,15 @@ def costs(left, right, bits, full_width, p):
         ctc = (ours[:, :, d:] != theirs[:, :, there]).sum(0)
         ad = np.abs((left[:, d:] >> (bits - 8)) - (right[:, there] >> (bits - 8)))
         volume[:, d:, k] = np.minimum(p.alpha * ad + p.beta * (ctc << 3), 32 * p.linearEquationParameters_threshold)
-    return block_means(volume, p.blockSize)
+    return block_means(volume, p.blockRows or p.blockSize, p.blockSize)
 
 
-def block_means(volume, side):
+def block_means(volume, rows, columns):
     """An eighth of the mean over each pixel's block, rounded half up."""
     height, width, _ = volume.shape
-    reach, area = side // 2, side * side
-    padded = np.pad(volume, ((reach, reach), (reach, reach), (0, 0)), mode="edge")
-    total = sum(padded[y : y + height, x : x + width] for y in range(side) for x in range(side))
+    area = rows * columns
+    padded = np.pad(volume, ((rows // 2,) * 2, (columns // 2,) * 2, (0, 0)), mode="edge")
+    total = sum(padded[y : y + height, x : x + width] for y in range(rows) for x in range(columns))
     return (total + 4 * area) // (8 * area)
 
 

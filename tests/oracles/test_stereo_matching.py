@@ -33,6 +33,9 @@ SETTINGS = [
     {"blockSize": 1, "confidenceThreshold": 0},
     {"blockSize": 3, "paths": 8, "confidenceThreshold": 5},
     {"blockSize": 7, "confidenceThreshold": 5, "linearEquationParameters_threshold": 2},
+    {"blockSize": 5, "blockRows": 1, "paths": 3, "penaltyShift": 2, "confidenceThreshold": 0},
+    {"blockSize": 1, "blockRows": 7, "alpha": 3, "confidenceThreshold": 0},
+    {"blockSize": 7, "blockRows": 3, "kernelSize": "KERNEL_7x9", "confidenceThreshold": 0},
     {"blockSize": 3, "alpha": 20, "beta": 3, "enableCompanding": True, "penaltyShift": 2, "confidenceThreshold": 0},
     {"disparityWidth": "DISPARITY_64", "confidenceThreshold": 0},
     {"disparityShift": 7, "confidenceThreshold": 0},
@@ -211,7 +214,7 @@ PLACES = {
     "smoothThreshold": "costAggregation.p1Config.smoothThreshold",
 }
 SECTIONS = ["", "censusTransform.", "costMatching.", "costAggregation.", "confidenceMetrics.", "postProcessing."]
-OURS = {"focalLength", "baseline", "width", "subpixelInterpolation", "platform", "blockSize", "penaltyShift", "paths",
+OURS = {"focalLength", "baseline", "width", "subpixelInterpolation", "platform", "blockSize", "blockRows", "penaltyShift", "paths",
         "depthRounding", "confidenceThresholdV2"}
 
 

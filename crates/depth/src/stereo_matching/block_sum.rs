@@ -80,7 +80,7 @@ macro_rules! sum {
     };
 }
 
-// All in 16 bits: sums of 8-bit costs over at most 25 pixels.
+// All in 16 bits: sums of 8-bit costs over at most 15 pixels, or 25.
 sum!(u8, bytes, |sum, mean| {
     (2 * u16::from(sum) + mean.area as u16 / 2).wrapping_mul(mean.of_bytes) >> 11
 });
@@ -91,3 +91,27 @@ sum!(u32, equations, |sum, mean| {
     let over = (sum + 4 * mean.area) as f32;
     simd::saturating_trunc(over / (8 * mean.area) as f32).cast_unsigned()
 });
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reciprocals_are_exact() {
+        let sides = [1, 3, 5, 7];
+        for area in sides.iter().flat_map(|rows| sides.map(|columns| rows * columns)) {
+            let mean = Mean::new(area);
+            let exact = |sum: u32| (2 * sum + area / 2) / area;
+            for sum in 0..=8 * area {
+                let of_bytes = || u32::from(u8::try_from(sum).unwrap().mean(&mean));
+                assert!(
+                    !matches!(area, 0..=15 | 25) || of_bytes() == exact(sum),
+                    "{sum} / {area}"
+                );
+            }
+            for sum in 0..=64 * area {
+                assert_eq!(u32::from(u16::try_from(sum).unwrap().mean(&mean)), exact(sum));
+            }
+        }
+    }
+}

@@ -35,8 +35,9 @@ impl Blocks {
         let (forward, last) = (if is_up { -1 } else { 1 }, census[0].height() - 1);
         // The border is repeated outside the image.
         let row = |by: isize| y.saturating_add_signed(forward * by).min(last);
-        match (plan.raw, plan.planes(), plan.block) {
-            (Raw::Bits { .. }, 1, ..=5) => self.follow::<u8, P>(view, is_first, row, out),
+        match (plan.raw, plan.planes(), plan.area()) {
+            // The reciprocal of 21 in 8-bit sums is not exact.
+            (Raw::Bits { .. }, 1, ..=15 | 25) => self.follow::<u8, P>(view, is_first, row, out),
             (Raw::Bits { .. }, ..) => self.follow::<u16, P>(view, is_first, row, out),
             (Raw::Equation { .. }, ..) => self.follow::<u32, P>(view, is_first, row, out),
         }
@@ -49,7 +50,7 @@ impl Blocks {
         row: impl Fn(isize) -> usize,
         out: &mut [P],
     ) {
-        let reach = (view.plan.block / 2).cast_signed();
+        let reach = (view.plan.block_rows / 2).cast_signed();
         if is_first {
             let columns = S::of_columns(&mut self.columns);
             columns.clear();
@@ -151,7 +152,7 @@ impl<S: BlockSum, P: Lane, const PLANES: usize, const D: usize> Kernel for Costs
         } = self.0;
         let reach = plan.block / 2;
         #[expect(clippy::cast_possible_truncation, reason = "at most 7")]
-        let beyond = S::of(plan.raw.beyond() * plan.block as u32);
+        let beyond = S::of(plan.raw.beyond() * plan.block_rows as u32);
         let mean = Mean::new(plan.area());
         let first = plan.zones.first().map_or(0, |zone| zone.first);
         let last = plan.last();

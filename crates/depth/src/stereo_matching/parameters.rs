@@ -119,6 +119,10 @@ parameters! {
         /// matching and does not publish the block: 5, with `penaltyShift` 4, has no more wrong pixels than OpenCV on
         /// rendered pairs with noise; a block of 1 has half as many again.
         block_size_px: u32 = 5 => ("blockSize".unit("px").range(1.0..=7.0).step(2.0).own("rendered pairs")),
+        /// The rows of that block, an odd number, or 0 for as many as columns. Pictures of five RVC2 units have holes that are wide
+        /// and low, which one row reproduces (with 3 `paths` and `penaltyShift` 2); but then more pixels of rendered pairs are
+        /// wrong than with OpenCV.
+        block_rows_px: u32 = 0 => ("blockRows".unit("px").range(0.0..=7.0).own("rendered pairs")),
         /// The divisor of the summed costs.
         division_factor: u8 = 1 => ("divisionFactor".range(1.0..=255.0)),
         /// The platform whose penalties and steps are used; parameters of the other one have no effect.
@@ -354,6 +358,14 @@ impl Parameters {
                     format!("expected 0 to {MAX_PENALTY}"),
                 ));
             }
+        }
+        if self.block_rows_px != 0 && self.block_rows_px.is_multiple_of(2) {
+            let what = format!("invalid value '{}'", self.block_rows_px);
+            return Err(ParameterError::new(
+                "blockRows",
+                what,
+                "expected 0 or an odd number",
+            ));
         }
         if !is_set_of_paths(self.paths) {
             let what = format!("invalid value '{}'", self.paths);

@@ -35,8 +35,10 @@ pub(super) struct Plan {
     pub(super) census_threshold: i32,
     pub(super) census_scale: i32,
     pub(super) raw: Raw,
-    /// The side of the block over which costs are averaged.
+    /// The columns of the block over which costs are averaged.
     pub(super) block: usize,
+    /// The rows of that block.
+    pub(super) block_rows: usize,
     pub(super) penalties: Penalties,
     /// The number of paths of the downward and the upward scan.
     pub(super) paths: [usize; 2],
@@ -196,6 +198,10 @@ impl Plan {
             census_scale: p.noise_threshold_scale,
             raw,
             block: p.block_size_px as usize,
+            block_rows: match p.block_rows_px {
+                0 => p.block_size_px as usize,
+                rows => rows as usize,
+            },
             width: Width::new((raw.most() + 4) / 8 + penalties.largest(), paths),
             penalties,
             paths,
@@ -221,7 +227,7 @@ impl Plan {
 
     /// The number of pixels in a block.
     pub(super) fn area(&self) -> u32 {
-        counter(self.block * self.block)
+        counter(self.block * self.block_rows)
     }
 
     /// The number of bytes of a pixel's census transform, rounded up to a number that the kernels support.

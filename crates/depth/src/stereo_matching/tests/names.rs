@@ -149,3 +149,12 @@ fn parameters_of_another_platform_have_no_effect() {
     assert_eq!(platform_of("penaltyShift"), Some(Platform::Rvc2));
     assert_eq!((platform_of("paths"), platform_of("bias")), (None, None));
 }
+
+#[test]
+fn a_block_has_an_odd_number_of_rows() {
+    let mut p = parameters();
+    p.set("blockRows", "1").unwrap();
+    assert!(p.check().is_ok());
+    p.block_rows_px = 2;
+    assert_eq!(p.check().unwrap_err().name, "blockRows");
+}

@@ -23,7 +23,11 @@ const SETTINGS: [&[(&str, &str)]; 10] = [
         ("enableMeanMode", "false"),
         ("extendedDisparity", "true"),
     ],
-    &[("disparityWidth", "DISPARITY_64"), ("paths", "3")],
+    &[
+        ("disparityWidth", "DISPARITY_64"),
+        ("paths", "3"),
+        ("blockRows", "1"),
+    ],
     &[
         ("platform", "RVC4"),
         ("holeFilling.fillConfidenceThreshold", "251"),
