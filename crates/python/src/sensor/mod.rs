@@ -298,6 +298,7 @@ impl DepthSensor {
     ///
     /// Raises oaktwin.Error for a camera that the device does not have, TypeError for an object that is not an array or
     /// has another dtype.
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     #[pyo3(signature = (depth, to = "rgb", *, size = None, z = None, fill = "footprint", out = None))]
     fn align<'py>(
         &self,

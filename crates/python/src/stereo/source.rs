@@ -21,6 +21,7 @@ const FIRST_SIZE: ImageSize = ImageSize {
 };
 
 /// The origin of the image pairs.
+#[expect(clippy::large_enum_variant, reason = "a matcher has only one")]
 pub(super) enum Source {
     Device {
         device: Py<Device>,
