@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use oaktwin_camera::{LensFamily, RectifiedIntrinsics};
 use oaktwin_catalog::{DepthKind, Role};
-use oaktwin_depth::align::Fill;
+use oaktwin_depth::align::{AlignedZ, Fill};
 use oaktwin_depth::parameters::{Choice, ENGINES, GROUPS, Platform};
 use oaktwin_depth::rectify::Method;
 use oaktwin_image::annotation::Annotator;
@@ -92,6 +92,7 @@ fn names() -> String {
     let presets: Vec<&str> = presets.iter().map(String::as_str).collect();
     let mut out = String::new();
     for (name, names) in [
+        ("AlignedZ", AlignedZ::NAMES),
         ("Annotator", &annotators[..]),
         ("Backend", Backend::NAMES),
         ("Engine", &groups[..ENGINES]),
