@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use oaktwin::camera::math::DVec3;
-use oaktwin::camera::{ImageSize, RigidTransform};
+use oaktwin::camera::{ImageSize, RigidTransform, StereoGeometry};
 use oaktwin::catalog::{Catalog, Role, Twin, TwinCamera};
 use oaktwin::pair::{PairCameras, PairOptions};
 use oaktwin::render::{Renderer, look_at};
@@ -44,6 +44,11 @@ fn errors(twin: &Twin, lens: LensChoice, name: &str) -> Vec<f64> {
     };
     let mut matcher = Matcher::new(&of, SIZE, &SensorOptions::default()).unwrap();
     let stereo = cameras.rectify().geometry().stereo_geometry();
+    // A unit converts disparity to depth with the baseline of its design.
+    let device = StereoGeometry {
+        baseline_m: twin.depth_baseline_m((Role::Left, Role::Right)).unwrap(),
+        ..stereo
+    };
     let nearest = stereo.disparity(2.0);
     let world_from_body: RigidTransform = look_at(DVec3::ZERO, DVec3::X, DVec3::Z).unwrap();
     let at = |quarter: f64| {
@@ -61,7 +66,7 @@ fn errors(twin: &Twin, lens: LensChoice, name: &str) -> Vec<f64> {
                     *pair.z.0.get(x, y).unwrap(),
                 );
                 if measured > 0.0 {
-                    off.push(stereo.disparity(measured.into()) - stereo.disparity(truth.into()));
+                    off.push(device.disparity(measured.into()) - stereo.disparity(truth.into()));
                 }
             }
         }
