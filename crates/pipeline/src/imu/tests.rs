@@ -34,9 +34,9 @@ fn samples_have_the_rate_and_the_mean_of_the_truth() {
     assert_eq!(all[1].time.nanoseconds(), 2_002_500_000);
     assert_eq!(all[4000].time.nanoseconds(), 12_000_000_000);
     let mean = all.iter().map(|s| s.linear_acceleration).sum::<DVec3>() / 4001.0;
-    // The board file: z of the body is -y of the sensor.
+    // The driver's axes: z of the body is x of the sensor.
     assert!(
-        (mean - DVec3::new(0.0, -STANDARD_GRAVITY, 0.0)).length() < 0.01,
+        (mean - DVec3::new(STANDARD_GRAVITY, 0.0, 0.0)).length() < 0.01,
         "{mean}"
     );
     let step = 1.0 / 256.0;
