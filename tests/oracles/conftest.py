@@ -15,6 +15,7 @@ from depth_eval import DepthEval
 os.environ["DEPTHAI_TELEMETRY"] = "0"
 # Not every environment has these packages; tests that need them do not depend on the version of OpenUSD.
 NEEDS = {
+    "test_bad_pairs.py": ("cv2",),
     "test_blender.py": ("bpy",),
     "test_board_rig.py": ("cv2",),
     "test_bridge.py": ("cv2", "cyclonedds"),
