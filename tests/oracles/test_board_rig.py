@@ -24,7 +24,7 @@ def depth_image(path):
 SEEDS = 5
 # How far outside the range of the known units a median may be, as a share: they are five of ten. The band left of the board is known
 # to be too narrow.
-MARGIN, MARGIN_LEFT = 0.05, 0.2
+MARGIN, MARGIN_LEFT = 0.05, 0.15
 
 
 @pytest.fixture(scope="module")

@@ -5,8 +5,8 @@ use oaktwin_base::parameter::Platform;
 use oaktwin_base::parameter::nvidia::Attributes;
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{
-    Camera as Optics, ImageSize, Intrinsics, LensModel, OpenCvFisheye, PixelPoint, RectifiedIntrinsics,
-    RigidTransform, Usd, stereo_rectify_to,
+    Camera as Optics, Intrinsics, LensModel, OpenCvFisheye, PixelPoint, RectifiedIntrinsics, RigidTransform,
+    Usd, stereo_rectify_to,
 };
 
 use crate::{Camera, DepthSensor, Device, Role};
@@ -121,19 +121,6 @@ impl Twin {
             .filter(|(left, right)| left != right)
             .filter_map(|pair| Some((pair, self.baseline_m(pair)?)))
             .collect()
-    }
-
-    /// Returns intrinsics of this twin at another image size, with the aspect ratio kept.
-    ///
-    /// A unit's are `DepthAI`'s: its calibrations as well as the transformations of its camera outputs scale the principal point without
-    /// regard to the half pixel between the border and the first pixel's centre. In a nominal device, a centred principal point stays
-    /// in the centre, as in Isaac Sim.
-    #[must_use]
-    pub fn resized(&self, intrinsics: &Intrinsics, size: ImageSize) -> Intrinsics {
-        match self.origin {
-            Origin::Nominal => intrinsics.resized_about_centre(size, true),
-            Origin::Calibration { .. } => intrinsics.resized(size, true),
-        }
     }
 
     /// Returns the processor of the device, or `None` if it is unknown.

@@ -93,7 +93,7 @@ pub(crate) fn aligner(
     let mut own = twin.optics(target, lens);
     if let Some(size) = to.size {
         check_size(size).map_err(|error| message![opt("align-size"), format!(": {error}")])?;
-        own.intrinsics = twin.resized(&own.intrinsics, size);
+        own.intrinsics = own.intrinsics.resized(size, true);
     }
     let target_from_reported =
         target.body_from_camera.inverse() * from.body_from_camera * from.reported.input_from_output();

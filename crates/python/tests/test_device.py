@@ -237,7 +237,7 @@ def test_findings_are_warnings(tmp_path):
         one["distortionCoeff"] = [0.01] * 5 + [0.0] * 7 + [0.02, 0.01]
     (tmp_path / "tilted.json").write_text(json.dumps(camera))
     unit = oaktwin.Device.from_calibration(tmp_path / "tilted.json", force=True)
-    with pytest.warns(oaktwin.FindingWarning, match="distortion-dropped"):
+    with pytest.warns(oaktwin.FindingWarning, match="distortion-fitted"):
         unit.to_ros()
 
 

@@ -19,6 +19,8 @@ NOT_RUN = {
     "cargo xtask ": "it runs this test",
     "pip install ": "the package and its peers are installed",
     "./python.sh ": "it needs Isaac Sim",
+    "./render.sh ": "the test of the rig runs it",
+    "oaktwin calibration import ": "it reads other tools' files, and has its own tests",
     "oaktwin studio": "it serves a page until it is stopped, and has its own tests",
     "oaktwin bridge": "it runs until it is stopped, and has its own tests",
     "rerun ": "it opens a window",
@@ -52,7 +54,7 @@ def inputs(tmp_path_factory, program):
         text = SCENE.read_text().replace("(1920, 1080)", "(480, 270)")
         (folder / name).write_text(text.replace("Camera_pseudo_depth", "Cam"))
     shutil.copy(SCENE.with_name("grid.png"), folder)
-    for name in ["cal.json", "mine.json", "unit.json"]:
+    for name in ["cal.json", "mine.json", "rig.json", "unit.json"]:
         shutil.copy(ROOT / "crates/calibration/fixtures/example-oak-d-pro-poe.json", folder / name)
     write_triangle(folder / "room.glb")
     np.save(folder / "depth.npy", np.full((40, 64), 2.0, np.float32))

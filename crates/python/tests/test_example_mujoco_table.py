@@ -87,7 +87,9 @@ def test_measured_depth_is_the_sensors(frames, device):
     # A sine, noise, and rounding to disparity steps, then to millimetres.
     millimetre = 0.0005 * focal_baseline / frames["measured"][both].min() ** 2
     assert np.abs(error).max() < locking + 5.5 * jitter + step / 2 + millimetre
-    expected = np.sqrt(locking**2 / 2 + jitter**2 + step**2 / 12)
+    # Nearly all surfaces are nearer than 6 m, where RVC4 has smaller errors.
+    factor = float(own["closeRangeFactor"])
+    expected = np.sqrt(factor**2 * (locking**2 / 2 + jitter**2) + step**2 / 12)
     assert np.std(error) == pytest.approx(expected, rel=0.05)
     assert abs(np.mean(error)) < 0.02 and float(own["bias"]) == 0
 

@@ -112,10 +112,8 @@ pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String,
         return Ok(out);
     }
     let kind = state.sensor_kind();
-    let is_nominal = state.calibration.is_none() && state.drawn(studio)?.is_none();
-    let center = if is_nominal { ", keep_center=True" } else { "" };
     let resized = size.map_or_else(String::new, |size| {
-        format!(".resized({}, {}{center})", size.width, size.height)
+        format!(".resized({}, {})", size.width, size.height)
     });
     let mut engine = format!(", engine={}", quoted(&state.engine));
     if state.seed != 0 {

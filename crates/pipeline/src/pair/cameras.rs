@@ -212,7 +212,7 @@ fn eye(twin: &Twin, role: Role, options: &PairOptions) -> Result<StereoCamera, P
             device: device(),
             error,
         })?;
-        optics.intrinsics = twin.resized(&optics.intrinsics, size);
+        optics.intrinsics = optics.intrinsics.resized(size, true);
     }
     let (near_m, far_m) = camera.spec.clipping_range_m;
     Ok(StereoCamera {

@@ -180,7 +180,7 @@ fn place(
     let intrinsics = if size == own.intrinsics.size {
         own.intrinsics
     } else {
-        twin.resized(&own.intrinsics, size)
+        own.intrinsics.resized(size, true)
     };
     // The focal length in millimetres is constant, so pixels grow as the image shrinks.
     let focal_length_um = candidate.camera.pixel_size_um * own.intrinsics.mean_focal_length();
@@ -296,21 +296,11 @@ mod tests {
     }
 
     #[test]
-    fn resizes_units_as_depthai_and_nominal_devices_about_the_centre() {
-        let mut unit = twin("OAK-D Pro PoE");
-        unit.origin = Origin::Calibration {
-            product_name: String::new(),
-            file_name: String::new(),
-        };
-        for (twin, centre) in [(twin("OAK-D Pro PoE"), [319.5, 239.5]), (unit, [319.75, 239.75])] {
-            resized(&twin, centre);
-        }
-    }
-
-    fn resized(twin: &Twin, centre: [f64; 2]) {
+    fn resizes_by_the_rule_of_calibrations() {
+        let twin = twin("OAK-D Pro PoE");
         let size = ImageSize::new(640, 480);
         let left = &chosen(
-            twin,
+            &twin,
             &["left"],
             OakOptions {
                 size: Some(size),
@@ -320,11 +310,11 @@ mod tests {
         let full = twin.cameras[1].intrinsics;
         let c = left.camera.intrinsics.principal_point::<OpenCv>();
         assert!((left.camera.intrinsics.fx - full.fx / 2.0).abs() < 1e-9);
-        assert_eq!(c, PixelPoint::new(centre[0], centre[1]));
+        assert_eq!(c, PixelPoint::new(319.75, 239.75));
         // The attributes describe the same camera.
         let said = left.attributes.optics.openusd_intrinsics(size);
         assert!((said.fx - left.camera.intrinsics.fx).abs() < 1e-9);
-        assert!((said.principal_point::<Usd>().x - centre[0] - 0.5).abs() < 1e-9);
+        assert!((said.principal_point::<Usd>().x - 320.25).abs() < 1e-9);
         let full_mm = UsdOptics::from_intrinsics(&full, twin.cameras[1].pixel_size_um, Default::default());
         assert!((left.attributes.optics.focal_length_mm - full_mm.focal_length_mm).abs() < 1e-9);
     }

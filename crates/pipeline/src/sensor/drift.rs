@@ -1,6 +1,6 @@
 //! The drift of a stereo pair since its calibration, and the baseline of its design, in the engines that measure depth images.
 
-use oaktwin_base::diagnostic::{Finding, Level};
+use oaktwin_base::diagnostic::{Finding, Level, fold_name};
 use oaktwin_camera::{ImageSize, Intrinsics, OpenCv, PixelPoint, StereoDrift};
 use oaktwin_depth::{DriftedPair, EngineKind, ParameterError, Setup};
 
@@ -76,7 +76,15 @@ fn geometry(source: &Source<'_>, options: &SensorOptions) -> Option<DriftedPair>
             .image
             .or_else(|| Some(twin.depth_camera(sensor)?.intrinsics))?,
         baseline_m: twin.baseline_m(pair)?,
-        depth_baseline_m: twin.depth_baseline_m(pair)?,
+        // A bias that is given, for example by a fit, contains the error of the baseline.
+        depth_baseline_m: match options
+            .parameters
+            .iter()
+            .any(|(name, _)| fold_name(name) == "bias")
+        {
+            true => twin.baseline_m(pair)?,
+            false => twin.depth_baseline_m(pair)?,
+        },
     })
 }
 

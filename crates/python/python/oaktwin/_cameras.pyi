@@ -84,8 +84,8 @@ class Camera:
 
         width, height: px.
         keep_aspect_ratio: whether to scale the image to cover the size and crop it; otherwise each axis is scaled separately.
-        keep_center: whether a principal point in the centre stays there, as in nominal devices' images and with cv2.resize. DepthAI
-            scales it without regard to the half pixel between the border and the first pixel's centre (default).
+        keep_center: whether a principal point in the centre stays there, as for images resized by cv2.resize. DepthAI scales it
+            without regard to the half pixel between the border and the first pixel's centre (default).
 
         Raises oaktwin.Error for an image without pixels.
         """
