@@ -17,19 +17,13 @@ pub(crate) fn apply(calibration: &Calibration, twin: &mut Twin, findings: &mut V
     if !calibration.use_spec_translation {
         return;
     }
-    let designed = |role| {
-        let socket = socket_of(twin.camera(role)?)?;
-        calibration.cameras.contains_key(&socket).then_some(socket)
+    let socket = |role| socket_of(twin.camera(role)?);
+    let design = |(left, right)| {
+        let baseline_m = calibration.baseline(socket(left)?, socket(right)?, true).ok()?;
+        (baseline_m > 0.0).then_some(baseline_m)
     };
-    let mut designs = twin.baselines_m();
-    designs.retain(|(left, right), baseline_m| {
-        let found = designed(*left)
-            .zip(designed(*right))
-            .and_then(|(left, right)| calibration.baseline(left, right, true).ok());
-        *baseline_m = found.unwrap_or_default();
-        *baseline_m > 0.0
-    });
-    twin.design_baselines_m = designs;
+    let pairs = twin.baselines_m().into_keys();
+    twin.design_baselines_m = pairs.filter_map(|pair| Some((pair, design(pair)?))).collect();
     findings.extend(finding(calibration, twin));
 }
 

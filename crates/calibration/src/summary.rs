@@ -1,6 +1,7 @@
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::RigidTransform;
-use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_camera::math::DMat3;
+use oaktwin_catalog::nearest_directions;
 use serde::Serialize;
 
 use crate::rectify::rectifying_rotations;
@@ -192,38 +193,6 @@ fn imu(calibration: &Calibration) -> Vec<ImuSummary> {
             })
         })
         .collect()
-}
-
-/// Returns the direction of a camera (x right, y down, z forward) that is nearest to each axis, and the largest angle between the two,
-/// degrees.
-fn nearest_directions(camera_from_imu: DMat3) -> (String, f64) {
-    let directions = [
-        (DVec3::X, "right"),
-        (DVec3::NEG_X, "left"),
-        (DVec3::Y, "down"),
-        (DVec3::NEG_Y, "up"),
-        (DVec3::Z, "forward"),
-        (DVec3::NEG_Z, "backward"),
-    ];
-    let axes = [
-        camera_from_imu.x_axis,
-        camera_from_imu.y_axis,
-        camera_from_imu.z_axis,
-    ];
-    let mut words = Vec::new();
-    let mut deviation_deg: f64 = 0.0;
-    for (name, axis) in ["x", "y", "z"].into_iter().zip(axes) {
-        let angle = |direction: DVec3| axis.cross(direction).length().atan2(axis.dot(direction));
-        let nearest = directions
-            .iter()
-            .map(|(direction, word)| (angle(*direction), word))
-            .min_by(|a, b| a.0.total_cmp(&b.0));
-        if let Some((angle, word)) = nearest {
-            deviation_deg = deviation_deg.max(angle.to_degrees());
-            words.push(format!("{name} {word}"));
-        }
-    }
-    (words.join(", "), deviation_deg)
 }
 
 fn rows_cm(transform: Result<RigidTransform, CalibrationError>) -> Option<[[f64; 4]; 4]> {

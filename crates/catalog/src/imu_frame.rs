@@ -1,7 +1,8 @@
 //! The axes of inertial units, about which sources disagree.
 
 use oaktwin_base::parameter::choice;
-use oaktwin_camera::math::DMat3;
+use oaktwin_camera::Axes;
+use oaktwin_camera::math::{DMat3, DVec3};
 
 use crate::{Device, Imu, Source};
 
@@ -46,32 +47,45 @@ impl Imu {
 
 fn axes(rows: &[[f64; 3]; 3]) -> Option<String> {
     let body_from_imu = DMat3::from_cols_array_2d(rows).transpose();
+    let (words, off_deg) = nearest_directions(Axes::OpenCv.rotation_from(Axes::Ros) * body_from_imu);
+    (off_deg < 1e-4).then_some(words)
+}
+
+/// Returns the direction of a camera (x right, y down, z forward) that is nearest to each axis of a part, `x down, y left, z forward`,
+/// and the largest angle between the two, degrees.
+#[must_use]
+pub fn nearest_directions(camera_from_part: DMat3) -> (String, f64) {
     let directions = [
-        ([1.0, 0.0, 0.0], "forward"),
-        ([-1.0, 0.0, 0.0], "backward"),
-        ([0.0, 1.0, 0.0], "left"),
-        ([0.0, -1.0, 0.0], "right"),
-        ([0.0, 0.0, 1.0], "up"),
-        ([0.0, 0.0, -1.0], "down"),
+        (DVec3::X, "right"),
+        (DVec3::NEG_X, "left"),
+        (DVec3::Y, "down"),
+        (DVec3::NEG_Y, "up"),
+        (DVec3::Z, "forward"),
+        (DVec3::NEG_Z, "backward"),
     ];
-    let axes = [body_from_imu.x_axis, body_from_imu.y_axis, body_from_imu.z_axis];
-    let words: Option<Vec<String>> = ["x", "y", "z"]
-        .into_iter()
-        .zip(axes)
-        .map(|(name, axis)| {
-            let found = directions
-                .iter()
-                .find(|(direction, _)| axis.abs_diff_eq((*direction).into(), 1e-6));
-            found.map(|(_, word)| format!("{name} {word}"))
-        })
-        .collect();
-    Some(words?.join(", "))
+    let axes = [
+        camera_from_part.x_axis,
+        camera_from_part.y_axis,
+        camera_from_part.z_axis,
+    ];
+    let mut words = Vec::new();
+    let mut deviation_deg: f64 = 0.0;
+    for (name, axis) in ["x", "y", "z"].into_iter().zip(axes) {
+        let angle = |direction: DVec3| axis.cross(direction).length().atan2(axis.dot(direction));
+        let nearest = directions
+            .iter()
+            .map(|(direction, word)| (angle(*direction), word))
+            .min_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some((angle, word)) = nearest {
+            deviation_deg = deviation_deg.max(angle.to_degrees());
+            words.push(format!("{name} {word}"));
+        }
+    }
+    (words.join(", "), deviation_deg)
 }
 
 #[cfg(test)]
 mod tests {
-    use oaktwin_camera::Axes;
-
     use super::*;
     use crate::Catalog;
 

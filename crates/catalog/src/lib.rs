@@ -39,7 +39,7 @@ pub use choose::{DepthFilter, UnknownMaker};
 pub use compare::{Table, compare};
 pub use document::Document;
 pub use error::{CatalogError, UnknownModel};
-pub use imu_frame::ImuFrame;
+pub use imu_frame::{ImuFrame, nearest_directions};
 pub use model::{
     Accelerometer, Accuracy, AccuracyBand, AccuracyHeadline, Body, BodyShape, Camera, DepthKind, DepthSensor,
     Device, Evidence, Gyroscope, Imu, InertialPart, LegacyDistortion, Magnetometer, Note, Projector, Role,

@@ -223,10 +223,7 @@ mod tests {
             right_from_left.rotation.z_axis.x * 1e3
         };
         near(of(&yaw), (0.0, spread.rotation_mrad[1] * 2f64.sqrt()), "yaw");
-        let baseline = |twin: &Twin| {
-            (right(twin).body_from_camera.translation - left(twin).body_from_camera.translation).length()
-                * 1e3
-        };
+        let baseline = |twin: &Twin| 1e3 * twin.baseline_m((Role::Left, Role::Right)).unwrap();
         near(
             of(&baseline),
             (75.0, spread.position_mm[0] * 2f64.sqrt()),

@@ -97,8 +97,8 @@ impl OpenCvPinhole {
     }
 
     /// Returns the point on the plane z = 1 of a distorted point, or `None` beyond the fold. Newton's method converges to the
-    /// model's rounding error (the distorted point is reached within 1e-12). Where a cancelled pole leaves no solution, the
-    /// result is that of the model without the pole.
+    /// model's rounding error (the distorted point is reached within 1e-12). Where a cancelled pole leaves no solution, it
+    /// returns the ray of the model without the pole.
     #[must_use]
     pub fn undistort(&self, distorted: DVec2) -> Option<DVec2> {
         let target = self.untilt(distorted)?;

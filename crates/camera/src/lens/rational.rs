@@ -85,8 +85,9 @@ impl Rational {
     }
 }
 
-/// Returns the reciprocals v = 1/u of the roots of `1 + c₁ u + c₂ u² + c₃ u³`, as complex numbers; v = 0 stands for a missing
-/// root. `None` if the coefficients are too large. Weierstrass's iteration on v³ + c₁ v² + c₂ v + c₃.
+/// Solves `1 + c₁ u + c₂ u² + c₃ u³ = 0`. Returns 1/u for each root u, as a complex number, and 0 for each root that is missing because
+/// the last coefficients are 0. Returns `None` if the coefficients are too large. The numbers v = 1/u are the roots of
+/// v³ + c₁ v² + c₂ v + c₃, which Weierstrass's iteration finds.
 fn roots([_, c1, c2, c3]: [f64; 4]) -> Option<[DVec2; 3]> {
     let bound = c1.abs().max(c2.abs().sqrt()).max(c3.abs().cbrt());
     if bound == 0.0 {

@@ -27,6 +27,7 @@ impl DriftedPair {
         let intrinsics = self.intrinsics.resized(ImageSize::new(width, height), true);
         let matches = self.drift.matches(&intrinsics, self.baseline_m);
         let scale = self.depth_baseline_m / self.baseline_m;
+        let has_drifted = !self.drift.is_none();
         let mut assumed = Image::filled(width, height, 0.0);
         let rows = assumed.pixels_mut().par_chunks_exact_mut((width as usize).max(1));
         let rows = rows.zip(depth.pixels().par_chunks_exact((width as usize).max(1)));
@@ -35,7 +36,12 @@ impl DriftedPair {
                 let z = f64::from(depth_m);
                 #[expect(clippy::cast_precision_loss, reason = "images are smaller than 2⁵² pixels")]
                 let pixel = PixelPoint::<OpenCv>::new(x as f64, y as f64);
-                let drifted = (scale * matches.assumed_depth(pixel, z)).min(BEYOND_M);
+                let matched = if has_drifted {
+                    matches.assumed_depth(pixel, z)
+                } else {
+                    z
+                };
+                let drifted = (scale * matched).min(BEYOND_M);
                 *assumed = if z > 0.0 && z.is_finite() {
                     #[expect(clippy::cast_possible_truncation, reason = "depth is float32")]
                     let drifted = drifted as f32;

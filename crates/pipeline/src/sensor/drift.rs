@@ -1,6 +1,6 @@
 //! The drift of a stereo pair since its calibration, and the baseline of its design, in the engines that measure depth images.
 
-use oaktwin_base::diagnostic::{Finding, Level, fold_name};
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::{ImageSize, Intrinsics, OpenCv, PixelPoint, StereoDrift};
 use oaktwin_depth::{DriftedPair, EngineKind, ParameterError, Setup};
 
@@ -18,11 +18,12 @@ pub(super) fn pair(
     kind: &EngineKind,
     source: &Source<'_>,
     options: &SensorOptions,
+    setup: &Setup,
     place: &str,
     findings: &mut Vec<Finding>,
 ) -> Result<Option<DriftedPair>, ParameterError> {
     let pair = (*kind == STEREO_NOISE)
-        .then(|| geometry(source, options))
+        .then(|| geometry(source, options, setup))
         .flatten();
     let Some(drift) = options.drift.filter(|drift| !drift.is_none()) else {
         return Ok(pair.filter(|pair| pair.depth_baseline_m != pair.baseline_m));
@@ -65,25 +66,23 @@ pub(super) fn add_loss(pair: &DriftedPair, setup: &mut Setup) {
 }
 
 /// The rectified pair as it was calibrated.
-fn geometry(source: &Source<'_>, options: &SensorOptions) -> Option<DriftedPair> {
+fn geometry(source: &Source<'_>, options: &SensorOptions, setup: &Setup) -> Option<DriftedPair> {
     let Source::Twin { twin, sensor, .. } = source else {
         return None;
     };
     let pair = sensor.spec.pair()?;
+    let baseline_m = twin.baseline_m(pair)?;
     Some(DriftedPair {
         drift: StereoDrift::default(),
         intrinsics: options
             .image
             .or_else(|| Some(twin.depth_camera(sensor)?.intrinsics))?,
-        baseline_m: twin.baseline_m(pair)?,
+        baseline_m,
         // A bias that is given, for example by a fit, contains the error of the baseline.
-        depth_baseline_m: match options
-            .parameters
-            .iter()
-            .any(|(name, _)| fold_name(name) == "bias")
-        {
-            true => twin.baseline_m(pair)?,
-            false => twin.depth_baseline_m(pair)?,
+        depth_baseline_m: if setup.sets("bias") {
+            baseline_m
+        } else {
+            twin.depth_baseline_m(pair)?
         },
     })
 }

@@ -131,7 +131,7 @@ fn create(
 ) -> Result<(Sensor, Vec<Finding>), ParameterError> {
     let mut findings = Vec::new();
     let mut setup = setup::setup(kind, source, options, &mut findings)?;
-    let drifted = drift::pair(kind, source, options, place, &mut findings)?;
+    let drifted = drift::pair(kind, source, options, &setup, place, &mut findings)?;
     if let Some(pair) = &drifted {
         drift::add_loss(pair, &mut setup);
     }

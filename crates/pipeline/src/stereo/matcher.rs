@@ -104,8 +104,8 @@ impl Matcher {
                     geometry.left,
                     cameras.body_from_rectified_left(),
                     StereoGeometry {
-                        focal_length_px: geometry.left.fx,
                         baseline_m: twin.depth_baseline_m(pair.cameras).unwrap_or(geometry.baseline),
+                        ..geometry.stereo_geometry()
                     },
                     chosen.or_else(|| twin.platform()),
                     twin.device.name.as_str(),
