@@ -47,6 +47,8 @@ pub(super) struct Budget {
     /// Whether a prim may have arcs.
     has_arcs: Cell<bool>,
     clips: Cell<Clips>,
+    has_samples: Cell<bool>,
+    has_clips: Cell<bool>,
     stacks: RefCell<Stacks>,
     /// The prim being composed; empty before the first.
     place: RefCell<String>,
@@ -84,6 +86,16 @@ impl Budget {
         }
     }
 
+    /// Whether attributes of the layers so far may have time samples or value clips.
+    pub(super) fn is_animated(&self) -> bool {
+        self.has_samples.get() || self.has_clips.get()
+    }
+
+    /// Whether prims of the layers so far may have value clips.
+    pub(super) fn has_clips(&self) -> bool {
+        self.has_clips.get()
+    }
+
     /// Adds the layer `name`, with sublayers of the names `sublayers`, before the library reads it.
     pub(super) fn layer(&self, name: &str, sublayers: Vec<String>, outline: &Outline, bytes: usize) {
         self.authored_prims.set(self.authored_prims.get() + outline.prims);
@@ -112,6 +124,9 @@ impl Budget {
             );
         }
         self.has_arcs.set(self.has_arcs.get() || !outline.arcs.is_empty());
+        self.has_samples
+            .set(self.has_samples.get() || outline.has_samples);
+        self.has_clips.set(self.has_clips.get() || outline.has_clips);
         for growth in self.stacks.borrow_mut().add(name, sublayers, &outline.arcs) {
             match growth {
                 Growth::Layers { layer, count } if count > self.limit.times(LAYERS.0) => {

@@ -46,6 +46,8 @@ fn composition_finding(error: &pcp::Error) -> Finding {
                 format!("the {} @{asset_path}@ is not a USD layer", name(arc))
             } else {
                 let reason = reason.trim_start_matches("cannot be read: ");
+                remedy =
+                    "if OpenUSD reads it, convert it with `usdcat --out NEW.usdc`; its content is missing";
                 format!("the {} @{asset_path}@ cannot be read: {reason}", name(arc))
             };
             (site_path.to_string(), message)

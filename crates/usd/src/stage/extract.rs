@@ -10,9 +10,8 @@ use openusd::usd;
 use super::budget::Budget;
 use super::error::one_line;
 use super::inspect::Inspected;
-use super::locate::failing_line;
 use super::packages::Packages;
-use super::plain::{api_schemas, plain_prim, plain_target, plain_value};
+use super::plain::{api_schemas, plain_prim, plain_targets, plain_value};
 use super::reader::{Outcome, Reader, Record};
 use super::resolver::InspectingResolver;
 use super::scene::{Builder, Children, Context, Findings, pose};
@@ -39,11 +38,9 @@ pub(super) fn stage(
     let reader = open(file, path, &layer, limit, None)?;
     let metadata = metadata(&reader.stage);
     let mut extraction = Extraction::new(meters_per_unit(&metadata).0, None);
-    extraction
-        .run(&reader)
-        .map_err(|error| failed(file, &layer, &error))?;
+    extraction.run(&reader).map_err(|error| failed(file, &error))?;
     let overridden_cameras = if extraction.cameras.is_empty() {
-        overridden_cameras(&reader).map_err(|error| failed(file, &layer, &error))?
+        overridden_cameras(&reader).map_err(|error| failed(file, &error))?
     } else {
         Vec::new()
     };
@@ -77,12 +74,11 @@ pub(super) fn scene(
     };
     let builder = Builder::new(options, meters_per_unit, up);
     let mut extraction = Extraction::new(meters_per_unit, Some(builder));
-    extraction
-        .run(&reader)
-        .map_err(|error| failed(file, &layer, &error))?;
+    extraction.run(&reader).map_err(|error| failed(file, &error))?;
     let mut findings = layer.findings.clone();
     findings.extend(invalid_unit);
     findings.append(&mut composition::findings(&reader.stage));
+    findings.append(&mut reader.findings());
     findings.append(&mut extraction.findings.into_list());
     let scene = match extraction.builder {
         Some(builder) => {
@@ -114,23 +110,15 @@ fn open(
     let stage = usd::Stage::builder()
         .resolver(resolver)
         .open(path)
-        .map_err(|error| failed(file, layer, &error))?;
+        .map_err(|error| failed(file, &error))?;
     Ok(Reader::new(stage, time, budget, packages))
 }
 
-fn failed(file: &str, layer: &Inspected, error: &dyn std::fmt::Display) -> StageError {
-    let reason = format!("{error:#}");
-    let text = std::str::from_utf8(&layer.decoded.bytes).ok();
-    let line = text
-        .and_then(failing_line)
-        .map(|line| layer.decoded.line_in_file(line));
+fn failed(file: &str, error: &dyn std::fmt::Display) -> StageError {
     StageError::new(
         file,
-        line.map(|line| format!("line {line}")).unwrap_or_default(),
-        format!(
-            "cannot be read as USD: {}",
-            one_line(reason.trim_start_matches("failed to parse USDA layer: "))
-        ),
+        "",
+        format!("cannot be read as USD: {}", one_line(&format!("{error:#}"))),
         "correct it, or export it again",
     )
 }
@@ -180,11 +168,11 @@ impl Extraction {
         Walk::new(reader).stage(self, &Context::default(), Which::Defined)
     }
 
-    fn camera(&mut self, reader: &Reader, path: &str, context: &Context) {
+    fn camera(&mut self, prim: Prim, context: &Context) {
         let pose = pose(&context.stage_from_prim, self.meters_per_unit);
         let mut warn = |what: &str| {
             let remedy = "use only translations and rotations on the camera and its ancestors";
-            self.findings.warn("camera-transform", path, what, remedy);
+            self.findings.warn("camera-transform", &prim.path, what, remedy);
         };
         let world_from_camera = match pose {
             Some((pose, None)) => pose,
@@ -198,17 +186,9 @@ impl Extraction {
             }
         };
         self.cameras.push(SceneCamera {
-            prim: plain_at(reader, path, "Camera"),
+            prim,
             world_from_camera,
         });
-    }
-}
-
-/// Returns the prim at the scene path `path`.
-fn plain_at(reader: &Reader, path: &str, type_name: &str) -> Prim {
-    match openusd::sdf::Path::new(path) {
-        Ok(path) => plain_prim(&reader.stage.prim(path), type_name.to_owned()),
-        Err(_) => Prim::default(),
     }
 }
 
@@ -226,21 +206,13 @@ impl Visitor for Extraction {
         let own = prim.own(reader);
         let mut inner = context.with(own, path);
         match prim.type_name.as_str() {
-            "Camera" => self.camera(reader, path, &inner),
-            "RenderProduct" => {
-                let product = openusd::sdf::Path::new(path).map(|path| reader.stage.prim(path));
-                let targets = product.and_then(|prim| prim.relationship("camera").targets());
-                self.products.push(RenderProduct {
-                    prim: plain_at(reader, path, "RenderProduct"),
-                    cameras: targets
-                        .unwrap_or_default()
-                        .iter()
-                        .map(|target| plain_target(&reader.stage, target))
-                        .collect(),
-                });
-            }
-            kind if self.builder.is_none() && concerns_sensors(reader, prim) => {
-                self.others.push(plain_at(reader, path, kind));
+            "Camera" => self.camera(plain_prim(reader, prim, path), &inner),
+            "RenderProduct" => self.products.push(RenderProduct {
+                prim: plain_prim(reader, prim, path),
+                cameras: plain_targets(reader, prim, path, "camera"),
+            }),
+            _ if self.builder.is_none() && concerns_sensors(reader, prim) => {
+                self.others.push(plain_prim(reader, prim, path));
             }
             _ => {}
         }

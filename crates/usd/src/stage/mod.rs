@@ -13,7 +13,7 @@ mod extract;
 mod guard;
 mod inspect;
 mod limit;
-mod locate;
+mod opinion;
 mod own;
 mod packages;
 mod plain;
@@ -23,6 +23,7 @@ mod resolver;
 mod scene;
 mod stacks;
 mod transform;
+mod usda;
 mod value;
 mod walk;
 

@@ -1,3 +1,5 @@
+use openusd::sdf::Path;
+
 use super::binding::{Binding, bindings};
 use super::reader::{Reader, Record};
 use super::transform::{LocalTransform, local_transform};
@@ -10,6 +12,12 @@ pub(super) struct Own {
     pub(super) purpose: Option<Purpose>,
     pub(super) labels: Vec<(String, String)>,
     pub(super) bindings: Vec<Binding>,
+    /// The path of a `SkelRoot`, below which skeletons and their meshes are.
+    pub(super) skeleton_root: Option<Path>,
+    /// The skeleton that is bound to the prim and its descendants.
+    pub(super) skeleton: Option<Path>,
+    /// The animation that is bound to the prim and its descendants.
+    pub(super) animation: Option<Path>,
     /// Whether it has primvars, which its descendants may inherit.
     pub(super) has_primvars: bool,
 }
@@ -37,6 +45,9 @@ impl Own {
                 _ => Purpose::Other,
             }),
             labels: labels(reader, prim),
+            skeleton_root: (prim.type_name.as_str() == "SkelRoot").then(|| prim.path.clone()),
+            skeleton: reader.targets(prim, "skel:skeleton").pop(),
+            animation: reader.targets(prim, "skel:animationSource").pop(),
             bindings: bindings(reader, prim),
             has_primvars: prim.properties.iter().any(|name| name.starts_with("primvars:")),
         }

@@ -19,10 +19,10 @@ impl Packages {
     /// Keeps a package that has been read.
     pub(super) fn keep(&self, path: String, package: Rc<Inspected>) {
         let mut kept = self.kept.borrow_mut();
-        let mut bytes = self.bytes.get() + package.decoded.bytes.len();
+        let mut bytes = self.bytes.get() + package.bytes.len();
         if bytes > MAX_KEPT_BYTES {
             kept.clear();
-            bytes = package.decoded.bytes.len();
+            bytes = package.bytes.len();
         }
         self.bytes.set(bytes);
         kept.insert(path, package);
@@ -42,7 +42,7 @@ impl Packages {
     pub(super) fn entry<T: for<'a> From<&'a [u8]>>(&self, path: &str, name: &str) -> Result<T, Problem> {
         let package = self.open(path)?;
         let directory = package.directory();
-        let bytes = directory.and_then(|directory| directory.entry(&package.decoded.bytes, name));
+        let bytes = directory.and_then(|directory| directory.entry(&package.bytes, name));
         bytes.map(T::from).ok_or_else(|| unreadable(&"no such entry"))
     }
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use openusd::{sdf, usd};
 
+use super::reader::{Reader, Record};
 use super::{Attribute, Prim, Target, Value};
 
 /// Returns a prim's type.
@@ -17,8 +18,9 @@ pub(super) fn api_schemas(prim: &usd::Prim) -> Vec<String> {
     tokens.iter().map(|token| token.as_str().to_owned()).collect()
 }
 
-/// Converts a prim with all its attributes.
-pub(super) fn plain_prim(prim: &usd::Prim, type_name: String) -> Prim {
+/// Converts the prim composed at `record` with all its attributes; its scene path is `path`.
+pub(super) fn plain_prim(reader: &Reader, record: &Record, path: &str) -> Prim {
+    let prim = reader.stage.prim(record.path.clone());
     let attributes: BTreeMap<String, Attribute> = prim
         .attributes()
         .unwrap_or_default()
@@ -26,41 +28,59 @@ pub(super) fn plain_prim(prim: &usd::Prim, type_name: String) -> Prim {
         .filter_map(|attribute| {
             let path = attribute.path().to_string();
             let (_, name) = path.rsplit_once('.')?;
-            Some((name.to_owned(), plain_attribute(attribute)))
+            Some((name.to_owned(), plain_attribute(reader, attribute)))
         })
         .collect();
     Prim {
-        path: prim.path().to_string(),
-        type_name,
-        api_schemas: api_schemas(prim),
+        path: path.to_owned(),
+        type_name: record.type_name.as_str().to_owned(),
+        api_schemas: api_schemas(&prim),
         attributes,
     }
 }
 
-fn plain_attribute(attribute: &usd::Attribute) -> Attribute {
+fn plain_attribute(reader: &Reader, attribute: &usd::Attribute) -> Attribute {
     let type_name = attribute
         .type_name()
         .ok()
         .flatten()
         .map(|name| name.as_str().to_owned())
         .unwrap_or_default();
-    let default = attribute.get::<sdf::Value>().ok().flatten();
-    let times = attribute.time_sample_times().unwrap_or_default();
-    let value = default.or_else(|| {
-        let first = usd::TimeCode::new(*times.first()?);
-        attribute.get_at::<sdf::Value>(first).ok().flatten()
-    });
     Attribute {
         type_name,
-        value: value
-            .filter(|value| !matches!(value, sdf::Value::None | sdf::Value::ValueBlock))
-            .map(plain_value),
-        animated: !times.is_empty(),
+        value: reader.resolved(attribute).map(plain_value),
+        animated: !attribute.time_sample_times().unwrap_or_default().is_empty(),
+    }
+}
+
+/// Converts the targets of the relationship `name` of the prim composed at `record`, whose scene path is `path`.
+pub(super) fn plain_targets(reader: &Reader, record: &Record, path: &str, name: &str) -> Vec<Target> {
+    let prim = reader.stage.prim(record.path.clone());
+    let targets = prim.relationship(name).targets().unwrap_or_default();
+    let targets = targets.iter().map(|target| Target {
+        path: scene_path(target.as_str(), record.path.as_str(), path),
+        ..plain_target(&reader.stage, target)
+    });
+    targets.collect()
+}
+
+/// Returns the scene path of `target`, to which a prim composed at `composed` refers, whose scene path is `path`: what
+/// instances share is composed below a prototype.
+fn scene_path(target: &str, composed: &str, path: &str) -> String {
+    let root_end = composed[1..].find('/').map_or(composed.len(), |end| end + 1);
+    let (prototype, below) = composed.split_at(root_end);
+    let of_instance = path
+        .strip_suffix(below)
+        .zip(target.strip_prefix(prototype))
+        .filter(|(_, rest)| rest.is_empty() || rest.starts_with(['/', '.']));
+    match of_instance {
+        Some((instance, rest)) if instance != prototype => format!("{instance}{rest}"),
+        _ => target.to_owned(),
     }
 }
 
 /// Converts the target of a relationship.
-pub(super) fn plain_target(stage: &usd::Stage, target: &sdf::Path) -> Target {
+fn plain_target(stage: &usd::Stage, target: &sdf::Path) -> Target {
     let prim = stage.prim(target.clone());
     let exists = prim.is_valid().unwrap_or(false);
     Target {
@@ -100,5 +120,37 @@ pub(super) fn plain_value(value: sdf::Value) -> Value {
         V::FloatVec(v) => floats(&v),
         V::DoubleVec(v) => Value::Floats(v),
         other => Value::Other(<&'static str>::from(&other).to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::scene_path;
+
+    #[test]
+    fn targets_inside_prototypes_are_those_of_the_instance() {
+        for (target, composed, path, expected) in [
+            (
+                "/__Prototype_1/Cam",
+                "/__Prototype_1/Product",
+                "/W/R/Product",
+                "/W/R/Cam",
+            ),
+            (
+                "/__Prototype_1",
+                "/__Prototype_1/a/Product",
+                "/W/R/a/Product",
+                "/W/R",
+            ),
+            (
+                "/__Prototype_12/Cam",
+                "/__Prototype_1/Product",
+                "/W/R/Product",
+                "/__Prototype_12/Cam",
+            ),
+            ("/W/Cam", "/W/Product", "/W/Product", "/W/Cam"),
+        ] {
+            assert_eq!(scene_path(target, composed, path), expected);
+        }
     }
 }

@@ -1,12 +1,16 @@
+use std::cell::RefCell;
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
+use oaktwin_base::diagnostic::{Finding, Level, opt};
+use oaktwin_base::message;
 use openusd::sdf::{self, Path, Value};
 use openusd::tf::Token;
 use openusd::usd;
 
 use super::budget::Budget;
+use super::opinion::{self, Source};
 use super::packages::Packages;
-use super::value::number;
 
 /// An error of the USD library.
 pub(super) type Failure = Box<dyn std::error::Error + Send + Sync>;
@@ -20,6 +24,8 @@ pub(super) struct Reader {
     time: Option<f64>,
     budget: Rc<Budget>,
     packages: Rc<Packages>,
+    /// The attributes whose animation is a spline.
+    splines: RefCell<BTreeSet<String>>,
 }
 
 /// The data of a prim that the traversal needs.
@@ -75,6 +81,7 @@ impl Reader {
             time,
             budget,
             packages,
+            splines: RefCell::default(),
         }
     }
 
@@ -171,19 +178,75 @@ impl Reader {
 
     /// Like [`Reader::value`], for attributes that may not exist.
     pub(super) fn attribute_value(&self, prim: &Path, name: &str) -> Option<Value> {
-        let attribute = self.stage.attribute(prim.append_property(name).ok()?);
-        let at = |time| attribute.get_at::<Value>(time).ok().flatten();
-        let value = match self.time {
-            Some(time) => match at(Some(usd::TimeCode::new(time))) {
-                Some(Value::Int64(_) | Value::Double(_)) => scalar_at(&attribute, time),
-                other => other,
-            },
-            None => attribute.get::<Value>().ok().flatten().or_else(|| {
-                let times = attribute.time_sample_times().ok()?;
-                at(Some(usd::TimeCode::new(*times.first()?)))
-            }),
+        self.resolved(&self.stage.attribute(prim.append_property(name).ok()?))
+    }
+
+    /// Like [`Reader::value`], for an attribute.
+    pub(super) fn resolved(&self, attribute: &usd::Attribute) -> Option<Value> {
+        let default = || attribute.get::<Value>().ok().flatten();
+        let at = |time: f64| attribute.get_at::<Value>(usd::TimeCode::new(time)).ok().flatten();
+        let value = if !self.budget.is_animated() {
+            default().or_else(|| self.strongest(attribute).and(None))
+        } else if let Some(time) = self.time {
+            match self.strongest(attribute)? {
+                Source::Default | Source::Spline => default(),
+                Source::Samples => at(time),
+            }
+        } else {
+            default().or_else(|| match self.strongest(attribute)? {
+                Source::Default | Source::Spline => None,
+                Source::Samples => at(*attribute.time_sample_times().ok()?.first()?),
+            })
         };
         value.filter(|value| !matches!(value, Value::None | Value::ValueBlock))
+    }
+
+    /// Like [`Reader::value`], but without a time code only the default value.
+    pub(super) fn posed(&self, record: &Record, name: &str) -> Option<Value> {
+        if self.time.is_some() {
+            return self.value(record, name);
+        }
+        let attribute = self.stage.attribute(record.path.append_property(name).ok()?);
+        attribute.get::<Value>().ok().flatten()
+    }
+
+    /// Returns the kind of the strongest opinion on an attribute, and notes splines.
+    fn strongest(&self, attribute: &usd::Attribute) -> Option<Source> {
+        let source = opinion::strongest(&self.stage, attribute, self.budget.has_clips());
+        if source == Some(Source::Spline) {
+            self.splines.borrow_mut().insert(attribute.path().to_string());
+        }
+        source
+    }
+
+    /// Returns what the values that were read do not show.
+    pub(super) fn findings(&self) -> Vec<Finding> {
+        let mut findings = Vec::new();
+        if self.time.is_none() && self.budget.is_animated() {
+            let range = if self.stage.has_authored_time_code_range() {
+                let (start, end) = (self.stage.start_time_code(), self.stage.end_time_code());
+                format!(", from {start} to {end}")
+            } else {
+                String::new()
+            };
+            findings.push(Finding::new(
+                "time",
+                Level::Note,
+                "stage",
+                format!("is animated{range}; default values are read, or the first time samples where there are none"),
+                message!["give the time code to read with ", opt("time")],
+            ));
+        }
+        for path in self.splines.borrow().iter() {
+            findings.push(Finding::new(
+                "spline",
+                Level::Warning,
+                path,
+                "its animation is a spline, which is not read; its default value is used",
+                "bake it into time samples",
+            ));
+        }
+        findings
     }
 
     /// Returns the targets of a relationship, in the prim's own namespace.
@@ -199,20 +262,4 @@ impl Reader {
             .forwarded_targets()
             .unwrap_or_default()
     }
-}
-
-/// Returns a number interpolated between samples. In a text layer's samples the library reads `0` as an integer and
-/// `0.5` as a double, whatever the attribute's type, and does not interpolate between the two.
-fn scalar_at(attribute: &usd::Attribute, time: f64) -> Option<Value> {
-    let at = |time| attribute.get_at::<Value>(usd::TimeCode::new(time)).ok().flatten();
-    let kind = attribute.type_name().ok().flatten();
-    let is_continuous = kind.is_some_and(|kind| matches!(kind.as_str(), "half" | "float" | "double"));
-    let bracket = attribute.bracketing_time_samples(time).ok().flatten();
-    let Some((before, after)) = bracket.filter(|(before, after)| is_continuous && before < after) else {
-        return at(time);
-    };
-    let (from, to) = (number(&at(before)?)?, number(&at(after)?)?);
-    Some(Value::Double(
-        from + (to - from) * (time - before) / (after - before),
-    ))
 }

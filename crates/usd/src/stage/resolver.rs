@@ -1,7 +1,7 @@
 use std::cell::RefCell;
 use std::collections::HashSet;
 use std::io::{self, Cursor, Read, Seek, SeekFrom};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -9,35 +9,40 @@ use oaktwin_files as files;
 use openusd::ar::{self, Asset, DefaultResolver, ResolvedPath, Resolver};
 
 use super::budget::Budget;
-use super::inspect::{self, Content, Decoded, Inspected, Outline, unreadable};
+use super::inspect::{self, Content, Inspected, Outline, unreadable};
 use super::packages::Packages;
 use crate::materialx;
 
-/// The suffix added to the name of a `MaterialX` document so that the library, which selects readers by name and has
-/// none for these, reads it as a text layer.
-const AS_TEXT: &str = ".usda";
+/// The suffix added to the names of text layers and `MaterialX` documents, so that the library, which selects readers by
+/// name, reads what [`inspect`] makes of them as binary layers.
+const AS_BINARY: &str = ".binary.usdc";
 /// The maximum size of a document, in bytes.
 const MAX_DOCUMENT_BYTES: u64 = 64 << 20;
 
-/// Returns the name of a `MaterialX` document as a text layer; `None` for other files.
-fn as_text_layer(path: &str) -> Option<String> {
-    let (name, bracket) = match path.strip_suffix(']') {
+/// Splits the closing bracket from the name of a package's entry.
+fn without_bracket(path: &str) -> (&str, &str) {
+    match path.strip_suffix(']') {
         Some(name) => (name, "]"),
         None => (path, ""),
-    };
-    let is_document = name.to_ascii_lowercase().ends_with(".mtlx");
-    is_document.then(|| format!("{name}{AS_TEXT}{bracket}"))
+    }
 }
 
-/// Returns the document of such a text layer.
-fn materialx_document(path: &str) -> Option<String> {
-    let (name, bracket) = match path.strip_suffix(']') {
-        Some(name) => (name, "]"),
-        None => (path, ""),
-    };
-    let document = name.strip_suffix(AS_TEXT)?;
-    let is_document = document.to_ascii_lowercase().ends_with(".mtlx");
-    is_document.then(|| format!("{document}{bracket}"))
+fn has_extension(name: &str, extension: &str) -> bool {
+    name.to_ascii_lowercase().ends_with(extension)
+}
+
+/// Returns the name by which the library opens a layer.
+fn library_name(path: &str) -> Option<String> {
+    let (name, bracket) = without_bracket(path);
+    let is_text = has_extension(name, ".usda") || has_extension(name, ".mtlx");
+    is_text.then(|| format!("{name}{AS_BINARY}{bracket}"))
+}
+
+/// Returns the name of the file that the library opens by a name of [`library_name`]. Other names are returned unchanged.
+fn file_name(path: &str) -> String {
+    let (name, bracket) = without_bracket(path);
+    let name = name.strip_suffix(AS_BINARY).unwrap_or(name);
+    format!("{name}{bracket}")
 }
 
 /// OpenUSD's default resolver, with validation of every file before the library reads it.
@@ -45,22 +50,22 @@ pub(super) struct InspectingResolver {
     inner: DefaultResolver,
     budget: Rc<Budget>,
     packages: Rc<Packages>,
-    /// The layers found to be valid, and counted.
-    valid: RefCell<HashSet<String>>,
+    /// The layers that are counted.
+    counted: RefCell<HashSet<String>>,
     /// The layer read last, initially the stage's own: the library opens a layer several times in a row, to detect its
     /// format and to read it.
-    last: RefCell<(PathBuf, Arc<Decoded>)>,
+    last: RefCell<(String, Arc<Vec<u8>>)>,
 }
 
 /// A file in memory, shared by several readers.
 struct Shared {
-    file: Arc<Decoded>,
+    bytes: Arc<Vec<u8>>,
     at: u64,
 }
 
 impl Read for Shared {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let mut cursor = Cursor::new(self.file.bytes.as_slice());
+        let mut cursor = Cursor::new(self.bytes.as_slice());
         cursor.set_position(self.at);
         let count = cursor.read(buffer)?;
         self.at = cursor.position();
@@ -70,7 +75,7 @@ impl Read for Shared {
 
 impl Seek for Shared {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
-        let mut cursor = Cursor::new(self.file.bytes.as_slice());
+        let mut cursor = Cursor::new(self.bytes.as_slice());
         cursor.set_position(self.at);
         self.at = cursor.seek(to)?;
         Ok(self.at)
@@ -79,54 +84,61 @@ impl Seek for Shared {
 
 impl Asset for Shared {
     fn size(&self) -> io::Result<u64> {
-        Ok(self.file.bytes.len() as u64)
+        Ok(self.bytes.len() as u64)
     }
 
     fn read_all(&mut self) -> io::Result<Vec<u8>> {
-        Ok(self.file.bytes.clone())
+        Ok(self.bytes.to_vec())
     }
 }
 
 impl InspectingResolver {
     /// Creates the resolver of the stage in the file `root`.
     pub(super) fn new(root: &str, file: &Rc<Inspected>, budget: Rc<Budget>, packages: Rc<Packages>) -> Self {
-        let path = PathBuf::from(root);
-        let path = path.canonicalize().unwrap_or(path);
+        let path = Path::new(root);
+        let path = path.canonicalize().unwrap_or_else(|_| path.to_owned());
         let name = path.to_string_lossy().into_owned();
         let resolver = Self {
             inner: DefaultResolver::new(),
             budget,
             packages,
-            valid: RefCell::default(),
-            last: RefCell::new((path, file.decoded.clone())),
+            counted: RefCell::default(),
+            last: RefCell::new((name.clone(), file.bytes.clone())),
         };
         match &file.content {
-            Content::Layer(outline) => resolver.count(&name, outline, file.decoded.bytes.len()),
+            Content::Layer(outline) => resolver.count(&name, outline, file.size),
             Content::Package(_) => resolver.packages.keep(name, file.clone()),
         }
         resolver
     }
 
     fn count(&self, layer: &str, outline: &Outline, bytes: usize) {
-        if self.valid.borrow_mut().insert(layer.to_owned()) {
+        if self.counted.borrow_mut().insert(layer.to_owned()) {
             let anchor = ResolvedPath::new(layer);
             let sublayers = outline.sublayers.iter().filter_map(|path| {
                 let resolved = self.resolve(&self.inner.create_identifier(path, Some(&anchor)))?;
-                Some(resolved.to_string_lossy().into_owned())
+                Some(file_name(&resolved.to_string_lossy()))
             });
             self.budget.layer(layer, sublayers.collect(), outline, bytes);
         }
     }
 
-    /// Opens a `MaterialX` document as the text of a layer.
-    fn materialx(&self, path: &str) -> Result<Box<dyn Asset>, inspect::Problem> {
-        let bytes = match ar::split_package_relative_path_outer(path) {
+    /// Reads and validates a layer.
+    fn read(&self, name: &str) -> Result<Inspected, inspect::Problem> {
+        let entry = ar::split_package_relative_path_outer(name);
+        if !has_extension(without_bracket(name).0, ".mtlx") {
+            return match entry {
+                Some((package, entry)) => inspect::layer(&entry, self.packages.entry(&package, &entry)?),
+                None => inspect::file(Path::new(name)),
+            };
+        }
+        let document = match entry {
             Some((package, entry)) => self.packages.entry(&package, &entry)?,
-            None => files::read_regular(Path::new(path), MAX_DOCUMENT_BYTES)
+            None => files::read_regular(Path::new(name), MAX_DOCUMENT_BYTES)
                 .map_err(|error| unreadable(&error))?,
         };
-        let layer = materialx::to_layer(&bytes).map_err(|error| unreadable(&error))?;
-        Ok(Box::new(Cursor::new(inspect::decode(layer.text().into_bytes())?)))
+        let layer = materialx::to_layer(&document).map_err(|error| unreadable(&error))?;
+        inspect::layer("document.usda", layer.text().into_bytes())
     }
 }
 
@@ -147,21 +159,15 @@ impl Resolver for InspectingResolver {
             }
             None => self.inner.resolve(asset_path)?,
         };
-        let name = resolved.to_string_lossy();
-        if let Some(named) = as_text_layer(&name) {
-            return Some(ResolvedPath::new(named));
-        }
+        let mut name = resolved.to_string_lossy().into_owned();
         // The library would read the whole package again to find its root layer.
-        if name.to_ascii_lowercase().ends_with(".usdz")
+        if has_extension(&name, ".usdz")
             && let Ok(package) = self.packages.open(&name)
             && let Some(directory) = package.directory()
         {
-            return Some(ResolvedPath::new(ar::join_package_relative_path(
-                &name,
-                &directory.root,
-            )));
+            name = ar::join_package_relative_path(&name, &directory.root);
         }
-        Some(resolved)
+        Some(ResolvedPath::new(library_name(&name).unwrap_or(name)))
     }
 
     fn resolve_for_new_asset(&self, asset_path: &str) -> Option<ResolvedPath> {
@@ -169,35 +175,18 @@ impl Resolver for InspectingResolver {
     }
 
     fn open_asset(&self, resolved: &ResolvedPath) -> io::Result<Box<dyn Asset>> {
-        let invalid_data =
-            |problem: inspect::Problem| io::Error::new(io::ErrorKind::InvalidData, problem.to_string());
-        let text = resolved.to_string_lossy().into_owned();
-        if let Some(document) = materialx_document(&text) {
-            return self.materialx(&document).map_err(invalid_data);
-        }
-        if let Some((package, entry)) = ar::split_package_relative_path_outer(&text) {
-            let bytes: Vec<u8> = self.packages.entry(&package, &entry).map_err(invalid_data)?;
-            if !self.valid.borrow().contains(&text) {
-                let layer = inspect::layer(&entry, bytes).map_err(invalid_data)?;
-                match &layer.content {
-                    Content::Layer(outline) => self.count(&text, outline, layer.decoded.bytes.len()),
-                    Content::Package(_) => self.count(&text, &Outline::default(), layer.decoded.bytes.len()),
-                }
-                let file = layer.decoded;
-                return Ok(Box::new(Shared { file, at: 0 }));
+        let name = file_name(&resolved.to_string_lossy());
+        if self.last.borrow().0 != name {
+            let layer = self
+                .read(&name)
+                .map_err(|problem| io::Error::new(io::ErrorKind::InvalidData, problem.to_string()))?;
+            match &layer.content {
+                Content::Layer(outline) => self.count(&name, outline, layer.size),
+                Content::Package(_) => self.count(&name, &Outline::default(), layer.size),
             }
-            let bytes = inspect::decode(bytes).map_err(invalid_data)?;
-            return Ok(Box::new(Cursor::new(bytes)));
+            self.last.replace((name, layer.bytes));
         }
-        let path: &Path = resolved;
-        if self.last.borrow().0 != path {
-            let file = inspect::file(path).map_err(invalid_data)?;
-            if let Content::Layer(outline) = &file.content {
-                self.count(&text, outline, file.decoded.bytes.len());
-            }
-            self.last.replace((path.to_owned(), file.decoded));
-        }
-        let file = self.last.borrow().1.clone();
-        Ok(Box::new(Shared { file, at: 0 }))
+        let bytes = self.last.borrow().1.clone();
+        Ok(Box::new(Shared { bytes, at: 0 }))
     }
 }

@@ -122,6 +122,6 @@ pub(super) fn unchecked_rotation(q: DQuat) -> DMat3 {
 }
 
 /// Converts OpenUSD's matrix for row vectors, ignoring its projective part.
-fn affine(rows: &[f64; 16]) -> DAffine3 {
+pub(super) fn affine(rows: &[f64; 16]) -> DAffine3 {
     DAffine3::from_mat4(DMat4::from_cols_array(rows))
 }

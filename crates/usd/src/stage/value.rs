@@ -109,8 +109,6 @@ pub(super) fn ints(value: V) -> Option<Vec<i32>> {
         V::UintVec(v) => v.into_iter().map(|v| i32::try_from(v).ok()).collect(),
         V::Int64Vec(v) => v.into_iter().map(|v| i32::try_from(v).ok()).collect(),
         V::UcharVec(v) => Some(v.into_iter().map(i32::from).collect()),
-        // The library reads an empty array in a text file as this.
-        V::ValueVec(v) if v.is_empty() => Some(Vec::new()),
         _ => None,
     }
 }
@@ -175,7 +173,6 @@ pub(super) fn ids(value: V) -> Option<Vec<i64>> {
         V::IntVec(v) => Some(v.into_iter().map(i64::from).collect()),
         V::Int64ListOp(op) => Some(op.flatten()),
         V::IntListOp(op) => Some(op.flatten().into_iter().map(i64::from).collect()),
-        V::ValueVec(v) if v.is_empty() => Some(Vec::new()),
         _ => None,
     }
 }

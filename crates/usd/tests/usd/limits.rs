@@ -239,19 +239,17 @@ fn templates_of_value_clips_are_limited() {
 }
 
 #[test]
-fn properties_of_a_prim_and_layers_of_a_stage_are_limited() {
+fn a_prim_may_have_many_properties() {
     let folder = tempfile::tempdir().unwrap();
-    let prim = |properties: u32| {
-        let properties: String = (0..properties).map(|at| format!("float a{at} = 1\n")).collect();
-        let text = format!("def Cube \"Root\"\n{{\n{properties}}}\n");
-        write(folder.path(), "stage.usda", &text)
-    };
-    assert_eq!(open(&prim(2_000), 1.0).unwrap().scene.instances.len(), 1);
-    let error = open(&prim(200_000), 1.0).unwrap_err();
-    assert!(
-        error.contains("line 200004") && error.contains("too many properties"),
-        "{error}"
-    );
+    let properties: String = (0..200_000).map(|at| format!("float a{at} = 1\n")).collect();
+    let text = format!("def Cube \"Root\"\n{{\n{properties}}}\n");
+    let path = write(folder.path(), "stage.usda", &text);
+    assert_eq!(open(&path, 1.0).unwrap().scene.instances.len(), 1);
+}
+
+#[test]
+fn layers_of_a_stage_are_limited() {
+    let folder = tempfile::tempdir().unwrap();
     let mut text = String::new();
     for at in 0..50 {
         write(

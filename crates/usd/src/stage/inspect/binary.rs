@@ -4,10 +4,11 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use openusd::sdf::SpecType;
 use openusd::usdc::CrateFile;
 
+use super::super::usda::MAX_DEPTH;
 use super::cursor::{Cursor, INTS_PER_BYTE, LZ4_RATIO};
-use super::outline::{ARC_FIELDS, Arcs, Outline, ROOT_FIELDS};
+use super::outline::{ARC_FIELDS, Arcs, Outline, ROOT_FIELDS, SAMPLES_FIELD};
 use super::values::Values;
-use super::{MAX_DEPTH, Problem, USE_ANOTHER_COPY};
+use super::{Problem, USE_ANOTHER_COPY};
 
 /// The maximum number of prims, paths or fields, which bounds the allocations of a reader.
 const MAX_ENTRIES: u64 = 1 << 25;
@@ -127,6 +128,7 @@ fn outline(file: &mut CrateFile<IoCursor<&[u8]>>) -> Outline {
         }
     }
     let mut arcs = Arcs::new(prims);
+    arcs.outline.has_samples = file.tokens.iter().any(|token| token == SAMPLES_FIELD);
     for (_, name, value) in in_layer {
         if let Ok(value) = file.value(value) {
             arcs.root(name, &value);

@@ -1,16 +1,12 @@
 //! Validates a layer before the USD library reads it: its format, the sizes it claims, the depth of nesting, and the
-//! names in a package.
+//! names in a package. Text layers become binary ones here.
 //!
 //! Needed because `openusd` 0.6.0 panics, allocates without bound or overflows the stack on damaged files.
 
 mod binary;
 mod cursor;
-mod escapes;
 mod outline;
 mod package;
-mod properties;
-mod skeleton;
-mod structure;
 mod text;
 mod values;
 
@@ -23,15 +19,16 @@ use oaktwin_base::diagnostic::Finding;
 use oaktwin_files as files;
 
 use super::MAX_LAYER_BYTES;
-pub(super) use escapes::Decoded;
-pub(super) use outline::{Arc, ArcKind, Clips, Outline};
+pub(super) use outline::{Arc, ArcKind, CLIPS_FIELD, Clips, Outline, SAMPLES_FIELD};
 pub(super) use package::Directory;
 
 /// A file that the USD library can read safely.
 #[derive(Debug)]
 pub(super) struct Inspected {
-    /// The bytes for the library.
-    pub decoded: sync::Arc<Decoded>,
+    /// The bytes for the library: a text layer in binary form, other files as they are.
+    pub bytes: sync::Arc<Vec<u8>>,
+    /// The size of the file, in bytes.
+    pub size: usize,
     pub content: Content,
     /// Problems that do not prevent it from being read.
     pub findings: Vec<Finding>,
@@ -63,7 +60,7 @@ pub(super) struct Problem {
 }
 
 impl Problem {
-    fn new(place: impl Into<String>, what: impl Into<String>, remedy: impl Into<String>) -> Self {
+    pub(super) fn new(place: impl Into<String>, what: impl Into<String>, remedy: impl Into<String>) -> Self {
         Self {
             place: place.into(),
             what: what.into(),
@@ -86,8 +83,6 @@ impl fmt::Display for Problem {
     }
 }
 
-/// The maximum depth of prims and dictionaries. The library's run time grows with the cube of the depth.
-const MAX_DEPTH: usize = 256;
 const TEXT_MAGIC: &[u8] = b"#usda";
 const USE_ANOTHER_COPY: &str = "use an undamaged copy";
 const NOT_USD: &str = "give a .usd, .usda, .usdc or .usdz file";
@@ -136,14 +131,6 @@ pub(super) fn layer(name: &str, bytes: Vec<u8>) -> Result<Inspected, Problem> {
     validate(kind(name, &bytes)?, bytes)
 }
 
-/// Returns the bytes of a valid layer for the library.
-pub(super) fn decode(bytes: Vec<u8>) -> Result<Vec<u8>, Problem> {
-    if bytes.starts_with(TEXT_MAGIC) {
-        return escapes::decode(bytes).map(|decoded| decoded.bytes);
-    }
-    Ok(bytes)
-}
-
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Text,
@@ -152,23 +139,24 @@ enum Kind {
 }
 
 fn validate(kind: Kind, bytes: Vec<u8>) -> Result<Inspected, Problem> {
-    let decoded = match kind {
+    let size = bytes.len();
+    let (bytes, content, findings) = match kind {
         Kind::Text => {
-            text::encoding(&bytes)?;
-            escapes::decode(bytes)?
+            let (binary, outline) = text::to_binary(bytes)?;
+            (binary, Content::Layer(outline), Vec::new())
         }
-        Kind::Binary | Kind::Package => Decoded::verbatim(bytes),
-    };
-    let (content, findings) = match kind {
-        Kind::Text => (Content::Layer(text::inspect(&decoded)?), Vec::new()),
-        Kind::Binary => (Content::Layer(binary::inspect(&decoded.bytes)?), Vec::new()),
+        Kind::Binary => {
+            let outline = binary::inspect(&bytes)?;
+            (bytes, Content::Layer(outline), Vec::new())
+        }
         Kind::Package => {
-            let (directory, findings) = package::inspect(&decoded.bytes)?;
-            (Content::Package(directory), findings)
+            let (directory, findings) = package::inspect(&bytes)?;
+            (bytes, Content::Package(directory), findings)
         }
     };
     Ok(Inspected {
-        decoded: sync::Arc::new(decoded),
+        bytes: sync::Arc::new(bytes),
+        size,
         content,
         findings,
     })

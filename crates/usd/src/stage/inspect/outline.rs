@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use openusd::sdf::{AbstractData, Path, SpecType, Value};
+use openusd::sdf::{Data, Path, SpecType, Value};
 
 use super::super::value::number;
 
@@ -13,11 +13,16 @@ pub(super) const ARC_FIELDS: [&str; 6] = [
     "inheritPaths",
     "specializes",
     "variantSetNames",
-    "clips",
+    CLIPS_FIELD,
 ];
 
 /// The fields of the layer itself with arcs, and with what arcs refer to.
 pub(super) const ROOT_FIELDS: [&str; 2] = ["defaultPrim", "subLayers"];
+
+/// The field of attributes with time samples.
+pub(in crate::stage) const SAMPLES_FIELD: &str = "timeSamples";
+/// The field of prims with value clips.
+pub(in crate::stage) const CLIPS_FIELD: &str = "clips";
 
 /// The outline of a layer.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -30,6 +35,10 @@ pub(in crate::stage) struct Outline {
     pub(in crate::stage) sublayers: Vec<String>,
     /// The value clips that templates describe.
     pub(in crate::stage) clips: Clips,
+    /// Whether attributes may have time samples.
+    pub(in crate::stage) has_samples: bool,
+    /// Whether prims may have value clips.
+    pub(in crate::stage) has_clips: bool,
 }
 
 /// The times of the value clips that templates describe, over all templates: their fields may be in different layers.
@@ -105,21 +114,31 @@ pub(in crate::stage) enum ArcKind {
 }
 
 /// Returns the outline of a layer with `prims` prims.
-pub(super) fn outline(layer: &dyn AbstractData, prims: u64) -> Outline {
+pub(super) fn outline(layer: &Data, prims: u64) -> Outline {
     let mut arcs = Arcs::new(prims);
-    let field = |path: &Path, name: &str| layer.try_field(path, name).ok().flatten();
-    for name in ROOT_FIELDS {
-        if let Some(value) = field(&Path::abs_root(), name) {
-            arcs.root(name, &value);
+    if let Some(root) = layer.spec(&Path::abs_root()) {
+        for name in ROOT_FIELDS {
+            if let Some(value) = root.get(name) {
+                arcs.root(name, value);
+            }
         }
     }
-    for path in layer.spec_paths() {
-        if !matches!(layer.spec_type(&path), Some(SpecType::Prim | SpecType::Variant)) {
-            continue;
+    let mut with_arcs = Vec::new();
+    for (path, spec) in layer.iter() {
+        match spec.ty {
+            SpecType::Prim | SpecType::Variant if ARC_FIELDS.iter().any(|name| spec.contains(name)) => {
+                with_arcs.push((path, spec));
+            }
+            SpecType::Attribute => arcs.outline.has_samples |= spec.contains(SAMPLES_FIELD),
+            _ => {}
         }
+    }
+    // The layer has no order of its own.
+    with_arcs.sort_by_key(|(path, _)| path.as_str());
+    for (path, spec) in with_arcs {
         for name in ARC_FIELDS {
-            if let Some(value) = field(&path, name) {
-                arcs.add(&path, name, &value);
+            if let Some(value) = spec.get(name) {
+                arcs.add(path, name, value);
             }
         }
     }
@@ -177,7 +196,10 @@ impl Arcs {
             Some(target.as_str().to_owned())
         };
         match value {
-            Value::Dictionary(sets) if name == "clips" => self.outline.clips.add(sets),
+            Value::Dictionary(sets) if name == CLIPS_FIELD => {
+                self.outline.has_clips = true;
+                self.outline.clips.add(sets);
+            }
             Value::ReferenceListOp(list) => list
                 .iter()
                 .filter(|arc| arc.asset_path.is_empty())

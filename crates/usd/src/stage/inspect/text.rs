@@ -1,12 +1,24 @@
-use super::escapes::Decoded;
-use super::outline::Outline;
-use super::properties::Properties;
-use super::skeleton::Skeleton;
-use super::structure::Structure;
-use super::{MAX_DEPTH, Problem, USE_ANOTHER_COPY};
+use std::io::Cursor;
+
+use openusd::usdc::CrateWriter;
+
+use super::super::usda;
+use super::outline::{self, Outline};
+use super::{Problem, USE_ANOTHER_COPY, unreadable};
+
+/// Reads a text layer and writes it in the binary format, because the USD library reads fewer texts than OpenUSD, and
+/// more slowly.
+pub(super) fn to_binary(bytes: Vec<u8>) -> Result<(Vec<u8>, Outline), Problem> {
+    let parsed = usda::parse(encoding(&bytes)?)?;
+    drop(bytes);
+    let outline = outline::outline(&parsed.data, parsed.prims);
+    let mut binary = Cursor::new(Vec::new());
+    CrateWriter::write(&parsed.data, &mut binary).map_err(|error| unreadable(&error))?;
+    Ok((binary.into_inner(), outline))
+}
 
 /// Validates the encoding of a text layer: UTF-8 without zero bytes.
-pub(super) fn encoding(bytes: &[u8]) -> Result<&str, Problem> {
+fn encoding(bytes: &[u8]) -> Result<&str, Problem> {
     let line_at = |offset: usize| 1 + bytes.iter().take(offset).filter(|byte| **byte == b'\n').count();
     if let Some(offset) = bytes.iter().position(|byte| *byte == 0) {
         return Err(Problem::new(
@@ -24,56 +36,29 @@ pub(super) fn encoding(bytes: &[u8]) -> Result<&str, Problem> {
     })
 }
 
-/// Validates a text layer: a bounded depth, so that a recursive reader does not overflow. Returns its outline.
-pub(super) fn inspect(layer: &Decoded) -> Result<Outline, Problem> {
-    let bytes = layer.bytes.as_slice();
-    let line_at = |offset: usize| {
-        let before = bytes.iter().take(offset).filter(|byte| **byte == b'\n');
-        layer.line_in_file(1 + before.count())
-    };
-    let text = std::str::from_utf8(bytes).unwrap_or_default();
-    let mut skeleton = Skeleton::new(text);
-    let mut properties = Properties::new(text);
-    for (offset, byte) in Structure::new(bytes) {
-        if !properties.fit(offset, byte) {
-            return Err(Problem::new(
-                format!("line {}", line_at(offset)),
-                "the prim that ends here has too many properties for a text layer",
-                "convert the layer to binary: `usdcat --out NEW.usdc OLD.usda`",
-            ));
-        }
-        skeleton.bracket(offset, byte);
-        if skeleton.depth() > MAX_DEPTH {
-            return Err(Problem::new(
-                format!("line {}", line_at(offset)),
-                format!("brackets nest more than {MAX_DEPTH} deep"),
-                "flatten the stage",
-            ));
-        }
-    }
-    Ok(skeleton.outline())
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::escapes;
+    use super::super::super::usda::MAX_DEPTH;
     use super::*;
 
-    fn inspect(bytes: &[u8]) -> Result<Outline, Problem> {
-        encoding(bytes)?;
-        super::inspect(&escapes::decode(bytes.to_vec())?)
+    fn outline(text: &[u8]) -> Result<Outline, Problem> {
+        to_binary(text.to_vec()).map(|(_, outline)| outline)
     }
 
     #[test]
     fn reports_the_line_of_deep_nesting_and_invalid_utf8() {
-        let deep = format!("#usda 1.0\n{}", "{".repeat(MAX_DEPTH + 1));
-        assert_eq!(inspect(deep.as_bytes()).unwrap_err().place, "line 2");
-        assert_eq!(inspect(b"#usda 1.0\n\n\xff").unwrap_err().place, "line 3");
-        assert_eq!(inspect(b"#usda 1.0\n").map(|outline| outline.prims), Ok(0));
+        let deep = format!("#usda 1.0\n{}", "def \"A\" { ".repeat(MAX_DEPTH + 1));
+        let problem = outline(deep.as_bytes()).unwrap_err();
+        assert!(
+            problem.place == "line 2" && problem.what.contains("deep"),
+            "{problem}"
+        );
+        assert_eq!(outline(b"#usda 1.0\n\n\xff").unwrap_err().place, "line 3");
+        assert_eq!(outline(b"#usda 1.0\n").map(|outline| outline.prims), Ok(0));
     }
 
     #[test]
-    fn outlines_prims_and_arcs_without_arrays() {
+    fn outlines_prims_and_arcs() {
         let text = r#"#usda 1.0
 (defaultPrim = "W"
  customLayerData = { int[] x = [1, 2] })
@@ -85,7 +70,7 @@ def "W" (prepend references = [</A>, @b.usda@</B>] payload = </C> variants = { s
     variantSet "v" = { "a" { def "K" (inherits = [</A>, </D>]) {} } }
 }
 "#;
-        let outline = inspect(text.as_bytes()).unwrap();
+        let outline = outline(text.as_bytes()).unwrap();
         let arcs: Vec<String> = outline
             .arcs
             .iter()
@@ -101,6 +86,6 @@ def "W" (prepend references = [</A>, @b.usda@</B>] payload = </C> variants = { s
                 "/W/K Class /D"
             ]
         );
-        assert!(outline.prims >= 2);
+        assert_eq!(outline.prims, 2);
     }
 }

@@ -20,6 +20,12 @@ pub(in crate::stage) struct Context {
     pub(super) labels: Rc<[Label]>,
     pub(super) bindings: Bindings,
     pub(super) primvars: Option<Rc<Primvars>>,
+    /// The nearest `SkelRoot` and its transform.
+    pub(super) skeleton_root: Option<(Path, DAffine3)>,
+    /// The bound skeleton.
+    pub(super) skeleton: Option<Path>,
+    /// The bound animation.
+    pub(super) animation: Option<Path>,
 }
 
 /// A linked list of ancestors with primvars, nearest first.
@@ -38,6 +44,9 @@ impl Default for Context {
             labels: Rc::from([]),
             bindings: Bindings::default(),
             primvars: None,
+            skeleton_root: None,
+            skeleton: None,
+            animation: None,
         }
     }
 }
@@ -66,6 +75,15 @@ impl Context {
             inner.labels = labels.chain(self.labels.iter().cloned()).collect();
         }
         inner.bindings = self.bindings.with(&own.bindings);
+        if let Some(root) = &own.skeleton_root {
+            inner.skeleton_root = Some((root.clone(), inner.stage_from_prim));
+        }
+        if own.skeleton.is_some() {
+            inner.skeleton.clone_from(&own.skeleton);
+        }
+        if own.animation.is_some() {
+            inner.animation.clone_from(&own.animation);
+        }
         inner
     }
 

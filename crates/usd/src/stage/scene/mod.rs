@@ -10,6 +10,7 @@ mod material;
 mod mesh;
 mod primvar;
 mod shape;
+mod skin;
 
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_scene::Scene;

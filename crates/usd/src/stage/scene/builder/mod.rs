@@ -23,7 +23,7 @@ use prims::MeshKey;
 use triangulation::Triangulation;
 
 /// The types of prim that are skipped, and the reason.
-const UNSUPPORTED: [(&str, &str); 13] = [
+const UNSUPPORTED: [(&str, &str); 12] = [
     ("BasisCurves", "curves are not supported; skipped"),
     ("NurbsCurves", "curves are not supported; skipped"),
     ("HermiteCurves", "curves are not supported; skipped"),
@@ -35,10 +35,6 @@ const UNSUPPORTED: [(&str, &str); 13] = [
     (
         "ParticleField3DGaussianSplat",
         "particle fields are not supported; skipped",
-    ),
-    (
-        "SkelRoot",
-        "skeletal animation is not supported; its meshes are drawn in their bind pose",
     ),
     ("GeometryLight", "geometry lights are not supported; skipped"),
     ("PortalLight", "portal lights are not supported; skipped"),

@@ -7,8 +7,10 @@ use super::super::context::Context;
 use super::super::material::Surface;
 use super::super::mesh;
 use super::super::shape::{self, Shape};
+use super::super::skin::{self, Skin};
 use super::Builder;
 use crate::stage::reader::{Outcome, Record};
+use crate::stage::value::text;
 use crate::stage::walk::{Walk, is_in_prototype};
 
 /// Identifies prims that share one mesh.
@@ -29,13 +31,19 @@ impl Builder {
         path: &str,
         context: &Context,
     ) -> Outcome<()> {
+        let skin = self.skin(walk, prim, path, context)?;
+        let placed = skin.as_ref().map(|skin| Context {
+            stage_from_prim: skin.stage_from_skeleton,
+            ..context.clone()
+        });
+        let placed = placed.as_ref().unwrap_or(context);
         let shared = is_in_prototype(&prim.path) || !self.instancers.is_empty();
         let surface = self.surface(walk, prim, context, path);
         let key =
             shared.then(|| self.mesh_key(prim, prim.path.as_str().to_owned(), surface.as_ref(), context));
         if let Some(known) = key.as_ref().and_then(|key| self.meshes.get(key)) {
             if let Some(mesh) = *known {
-                self.place(walk, mesh, path, context);
+                self.place(walk, mesh, path, placed);
             }
             return Ok(());
         }
@@ -51,6 +59,9 @@ impl Builder {
             refined: self.options.subdivide > 0,
         };
         let mut polygons = mesh::read(walk.reader, prim, context, &request);
+        if let Some(Err(what)) = skin.map(|skin| skin.apply(&mut polygons)) {
+            self.not_skinned(path, &what);
+        }
         polygons.material = surface.as_ref().map(|surface| surface.index);
         polygons.face_materials = subsets
             .into_iter()
@@ -61,9 +72,42 @@ impl Builder {
             self.meshes.insert(key, mesh);
         }
         if let Some(mesh) = mesh {
-            self.place(walk, mesh, path, context);
+            self.place(walk, mesh, path, placed);
         }
         Ok(())
+    }
+
+    /// Returns the skin of a mesh, and reports what of it is not applied.
+    fn skin(
+        &mut self,
+        walk: &Walk<'_>,
+        prim: &Record,
+        path: &str,
+        context: &Context,
+    ) -> Outcome<Option<Skin>> {
+        if prim.has("skel:blendShapes") {
+            self.findings
+                .warn("unsupported-prim", path, "its blend shapes are not applied", "");
+        }
+        let method = walk
+            .reader
+            .value(prim, "primvars:skel:skinningMethod")
+            .and_then(text);
+        if method.is_some_and(|method| method == "dualQuaternion") {
+            let what = "its points are moved by linear blending instead of dual quaternions";
+            self.findings.warn("unsupported-prim", path, what, "");
+        }
+        let skin = skin::read(walk, prim, context)?;
+        Ok(skin.unwrap_or_else(|what| {
+            self.not_skinned(path, &what);
+            None
+        }))
+    }
+
+    fn not_skinned(&mut self, path: &str, what: &str) {
+        let what = format!("{what}; its points are not moved");
+        self.findings
+            .warn("skin", path, what, "bind it to its skeleton again");
     }
 
     fn mesh_key(
