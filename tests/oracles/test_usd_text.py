@@ -8,6 +8,8 @@ from pxr import Sdf, Usd, UsdGeom
 
 from usd_scenes import compare, expected
 
+pytestmark = pytest.mark.skipif(Usd.GetVersion() < (0, 26, 11), reason="the notations are those of OpenUSD 26.11")
+
 HEAD = "#usda 1.0\n(\n    metersPerUnit = 1\n)\n"
 MESH = """def Mesh "Seen"
 {

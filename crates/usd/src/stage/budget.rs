@@ -47,7 +47,7 @@ pub(super) struct Budget {
     /// Whether a prim may have arcs.
     has_arcs: Cell<bool>,
     clips: Cell<Clips>,
-    has_samples: Cell<bool>,
+    is_animated: Cell<bool>,
     has_clips: Cell<bool>,
     stacks: RefCell<Stacks>,
     /// The prim being composed; empty before the first.
@@ -86,9 +86,9 @@ impl Budget {
         }
     }
 
-    /// Whether attributes of the layers so far may have time samples or value clips.
+    /// Whether attributes of the layers so far may have time samples, splines or value clips.
     pub(super) fn is_animated(&self) -> bool {
-        self.has_samples.get() || self.has_clips.get()
+        self.is_animated.get() || self.has_clips.get()
     }
 
     /// Whether prims of the layers so far may have value clips.
@@ -124,8 +124,8 @@ impl Budget {
             );
         }
         self.has_arcs.set(self.has_arcs.get() || !outline.arcs.is_empty());
-        self.has_samples
-            .set(self.has_samples.get() || outline.has_samples);
+        self.is_animated
+            .set(self.is_animated.get() || outline.is_animated);
         self.has_clips.set(self.has_clips.get() || outline.has_clips);
         for growth in self.stacks.borrow_mut().add(name, sublayers, &outline.arcs) {
             match growth {

@@ -7,7 +7,7 @@ use openusd::sdf::Path;
 use openusd::usd;
 
 use super::inspect::{CLIPS_FIELD, SAMPLES_FIELD};
-use super::usda::SPLINE;
+use super::usda::SPLINE_FIELD;
 
 /// The kind of an attribute's strongest opinion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,7 +27,7 @@ pub(super) fn strongest(stage: &usd::Stage, attribute: &usd::Attribute, has_clip
         if has(SAMPLES_FIELD) {
             return Some(Source::Samples);
         }
-        if has(SPLINE) {
+        if has(SPLINE_FIELD) {
             return Some(Source::Spline);
         }
         if has("default") {

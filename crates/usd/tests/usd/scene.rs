@@ -350,3 +350,77 @@ fn scenes_are_deterministic() {
     let path = folder.usda("root.usda", &textured(""));
     assert_eq!(open(&path), open(&path));
 }
+
+#[test]
+fn cameras_and_products_inside_nested_instances_keep_their_attributes() {
+    let folder = Folder::new();
+    folder.usda(
+        "sensor.usda",
+        r#"def Xform "Sensor"
+{
+    def Camera "Cam"
+    {
+        float focalLength = 10
+        float focalLength.timeSamples = { 0: 10, 10: 20 }
+    }
+    def RenderProduct "Product"
+    {
+        rel camera = </Sensor/Cam>
+        int2 resolution = (640, 400)
+    }
+}
+"#,
+    );
+    folder.usda(
+        "robot.usda",
+        "def Xform \"Robot\"\n{\n def \"Head\" (instanceable = true references = @sensor.usda@</Sensor>)\n {\n }\n}\n",
+    );
+    let path = folder.usda(
+        "stage.usda",
+        "def \"A\" (instanceable = true references = @robot.usda@</Robot>)\n{\n}\n\
+         def \"B\" (instanceable = true references = @robot.usda@</Robot>)\n{\n}\n",
+    );
+    let options = SceneOptions {
+        time: Some(5.0),
+        ..SceneOptions::default()
+    };
+    for (read, focal_length) in [(open(&path), 10.0), (open_scene(&path, &options).unwrap(), 15.0)] {
+        for (at, root) in ["/A", "/B"].iter().enumerate() {
+            let (camera, product) = (&read.cameras[at], &read.products[at]);
+            assert_eq!(camera.prim.path, format!("{root}/Head/Cam"));
+            assert!((camera.focal_length() - focal_length).abs() < 1e-6);
+            assert_eq!(product.prim.path, format!("{root}/Head/Product"));
+            assert_eq!(product.resolution().map(|size| size.width), Some(640));
+            assert_eq!(product.cameras[0].path, format!("{root}/Head/Cam"));
+            assert_eq!(product.cameras[0].type_name.as_deref(), Some("Camera"));
+        }
+    }
+}
+
+#[test]
+fn an_animated_stage_says_at_which_time_it_was_read() {
+    let folder = Folder::new();
+    let head = "#usda 1.0\n(\n metersPerUnit = 1\n startTimeCode = 2\n endTimeCode = 9\n)\n";
+    let cube = "def Cube \"C\"\n{\n double size.timeSamples = { 2: 1 }\n}\n";
+    let path = folder.write("stage.usda", format!("{head}{cube}"));
+    let read = open(&path);
+    assert_eq!(codes(&read), [("time", "stage")]);
+    assert!(read.findings[0].message.to_string().contains("from 2 to 9"));
+    let at = SceneOptions {
+        time: Some(3.0),
+        ..SceneOptions::default()
+    };
+    assert_eq!(codes(&open_scene(&path, &at).unwrap()), []);
+}
+
+#[test]
+fn a_spline_is_reported() {
+    let folder = Folder::new();
+    let cube = "def Cube \"C\"\n{\n double size = 2\n double size.spline = {\n 1: 2; post held,\n }\n}\n";
+    let path = folder.usda("stage.usda", cube);
+    let at = SceneOptions {
+        time: Some(3.0),
+        ..SceneOptions::default()
+    };
+    assert_eq!(codes(&open_scene(&path, &at).unwrap()), [("spline", "/C.size")]);
+}

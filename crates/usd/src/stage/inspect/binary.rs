@@ -6,7 +6,7 @@ use openusd::usdc::CrateFile;
 
 use super::super::usda::MAX_DEPTH;
 use super::cursor::{Cursor, INTS_PER_BYTE, LZ4_RATIO};
-use super::outline::{ARC_FIELDS, Arcs, Outline, ROOT_FIELDS, SAMPLES_FIELD};
+use super::outline::{ANIMATION_FIELDS, ARC_FIELDS, Arcs, Outline, ROOT_FIELDS};
 use super::values::Values;
 use super::{Problem, USE_ANOTHER_COPY};
 
@@ -128,7 +128,10 @@ fn outline(file: &mut CrateFile<IoCursor<&[u8]>>) -> Outline {
         }
     }
     let mut arcs = Arcs::new(prims);
-    arcs.outline.has_samples = file.tokens.iter().any(|token| token == SAMPLES_FIELD);
+    arcs.outline.is_animated = file
+        .tokens
+        .iter()
+        .any(|token| ANIMATION_FIELDS.contains(&token.as_str()));
     for (_, name, value) in in_layer {
         if let Ok(value) = file.value(value) {
             arcs.root(name, &value);

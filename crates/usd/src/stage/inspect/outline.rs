@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use openusd::sdf::{Data, Path, SpecType, Value};
 
+use super::super::usda::SPLINE_FIELD;
 use super::super::value::number;
 
 /// The fields with arcs.
@@ -21,6 +22,8 @@ pub(super) const ROOT_FIELDS: [&str; 2] = ["defaultPrim", "subLayers"];
 
 /// The field of attributes with time samples.
 pub(in crate::stage) const SAMPLES_FIELD: &str = "timeSamples";
+/// The fields of attributes whose values change with time.
+pub(super) const ANIMATION_FIELDS: [&str; 2] = [SAMPLES_FIELD, SPLINE_FIELD];
 /// The field of prims with value clips.
 pub(in crate::stage) const CLIPS_FIELD: &str = "clips";
 
@@ -35,8 +38,8 @@ pub(in crate::stage) struct Outline {
     pub(in crate::stage) sublayers: Vec<String>,
     /// The value clips that templates describe.
     pub(in crate::stage) clips: Clips,
-    /// Whether attributes may have time samples.
-    pub(in crate::stage) has_samples: bool,
+    /// Whether attributes may have time samples or splines.
+    pub(in crate::stage) is_animated: bool,
     /// Whether prims may have value clips.
     pub(in crate::stage) has_clips: bool,
 }
@@ -129,7 +132,9 @@ pub(super) fn outline(layer: &Data, prims: u64) -> Outline {
             SpecType::Prim | SpecType::Variant if ARC_FIELDS.iter().any(|name| spec.contains(name)) => {
                 with_arcs.push((path, spec));
             }
-            SpecType::Attribute => arcs.outline.has_samples |= spec.contains(SAMPLES_FIELD),
+            SpecType::Attribute => {
+                arcs.outline.is_animated |= ANIMATION_FIELDS.iter().any(|name| spec.contains(name));
+            }
             _ => {}
         }
     }

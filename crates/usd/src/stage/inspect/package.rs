@@ -6,7 +6,8 @@ use oaktwin_base::diagnostic::{Finding, Level};
 use super::{Problem, USE_ANOTHER_COPY};
 
 const CODE: &str = "package-layout";
-const REPACK: &str = "unpack it, and package its root layer again with OpenUSD: `usdzip --asset ROOT.usd NEW.usdz`";
+const REPACK: &str =
+    "unpack it, and package its root layer again with OpenUSD: `usdzip --asset ROOT.usd NEW.usdz`";
 
 /// The entries of a package.
 #[derive(Debug, Default)]

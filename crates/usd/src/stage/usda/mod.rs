@@ -16,7 +16,7 @@ use openusd::sdf::{AbstractData, Data, Path, SpecData, SpecType, Specifier, Valu
 use openusd::tf::Token;
 
 use lexer::{Lexer, Outcome};
-pub(super) use property::SPLINE;
+pub(super) use property::SPLINE_FIELD;
 
 /// The maximum depth of prims and dictionaries. The library's run time grows with the cube of the depth.
 pub(super) const MAX_DEPTH: usize = 256;

@@ -10,7 +10,7 @@ use super::metadata::ListEdit;
 use super::value::{Declared, integer, time_samples, value};
 
 /// The field of attributes that a spline animates. Its value only says that there is one.
-pub(in crate::stage) const SPLINE: &str = "spline";
+pub(in crate::stage) const SPLINE_FIELD: &str = "spline";
 
 impl Parser<'_> {
     /// Reads an attribute or a relationship of a prim or a variant.
@@ -46,7 +46,7 @@ impl Parser<'_> {
                 Some("connect") => self.targets(prim, &path, edit, FieldKey::ConnectionPaths),
                 Some("spline") => {
                     self.lexer.expect(b'=')?;
-                    self.set(&path, SPLINE, Value::Bool(true));
+                    self.set(&path, SPLINE_FIELD, Value::Bool(true));
                     self.lexer.skip_value()
                 }
                 Some("default") => self.default(&path, declared),
