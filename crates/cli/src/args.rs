@@ -18,6 +18,7 @@ mod generate;
 mod imu;
 mod imu_frame;
 mod limit;
+pub(crate) mod numbers;
 mod outputs;
 mod pair;
 mod place;

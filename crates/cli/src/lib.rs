@@ -13,17 +13,17 @@ mod size;
 
 use std::ffi::OsString;
 
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
 use oaktwin::{diagnostic, memory};
 
-use args::{Cli, Command};
+use args::{Cli, Command, numbers};
 use context::{Context, Exit, Result};
 
 /// Runs the program with `arguments`, the first of which is its name, printing to standard output and standard error.
 /// Returns the exit code: 0 (success), 1 (findings), 2 (error), or 128 plus the number of a signal: 130 after Ctrl-C.
 #[must_use]
 pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
-    let cli = match Cli::try_parse_from(arguments) {
+    let cli = match parse(arguments) {
         Ok(cli) => cli,
         Err(message) => {
             // Help and version are messages, too.
@@ -38,6 +38,12 @@ pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     diagnostic::with_style(output::flag, || {
         finish(signals::handle().and_then(|()| run(&cli)))
     })
+}
+
+fn parse(arguments: impl IntoIterator<Item = OsString>) -> std::result::Result<Cli, clap::Error> {
+    let parser = numbers::accept_negative(Cli::command());
+    let matches = parser.try_get_matches_from(arguments.into_iter().map(numbers::plain))?;
+    Cli::from_arg_matches(&matches)
 }
 
 /// Prints a command's error, if any, and returns the exit code.

@@ -114,6 +114,27 @@ impl Context {
         &self.units[model]
     }
 
+    /// Returns the files that the recipe names, and the files in the folders that it names.
+    pub(crate) fn inputs(&self) -> Vec<PathBuf> {
+        let recipe = &self.file.recipe;
+        let named = recipe
+            .scene
+            .0
+            .iter()
+            .chain(&recipe.camera.trajectory)
+            .chain(&recipe.unit.calibration);
+        let objects = self.object_files.entries.iter().map(|entry| entry.path.clone());
+        let images = self.object_textures.iter().chain(&self.look_textures).flatten();
+        let mut inputs: Vec<PathBuf> = named
+            .map(|path| self.file.resolve(path))
+            .chain(objects)
+            .chain(images.chain(&self.sky_images).cloned())
+            .collect();
+        inputs.sort();
+        inputs.dedup();
+        inputs
+    }
+
     /// Creates an error about a value of the recipe.
     pub(crate) fn unfit(
         &self,

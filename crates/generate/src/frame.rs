@@ -6,14 +6,12 @@ use oaktwin_catalog::{DepthKind, Twin};
 use oaktwin_dataset::Shot;
 use oaktwin_depth::filter::Filter;
 use oaktwin_image::annotation::Annotator;
-use oaktwin_pipeline::pair::{PairCameras, PairOptions};
+use oaktwin_pipeline::pair::{PairCameras, PairOptions, dot_contrast};
 use oaktwin_pipeline::render::{
     Backend, DepthSensorOptions, DepthSensorSource, FrameOptions, OakOptions, PlacedCamera, depth_sensors,
     oak_cameras, put_pair, render_shot,
 };
-use oaktwin_pipeline::sensor::{
-    EngineInput, EngineKind, STEREO_NOISE, Sensor, SensorOptions, default_engine,
-};
+use oaktwin_pipeline::sensor::{EngineInput, EngineKind, Sensor, SensorOptions, default_engine};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -271,18 +269,14 @@ impl Context {
             findings.extend(more);
             pair
         });
+        let dots = dot_contrast(twin, arrangement.projector, arrangement.infrared_ambient)?;
         let mut sensors = Vec::new();
         for (camera, kind) in cameras.iter().zip(kinds) {
-            let mut options = SensorOptions {
+            let options = SensorOptions {
                 engine: kind,
                 ..options.clone()
             };
-            if arrangement.projector > 0.0 && kind == Some(&STEREO_NOISE) {
-                // The dots give every surface texture. The recipe's own value comes later, and counts.
-                options
-                    .parameters
-                    .insert(0, ("confidenceThreshold".to_owned(), "0".to_owned()));
-            }
+            let options = options.with_dots(dots);
             let options = DepthSensorOptions {
                 twin: Some(twin),
                 sensor: &options,

@@ -11,6 +11,14 @@ pub(crate) enum Units {
 }
 
 impl Units {
+    /// Returns a twin whose device is that of every unit.
+    pub(crate) fn any(&self) -> &Twin {
+        match self {
+            Self::One(twin) => twin,
+            Self::Population(population) => population.nominal(),
+        }
+    }
+
     /// Returns the twin with the calibrated values of the unit of this number.
     pub(crate) fn twin(&self, number: Option<u64>) -> Twin {
         match self {

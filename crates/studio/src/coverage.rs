@@ -88,11 +88,13 @@ pub(crate) fn surface(studio: &Studio, request: &SurfaceRequest) -> Result<Vec<u
 /// Returns the OAK of a state, and its pose.
 fn rig(studio: &Studio, state: &OakState) -> Result<(Rig, RigidTransform), Failure> {
     let twin = state.twin(studio)?;
+    let pair = state.pair_options(None)?;
     let options = RigOptions {
         sensor: Some(state.sensor_kind().to_owned()),
         engine: state.options()?,
         size: None,
-        pair: state.pair_options(None)?,
+        projector: Some(pair.projector),
+        pair,
     };
     let (rig, _) = Rig::new(&twin, &options).map_err(|error| Failure::of("engine", &error))?;
     Ok((rig, state.pose.transform()?))

@@ -44,6 +44,12 @@ impl Population {
         }
     }
 
+    /// The nominal twin of the model.
+    #[must_use]
+    pub const fn nominal(&self) -> &Twin {
+        &self.nominal
+    }
+
     /// The spread, and whether it was measured on the model's family.
     #[must_use]
     pub fn spread(&self) -> (&Spread, Basis) {

@@ -44,7 +44,7 @@ pub(crate) struct AccuracyArgs {
     pub(crate) captures: u32,
 
     /// The side of the measured central region, in percent of the image's side
-    #[arg(long, value_name = "PERCENT", default_value_t = 100.0 * oaktwin::accuracy::REGION, allow_negative_numbers = true)]
+    #[arg(long, value_name = "PERCENT", default_value_t = 100.0 * oaktwin::accuracy::REGION)]
     pub(crate) region: f64,
 
     #[command(flatten)]
@@ -62,7 +62,6 @@ pub(crate) struct AccuracyArgs {
         long,
         value_name = "METRES",
         default_value_t = 0.0,
-        allow_negative_numbers = true,
         requires = "measured",
         help_heading = "A measured unit"
     )]

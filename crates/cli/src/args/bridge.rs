@@ -48,22 +48,11 @@ pub(crate) struct BridgeArgs {
     pub(crate) input_kind: InputKind,
 
     /// The focal length of the images, px
-    #[arg(
-        long,
-        value_name = "F",
-        allow_negative_numbers = true,
-        conflicts_with = "hfov",
-        help_heading = "Images"
-    )]
+    #[arg(long, value_name = "F", conflicts_with = "hfov", help_heading = "Images")]
     pub(crate) fx: Option<f64>,
 
     /// The horizontal field of view of the images, degrees
-    #[arg(
-        long,
-        value_name = "D",
-        allow_negative_numbers = true,
-        help_heading = "Images"
-    )]
+    #[arg(long, value_name = "D", help_heading = "Images")]
     pub(crate) hfov: Option<f64>,
 
     /// Resample images of another size or field of view to the model's (nearest samples)

@@ -43,7 +43,6 @@ pub(crate) struct CoverageArgs {
     #[arg(
         long,
         num_args = 6,
-        allow_negative_numbers = true,
         value_names = ["X0", "Y0", "Z0", "X1", "Y1", "Z1"]
     )]
     pub(crate) region_box: Option<Vec<f64>>,

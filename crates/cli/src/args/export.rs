@@ -39,11 +39,11 @@ pub(crate) struct ExportArgs {
     mount: Mount,
 
     /// The position of this point in the parent's frame, in metres
-    #[arg(long, num_args = 3, allow_negative_numbers = true, value_names = ["X", "Y", "Z"], default_values_t = [0.0; 3])]
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], default_values_t = [0.0; 3])]
     xyz: Vec<f64>,
 
     /// The device's roll, pitch and yaw in the parent's frame, in radians
-    #[arg(long, num_args = 3, allow_negative_numbers = true, value_names = ["R", "P", "Y"], default_values_t = [0.0; 3])]
+    #[arg(long, num_args = 3, value_names = ["R", "P", "Y"], default_values_t = [0.0; 3])]
     rpy: Vec<f64>,
 
     /// Print the written files and findings as JSON

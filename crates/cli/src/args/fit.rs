@@ -51,25 +51,15 @@ pub(crate) struct FitArgs {
     pub(crate) fit: Vec<Also>,
 
     /// Ignore errors at distances below this, in metres
-    #[arg(
-        long,
-        value_name = "METRES",
-        default_value_t = 0.0,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "METRES", default_value_t = 0.0)]
     pub(crate) from: f64,
 
     /// The side of the measured central region, in percent of the image's side
-    #[arg(long, value_name = "PERCENT", default_value_t = 100.0 * oaktwin::accuracy::REGION, allow_negative_numbers = true)]
+    #[arg(long, value_name = "PERCENT", default_value_t = 100.0 * oaktwin::accuracy::REGION)]
     pub(crate) region: f64,
 
     /// Metres per integer depth unit
-    #[arg(
-        long,
-        value_name = "METRES",
-        default_value_t = 0.001,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "METRES", default_value_t = 0.001)]
     pub(crate) depth_scale: f64,
 
     #[command(flatten)]

@@ -12,7 +12,7 @@ pub(crate) struct ImuArgs {
     pub(crate) imu: Option<PathBuf>,
 
     /// The samples per second [default: 400, or the part's maximum if lower]
-    #[arg(long, value_name = "HZ", requires = "imu", allow_negative_numbers = true)]
+    #[arg(long, value_name = "HZ", requires = "imu")]
     pub(crate) imu_rate: Option<f64>,
 
     /// Simulate this inertial part, such as BMI270 [default: the model's]

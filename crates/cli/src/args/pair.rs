@@ -10,12 +10,12 @@ use crate::context::Result;
 #[derive(Args, Debug)]
 #[command(next_help_heading = "Stereo pair")]
 pub(crate) struct PairArgs {
-    /// The intensity of the infrared dot projector of Pro models, 0 to 1 [default: 0]
-    #[arg(long, value_name = "POWER", allow_negative_numbers = true)]
+    /// The intensity of a Pro model's infrared dot projector, 0 to 1 [default: 0; coverage: 1]
+    #[arg(long, value_name = "POWER")]
     pub(crate) projector: Option<f64>,
 
     /// The factor on ambient light; 0 is a dark room [default: 1]
-    #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
+    #[arg(long, value_name = "FACTOR")]
     pub(crate) ambient: Option<f64>,
 
     /// Set a parameter of the image sensors, listed by `oaktwin params imager`; repeatable

@@ -14,7 +14,6 @@ pub(crate) struct PlaceArgs {
     #[arg(
         long,
         num_args = 7,
-        allow_negative_numbers = true,
         value_names = ["X", "Y", "Z", "QX", "QY", "QZ", "QW"],
         conflicts_with = "look_at",
         requires = "model"
@@ -27,7 +26,6 @@ pub(crate) struct PlaceArgs {
     #[arg(
         long,
         num_args = 6..=9,
-        allow_negative_numbers = true,
         value_names = ["EX", "EY", "EZ", "TX", "TY", "TZ"],
         requires = "model"
     )]

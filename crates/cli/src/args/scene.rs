@@ -1,4 +1,5 @@
 use clap::Args;
+use clap::builder::BoolishValueParser;
 use oaktwin::render::OpenOptions;
 use oaktwin::scene::Up;
 use oaktwin::usd::stage::SceneLimit;
@@ -11,7 +12,7 @@ use crate::context::Result;
 #[derive(Args, Debug)]
 pub(crate) struct SceneArgs {
     /// The time code of a USD stage
-    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    #[arg(long, value_name = "T")]
     pub(crate) time: Option<f64>,
 
     /// The subdivision level of a USD stage's meshes (Isaac Sim renders level 0)
@@ -34,6 +35,20 @@ pub(crate) struct SceneArgs {
     /// Let a glTF file name files outside its folder; only for trusted files
     #[arg(long)]
     pub(crate) allow_outside: bool,
+
+    /// Give plain surfaces the fine texture of paint, wood or cloth [default: off; coverage: on]
+    ///
+    /// Stereo cameras match surfaces by their texture. Surfaces with a texture of their own keep it.
+    #[arg(
+        long,
+        value_name = "on|off",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "on",
+        hide_possible_values = true,
+        value_parser = BoolishValueParser::new()
+    )]
+    pub(crate) micro_texture: Option<bool>,
 
     #[arg(
         long,
@@ -61,6 +76,7 @@ impl SceneArgs {
             scale: self.scale,
             allow_outside: self.allow_outside,
             texture_coordinates: false,
+            micro_texture: self.micro_texture.unwrap_or(false),
         })
     }
 }

@@ -59,32 +59,20 @@ pub(crate) struct SenseArgs {
     pub(crate) input_kind: Option<InputKind>,
 
     /// Metres per integer depth unit
-    #[arg(
-        long,
-        value_name = "METRES",
-        default_value_t = 0.001,
-        allow_negative_numbers = true,
-        help_heading = "Images"
-    )]
+    #[arg(long, value_name = "METRES", default_value_t = 0.001, help_heading = "Images")]
     pub(crate) depth_scale: f64,
 
     #[arg(
         long,
         value_name = "F",
         help = "The focal length of the images, px [default: from a folder's camera_params, else the model's]",
-        allow_negative_numbers = true,
         conflicts_with = "hfov",
         help_heading = "Images"
     )]
     pub(crate) fx: Option<f64>,
 
     /// The horizontal field of view of the images, degrees
-    #[arg(
-        long,
-        value_name = "D",
-        allow_negative_numbers = true,
-        help_heading = "Images"
-    )]
+    #[arg(long, value_name = "D", help_heading = "Images")]
     pub(crate) hfov: Option<f64>,
 
     /// Resample images of another size or field of view to the model's (nearest samples)

@@ -74,7 +74,6 @@ pub(crate) struct StereoArgs {
     #[arg(
         long,
         value_name = "F",
-        allow_negative_numbers = true,
         conflicts_with_all = ["hfov", "model", "calibration"],
         requires = "baseline",
         help_heading = "Cameras"
@@ -85,7 +84,6 @@ pub(crate) struct StereoArgs {
     #[arg(
         long,
         value_name = "D",
-        allow_negative_numbers = true,
         conflicts_with_all = ["model", "calibration"],
         requires = "baseline",
         help_heading = "Cameras"
@@ -96,7 +94,6 @@ pub(crate) struct StereoArgs {
     #[arg(
         long,
         value_name = "METRES",
-        allow_negative_numbers = true,
         conflicts_with_all = ["model", "calibration"],
         help_heading = "Cameras"
     )]

@@ -34,7 +34,7 @@ pub(crate) struct MeasuredUnitArgs {
     pub(crate) force: bool,
 
     /// The focal length of the unit, in pixels at --stereo-width
-    #[arg(long, value_name = "F", allow_negative_numbers = true)]
+    #[arg(long, value_name = "F")]
     pub(crate) focal_px: Option<f64>,
 
     /// The width of the unit's images: 1280 at 800P, 640 at 480P and 400P

@@ -8,7 +8,7 @@ use oaktwin::files::{OutputFiles, WrittenFile};
 use oaktwin::image::annotation::Annotator;
 use oaktwin::image::{Image, png};
 use oaktwin::memory;
-use oaktwin::render::{self, Renderer, SceneFile};
+use oaktwin::render::{self, OpenOptions, Renderer, SceneFile};
 use serde::Serialize;
 
 use crate::args::CoverageArgs;
@@ -37,7 +37,11 @@ pub(crate) fn run(context: &Context, args: &CoverageArgs) -> Result<Exit> {
     asked::check(args)?;
     args.threads.apply();
     let models = asked::models(context, args)?;
-    let mut scene = SceneFile::open(&args.scene, &args.scene_options.open_options()?)?;
+    let options = OpenOptions {
+        micro_texture: args.scene_options.micro_texture.unwrap_or(true),
+        ..args.scene_options.open_options()?
+    };
+    let mut scene = SceneFile::open(&args.scene, &options)?;
     let mut findings = std::mem::take(&mut scene.findings);
     findings.extend(models.findings);
     let placements = asked::placements(args, &sweep, scene.scene.up)?;

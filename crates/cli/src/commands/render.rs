@@ -128,10 +128,12 @@ fn reject_warnings(args: &RenderArgs, findings: &[Finding]) -> Result<()> {
 fn writer(args: &RenderArgs) -> Result<Box<dyn Writer>> {
     let format = FormatKind::find(&args.writer)
         .map_err(|remedy| format!("--writer: unknown format '{}'; {remedy}", args.writer))?;
-    let format = (format.create)(dataset::Options {
+    let options = dataset::Options {
         extras: args.outputs.extras(),
         ..dataset::Options::default()
-    });
+    };
+    // A format that describes objects is for `generate`.
+    let format = (format.create)(options, &[]);
     Ok(Box::new(FormatWriter::new(format)))
 }
 

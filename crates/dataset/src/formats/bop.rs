@@ -8,13 +8,17 @@ use oaktwin_files::OutputFiles;
 use oaktwin_image::{Image, png};
 use serde_json::{Map, Value, json};
 
-use super::common::{DepthSummary, Depths, FrameFiles, camera_matrix, missing, number, pinhole, rows, text};
+use super::common::{
+    self, DepthSummary, Depths, FrameFiles, camera_matrix, missing, number, pinhole, rows, text,
+};
 use super::rle;
 use crate::{Format, Model, Object, Records, Shot, WriteError, json as files};
 
 /// Depth in millimetres.
 const PER_METRE: f32 = 1000.0;
 const NAME: &str = "bop";
+/// The visible fraction below which evaluation ignores an object.
+const MIN_VISIBLE: f64 = 0.1;
 
 /// The scenewise layout of the BOP benchmark: `train/000000/{rgb,depth,mask,mask_visib}`, `scene_gt.json` and so on, and models in
 /// millimetres.
@@ -89,7 +93,7 @@ impl Format for Bop {
             infos.push(visibility(object, main));
             masks.push(json!({
                 "runs": rle::runs(&object.visible, size.width, size.height),
-                "box": object.extent.rectangle,
+                "box": object.silhouette.bounding_box().map(|found| narrowed(found.map(i64::from))),
                 "area": object.visible.count(),
                 "label": object.model.label,
             }));
@@ -196,14 +200,19 @@ impl Scene {
         self.images.push(json!({
             "id": image, "file_name": format!("rgb/{image:06}.png"), "width": width, "height": height,
         }));
-        let poses = record["gt"].as_array().into_iter().flatten();
-        for (pose, mask) in poses.zip(record["masks"].as_array().into_iter().flatten()) {
+        let list = |name: &str| record[name].as_array().into_iter().flatten();
+        for ((pose, info), mask) in list("gt").zip(list("gt_info")).zip(list("masks")) {
             let id = number(pose, "obj_id");
             self.labels
                 .entry(id)
                 .or_insert_with(|| text(mask, "label").to_owned());
+            // The benchmark's tools leave out what cannot be seen.
+            if number(mask, "area") == 0 {
+                continue;
+            }
             self.annotations.push(json!({
-                "id": self.annotations.len(),
+                // pycocotools takes an annotation with the id 0 for a missing one.
+                "id": self.annotations.len() + 1,
                 "image_id": image,
                 "category_id": id,
                 "iscrowd": 0,
@@ -212,7 +221,7 @@ impl Scene {
                 "segmentation": {"size": [height, width], "counts": mask["runs"]},
                 "width": width,
                 "height": height,
-                "ignore": number(mask, "area") == 0,
+                "ignore": info["visib_fract"].as_f64().unwrap_or_default() < MIN_VISIBLE,
             }));
         }
     }
@@ -222,7 +231,10 @@ impl Scene {
         let categories: Vec<Value> = categories
             .map(|(id, label)| json!({"id": id, "name": id.to_string(), "supercategory": label}))
             .collect();
-        let coco = json!({"images": self.images, "annotations": self.annotations, "categories": categories});
+        let coco = json!({
+            "info": common::coco_info(), "licenses": [],
+            "images": self.images, "annotations": self.annotations, "categories": categories,
+        });
         for (name, contents) in [
             ("scene_camera", Value::Object(self.camera)),
             ("scene_gt", Value::Object(self.gt)),
@@ -261,19 +273,23 @@ fn visibility(object: &Object, depth: &Image<f32>) -> Value {
     let whole = &object.silhouette;
     let is_valid = |[x, y]: &[u32; 2]| depth.get(*x, *y).is_some_and(|z| *z > 0.0 && z.is_finite());
     let visible = object.visible.count();
+    // The benchmark's tools have no boxes for objects that cannot be seen.
     let none = [-1; 4];
-    let visible_box = object
-        .visible
-        .bounding_box()
-        .map_or(none, |found| found.map(i64::from));
+    let visible_box = object.visible.bounding_box();
+    let whole_box = visible_box.map_or(none, |_| narrowed(object.extent.rectangle));
     json!({
-        "bbox_obj": if object.extent.count > 0 { object.extent.rectangle } else { none },
-        "bbox_visib": visible_box,
+        "bbox_obj": whole_box,
+        "bbox_visib": visible_box.map_or(none, |found| narrowed(found.map(i64::from))),
         "px_count_all": object.extent.count,
         "px_count_valid": whole.places().filter(is_valid).count(),
         "px_count_visib": visible,
         "visib_fract": if object.extent.count > 0 { visible as f64 / object.extent.count as f64 } else { 0.0 },
     })
+}
+
+/// Returns a box as the benchmark's tools define it: its size is the difference between the first and the last pixel.
+fn narrowed([x, y, width, height]: [i64; 4]) -> [i64; 4] {
+    [x, y, width - 1, height - 1]
 }
 
 /// Describes a model: its size in millimetres, its name and its class.

@@ -1,19 +1,24 @@
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_files::OutputFiles;
 use serde_json::{Value, json};
 
-use super::common::{FrameFiles, Pieces, in_product, number, rgb, text};
+use super::common::{FrameFiles, Pieces, coco_info, in_product, number, rgb, text};
 use super::rle;
 use crate::{Format, Records, Shot, WriteError};
 
 const NAME: &str = "coco";
 
 /// COCO's instances: `images/00000000.png` and `annotations/instances.json` with the visible pixels of each object as compressed runs.
-#[derive(Debug, Default)]
-pub(super) struct Coco;
+///
+/// The id of a category is its place among the sorted labels of the data set, whether or not an image shows it, so that parts that
+/// are made separately agree.
+#[derive(Debug)]
+pub(super) struct Coco {
+    /// The labels of the data set, sorted.
+    pub(super) labels: Vec<String>,
+}
 
 impl Format for Coco {
     fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
@@ -46,7 +51,7 @@ impl Format for Coco {
         let mut file = Pieces::create(output, "annotations/instances.json".as_ref())?;
         file.write("{\"annotations\": [")?;
         let mut images: Vec<Value> = Vec::new();
-        let mut categories: BTreeMap<String, usize> = BTreeMap::new();
+        let mut labels = self.labels.clone();
         let mut annotation = 0u64;
         for record in records {
             let record = record?;
@@ -57,8 +62,12 @@ impl Format for Coco {
             );
             for object in record["objects"].as_array().into_iter().flatten() {
                 annotation += 1;
-                let next = categories.len() + 1;
-                let category = *categories.entry(text(object, "label").to_owned()).or_insert(next);
+                let label = text(object, "label");
+                let known = labels.iter().position(|known| known == label);
+                let category = 1 + known.unwrap_or_else(|| {
+                    labels.push(label.to_owned());
+                    labels.len() - 1
+                });
                 let value = json!({
                     "id": annotation, "image_id": image, "category_id": category, "iscrowd": 0,
                     "area": number(object, "area"), "bbox": object["bbox"],
@@ -67,15 +76,14 @@ impl Format for Coco {
                 file.element(&value.to_string())?;
             }
         }
-        let mut named: Vec<(usize, String)> = categories.into_iter().map(|(name, id)| (id, name)).collect();
-        named.sort_unstable();
-        let categories: Vec<Value> = named
-            .iter()
-            .map(|(id, name)| json!({"id": id, "name": name}))
+        let categories: Vec<Value> = (1..)
+            .zip(&labels)
+            .map(|(id, name)| json!({"id": id, "name": name, "supercategory": "object"}))
             .collect();
         let (images, categories) = (Value::from(images), Value::from(categories));
         file.write(&format!(
-            "\n],\n\"images\": {images},\n\"categories\": {categories}}}\n"
+            "\n],\n\"images\": {images},\n\"categories\": {categories},\n\"info\": {},\n\"licenses\": []}}\n",
+            coco_info()
         ))?;
         file.finish(output)?;
         Ok(Vec::new())

@@ -9,7 +9,7 @@ use oaktwin_camera::{Intrinsics, LensModel, OpenCv, RigidTransform};
 use oaktwin_files::{AtomicFile, OutputFiles};
 use oaktwin_image::annotation::Reasons;
 use oaktwin_image::{Image, png};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::file::{Content, DatasetFile, Fault, write_all};
 use crate::listing::reason_legend;
@@ -383,4 +383,13 @@ pub(super) fn text<'a>(record: &'a Value, name: &str) -> &'a str {
 /// Returns a whole number of a record.
 pub(super) fn number(record: &Value, name: &str) -> u64 {
     record[name].as_u64().unwrap_or_default()
+}
+
+/// Returns the description that readers of COCO's annotations require. It has no date, so that the same data set has the same bytes.
+pub(super) fn coco_info() -> Value {
+    json!({
+        "description": "synthetic images by oaktwin",
+        "version": env!("CARGO_PKG_VERSION"),
+        "contributor": "",
+    })
 }

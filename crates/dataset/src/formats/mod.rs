@@ -24,8 +24,8 @@ pub struct FormatKind {
     pub help: &'static str,
     /// The requirements on its shots.
     pub needs: Needs,
-    /// Creates the format.
-    pub create: fn(Options) -> Box<dyn Format>,
+    /// Creates the format with these options, for a data set whose objects have these labels, sorted.
+    pub create: fn(Options, &[String]) -> Box<dyn Format>,
 }
 
 /// The requirements of a format on its shots, besides annotations.
@@ -57,67 +57,71 @@ pub const FORMATS: &[FormatKind] = &[
         name: "basic",
         help: "Replicator's BasicWriter",
         needs: ANNOTATIONS,
-        create: |options| Box::new(BasicWriter::new(options)),
+        create: |options, _| Box::new(BasicWriter::new(options)),
     },
     FormatKind {
         name: "bop",
         help: "BOP: poses, masks and visibility of objects",
         needs: OBJECTS,
-        create: |_| Box::new(bop::Bop::default()),
+        create: |_, _| Box::new(bop::Bop::default()),
     },
     FormatKind {
         name: "coco",
         help: "COCO instances",
         needs: OBJECTS,
-        create: |_| Box::new(coco::Coco),
+        create: |_, labels| {
+            Box::new(coco::Coco {
+                labels: labels.to_vec(),
+            })
+        },
     },
     FormatKind {
         name: "tum",
         help: "TUM RGB-D sequences",
         needs: ANNOTATIONS,
-        create: |_| Box::new(tum::Tum),
+        create: |_, _| Box::new(tum::Tum),
     },
     FormatKind {
         name: "euroc",
         help: "EuRoC's sequences",
         needs: ANNOTATIONS,
-        create: |_| Box::new(euroc::Euroc),
+        create: |_, _| Box::new(euroc::Euroc),
     },
     FormatKind {
         name: "nerfstudio",
         help: "nerfstudio's transforms.json",
         needs: ANNOTATIONS,
-        create: |_| Box::new(nerfstudio::Nerfstudio),
+        create: |_, _| Box::new(nerfstudio::Nerfstudio),
     },
     FormatKind {
         name: "colmap",
         help: "COLMAP's text model with rigs",
         needs: ANNOTATIONS,
-        create: |_| Box::new(colmap::Colmap),
+        create: |_, _| Box::new(colmap::Colmap),
     },
     FormatKind {
         name: "webdataset",
         help: "WebDataset's shards, with all files of BasicWriter in a sample",
         needs: ANNOTATIONS,
-        create: |options| Box::new(webdataset::WebDataset(options)),
+        create: |options, _| Box::new(webdataset::WebDataset(options)),
     },
     FormatKind {
         name: "middlebury",
         help: "Middlebury 2014 stereo pairs with disparity",
         needs: STEREO,
-        create: |_| Box::new(stereo::Middlebury),
+        create: |_, _| Box::new(stereo::Middlebury),
     },
     FormatKind {
         name: "kitti",
         help: "KITTI 2015 stereo pairs with disparity and depth",
         needs: STEREO,
-        create: |_| Box::new(stereo::Kitti),
+        create: |_, _| Box::new(stereo::Kitti),
     },
     FormatKind {
         name: "sceneflow",
         help: "Scene Flow's FlyingThings3D: stereo pairs with disparity and occlusion",
         needs: STEREO,
-        create: |_| Box::new(stereo::SceneFlow),
+        create: |_, _| Box::new(stereo::SceneFlow),
     },
 ];
 

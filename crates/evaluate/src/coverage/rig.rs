@@ -1,7 +1,7 @@
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::{ImageSize, RigidTransform};
 use oaktwin_catalog::Twin;
-use oaktwin_pipeline::pair::{PairCameras, PairOptions};
+use oaktwin_pipeline::pair::{PairCameras, PairOptions, default_projector, dot_contrast};
 use oaktwin_pipeline::render::{
     DepthSensorOptions, OakOptions, PlacedCamera, depth_sensors, oak_cameras, put_pair,
 };
@@ -28,7 +28,9 @@ pub struct RigOptions {
     pub engine: SensorOptions,
     /// The image size, resized by `DepthAI`'s rule; by default the sensor's own.
     pub size: Option<ImageSize>,
-    /// The recording of pairs, for an engine that matches them. The size, seed and bias are set by the other options.
+    /// The intensity of the dot projector, 0 (off) to 1; by default full on the models that have one.
+    pub projector: Option<f64>,
+    /// The recording of pairs, for an engine that matches them. The size, projector, seed and bias are set by the other options.
     pub pair: PairOptions,
 }
 
@@ -49,9 +51,12 @@ impl Rig {
             lens: options.pair.lens,
         };
         let (mut cameras, mut findings) = oak_cameras(twin, &RigidTransform::IDENTITY, &oak)?;
+        let projector = options.projector.unwrap_or_else(|| default_projector(twin));
+        let dots = dot_contrast(twin, projector, options.pair.ambient)?;
         let pair = if engine.input == EngineInput::Pair {
             let pair = PairOptions {
                 size: options.size,
+                projector,
                 ..options.pair.of_sensor(&options.engine)?
             };
             let (pair, more) = put_pair(twin, &mut cameras, &pair)?;
@@ -64,6 +69,7 @@ impl Rig {
             engine: Some(engine),
             ..options.engine.clone()
         };
+        let sensor = sensor.with_dots(dots);
         let sensor = DepthSensorOptions {
             twin: Some(twin),
             sensor: &sensor,

@@ -6,6 +6,7 @@ mod objects;
 mod stage;
 
 use oaktwin_camera::RigidTransform;
+use oaktwin_pipeline::pair::default_projector;
 use serde::Serialize;
 
 pub(crate) use light::{DrawnLight, direction};
@@ -52,6 +53,11 @@ impl Arrangement {
             .unwrap_or_default();
         let objects = place_objects(context, base, number)?;
         let light = &recipe.light;
+        // Models without a projector ignore it, because a recipe may have models of both kinds.
+        let full = default_projector(context.units(&model).any());
+        let projector = light.projector.as_ref().map_or(full, |power| {
+            full * power.draw(&mut random.numbers("light.projector", number))
+        });
         let mut looks = Vec::new();
         for (rule, textures) in (0..).zip(&context.look_textures) {
             let mut numbers = random.numbers(&format!("looks.{rule}"), number);
@@ -68,9 +74,7 @@ impl Arrangement {
             infrared_ambient: light
                 .infrared_ambient
                 .draw(&mut random.numbers("light.infrared_ambient", number)),
-            projector: light
-                .projector
-                .draw(&mut random.numbers("light.projector", number)),
+            projector,
         })
     }
 }

@@ -6,7 +6,8 @@ use std::path::PathBuf;
 use oaktwin_camera::math::{DAffine3, DVec3};
 use oaktwin_render::Renderer;
 use oaktwin_scene::{
-    ColorSpace, Instance, Label, Light, LightKind, Material, Scene, Texture, TextureSource, TextureUse,
+    ColorSpace, Instance, Label, Light, LightKind, Material, MicroTexture, Scene, Texture, TextureSource,
+    TextureUse,
 };
 
 use super::{Arrangement, DrawnLight, DrawnLook, Placed};
@@ -40,7 +41,18 @@ struct Own {
 
 impl Stage {
     pub(crate) fn new(context: &Context, base: usize) -> Self {
-        let scene = context.bases[base].scene.clone();
+        let mut scene = context.bases[base].scene.clone();
+        let recipe = &context.file.recipe;
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "32 bits of the seed are enough for noise"
+        )]
+        let seed = recipe.seed as u32;
+        scene.micro_texture = recipe
+            .scene_options
+            .micro_texture
+            .then(|| MicroTexture::ordinary(seed));
+        scene.possible_labels = possible_labels(context);
         let own = Own {
             instances: scene.instances.clone(),
             materials: scene.materials.clone(),
@@ -199,4 +211,32 @@ impl Stage {
 #[expect(clippy::cast_possible_truncation, reason = "a scene's indices are u32")]
 const fn index(length: usize) -> u32 {
     length as u32
+}
+
+/// Returns the labels of all objects and of all base scenes.
+fn possible_labels(context: &Context) -> Vec<Vec<Label>> {
+    let objects = context.object_files.labels().into_iter().map(|name| {
+        vec![Label {
+            prim: String::new(),
+            taxonomy: "class".to_owned(),
+            name,
+        }]
+    });
+    let bases = context.bases.iter();
+    let bases = bases.flat_map(|base| {
+        base.scene
+            .instances
+            .iter()
+            .map(|instance| instance.labels.clone())
+    });
+    let mut all: Vec<Vec<Label>> = objects.chain(bases).collect();
+    all.sort_by(|a, b| names(a).cmp(names(b)));
+    all.dedup_by(|a, b| names(a).eq(names(b)));
+    all
+}
+
+fn names(labels: &[Label]) -> impl Iterator<Item = (&str, &str, &str)> {
+    labels
+        .iter()
+        .map(|label| (label.prim.as_str(), label.taxonomy.as_str(), label.name.as_str()))
 }

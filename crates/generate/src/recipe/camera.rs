@@ -82,7 +82,7 @@ impl CameraRule {
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct SpherePlacement {
-    /// The distance from the target, metres.
+    /// The distance from the target, metres. By default beyond the near limit of a stereo OAK, 0.7 m.
     pub distance_m: Quantity,
     /// The elevation above the target, degrees.
     pub elevation_deg: Quantity,
@@ -93,7 +93,7 @@ pub struct SpherePlacement {
 impl Default for SpherePlacement {
     fn default() -> Self {
         Self {
-            distance_m: Quantity::Uniform([0.5, 1.2]),
+            distance_m: Quantity::Uniform([0.9, 1.6]),
             elevation_deg: Quantity::Uniform([20.0, 70.0]),
             azimuth_deg: Quantity::Uniform([0.0, 360.0]),
         }

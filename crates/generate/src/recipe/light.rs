@@ -21,9 +21,10 @@ pub struct LightRule {
     /// The factor of ambient light in the images of the stereo cameras, for `stereo-matching`: 1 for visible light, 0 for a dark
     /// room or a filter that only the projector passes.
     pub infrared_ambient: Quantity,
-    /// The intensity of the dot projector of Pro models, 0 to 1. With `stereo-matching` the dots are rendered; with `stereo-noise`
-    /// every surface counts as textured if it is above 0.
-    pub projector: Quantity,
+    /// The intensity of the dot projector of models that have one, 0 to 1; by default full, 1. With `stereo-matching` the dots are
+    /// rendered; with `stereo-noise` they add to the texture of surfaces, less with distance and on dark ones.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub projector: Option<Quantity>,
 }
 
 impl Default for LightRule {
@@ -34,7 +35,7 @@ impl Default for LightRule {
             sky: None,
             lamps: None,
             infrared_ambient: 1.0.into(),
-            projector: 0.0.into(),
+            projector: None,
         }
     }
 }

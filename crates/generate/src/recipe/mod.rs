@@ -87,7 +87,7 @@ impl Recipe {
 }
 
 /// Options for reading scene files.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct SceneRule {
     /// The up axis of glTF, OBJ, STL and PLY files.
@@ -102,6 +102,19 @@ pub struct SceneRule {
     pub scale: Option<f64>,
     /// The subdivision level of the meshes of USD stages.
     pub subdivide: u32,
+    /// Whether surfaces without a texture get the fine one of paint, wood or cloth, by which stereo cameras match them.
+    pub micro_texture: bool,
+}
+
+impl Default for SceneRule {
+    fn default() -> Self {
+        Self {
+            up: None,
+            scale: None,
+            subdivide: 0,
+            micro_texture: true,
+        }
+    }
 }
 
 /// A recipe with the place that its paths are relative to.

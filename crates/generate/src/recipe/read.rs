@@ -101,7 +101,9 @@ impl Recipe {
     fn check_light(&self) -> Result<(), Wrong> {
         let light = &self.light;
         within("light.infrared_ambient", &light.infrared_ambient, 0.0, 1e6)?;
-        within("light.projector", &light.projector, 0.0, 1.0)?;
+        if let Some(projector) = &light.projector {
+            within("light.projector", projector, 0.0, 1.0)?;
+        }
         if let Some(sun) = &light.sun {
             within("light.sun.intensity", &sun.intensity, 0.0, 1e9)?;
             within("light.sun.elevation_deg", &sun.elevation_deg, -90.0, 90.0)?;

@@ -107,7 +107,15 @@ fn write_manifest(
     let mut recipe = serde_json::to_value(&context.file.recipe).unwrap_or_default();
     recipe["frames"] = json!(frames.len());
     let head = String::from_utf8(pretty(&recipe)).unwrap_or_default();
-    file.append(format!("{{\"recipe\": {},\n\"files\": [\n", head.trim_end()).as_bytes())?;
+    let inputs = String::from_utf8(pretty(&store.inputs()?)).unwrap_or_default();
+    file.append(
+        format!(
+            "{{\"recipe\": {},\n\"inputs\": {},\n\"files\": [\n",
+            head.trim_end(),
+            inputs.trim_end()
+        )
+        .as_bytes(),
+    )?;
     let mut is_first = true;
     let mut add = |record: &FileRecord, file: &mut AtomicFile| -> Result<(), FileError> {
         let line = serde_json::to_string(record).unwrap_or_default();

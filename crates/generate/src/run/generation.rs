@@ -45,7 +45,13 @@ impl Generation {
                 "choose frames of the recipe, or raise its number of frames",
             ));
         }
-        let store = Store::open(root, &context.file, options.resume, options.only_frames)?;
+        let store = Store::open(
+            root,
+            &context.file,
+            &context.inputs(),
+            options.resume,
+            options.only_frames,
+        )?;
         // A worker of another process makes few frames of many: it does not list all.
         let known = match options.only_frames {
             true => wanted.clone().collect(),
@@ -139,9 +145,10 @@ fn formats(context: &Context, root: &Path) -> Vec<PlacedFormat> {
         ..FormatOptions::default()
     };
     let place = |name: &str| if alone { root.to_owned() } else { root.join(name) };
+    let labels = context.object_files.labels();
     let formats = context.formats.iter();
     formats
-        .map(|kind| ((kind.create)(options), place(kind.name)))
+        .map(|kind| ((kind.create)(options, &labels), place(kind.name)))
         .collect()
 }
 

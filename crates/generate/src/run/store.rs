@@ -1,6 +1,6 @@
 //! The state of a data set on disk: its recipe, the records of finished frames, and a lock.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -66,14 +66,16 @@ pub(crate) struct Container {
 }
 
 impl Store {
-    /// Opens or creates the state of a data set in a folder. A worker of another process, which holds the lock, does not lock.
+    /// Opens or creates the state of a data set in a folder, of a recipe that names these files. A worker of another process, which
+    /// holds the lock, does not lock and trusts it with the files.
     ///
     /// # Errors
-    /// Returns an error if the folder has a data set that is not to be resumed or has another recipe, or if another process writes
-    /// it.
+    /// Returns an error if the folder has a data set that is not to be resumed, has another recipe or was made of other files, or if
+    /// another process writes it.
     pub(crate) fn open(
         root: &Path,
         file: &RecipeFile,
+        inputs: &[PathBuf],
         resume: bool,
         is_worker: bool,
     ) -> Result<Self, GenerateError> {
@@ -106,13 +108,48 @@ impl Store {
             })?;
             reject_change(root, &known, &own)?;
         }
-        if !is_worker {
-            files::write(&path, &pretty(&own))?;
-        }
-        Ok(Self {
+        let store = Self {
             root: root.to_owned(),
             _lock: lock,
-        })
+        };
+        if !is_worker {
+            store.check_inputs(file, inputs)?;
+            files::write(&path, &pretty(&own))?;
+        }
+        Ok(store)
+    }
+
+    fn inputs_path(&self) -> PathBuf {
+        self.root.join(FOLDER).join("inputs.json")
+    }
+
+    /// Compares the files of the recipe with the ones that the data set was made of, and keeps their checksums.
+    fn check_inputs(&self, file: &RecipeFile, inputs: &[PathBuf]) -> Result<(), GenerateError> {
+        let folder = file.path.parent().unwrap_or(Path::new(""));
+        let sums = inputs.iter().map(|path| {
+            let name = path.strip_prefix(folder).unwrap_or(path);
+            Ok((name.to_string_lossy().replace('\\', "/"), checksum(path)?))
+        });
+        let own: Inputs = sums.collect::<Result<_, FileError>>()?;
+        let path = self.inputs_path();
+        if path.exists() {
+            let known: Inputs = serde_json::from_slice(&read(&path)?).map_err(|error| {
+                let message = format!("is damaged ({error})");
+                FileError::new(&path, message, "restore it, or choose another folder")
+            })?;
+            if let Some(change) = changed_input(&known, &own) {
+                let message = format!("was generated from other files: {change}");
+                return Err(
+                    FileError::new(&self.root, message, "restore it, or choose another folder").into(),
+                );
+            }
+        }
+        Ok(files::write(&path, &pretty(&own))?)
+    }
+
+    /// Returns the checksums of the recipe's files by path.
+    pub(crate) fn inputs(&self) -> Result<Inputs, GenerateError> {
+        Ok(serde_json::from_slice(&read(&self.inputs_path())?).unwrap_or_default())
     }
 
     /// Returns the numbers of the frames that are complete.
@@ -187,6 +224,22 @@ impl Store {
         };
         written.iter().map(describe).collect()
     }
+}
+
+/// The checksums of a recipe's files, by their paths relative to the recipe.
+pub(crate) type Inputs = BTreeMap<String, String>;
+
+/// Says which file was changed, added or removed first.
+fn changed_input(known: &Inputs, own: &Inputs) -> Option<String> {
+    let names: BTreeSet<&String> = known.keys().chain(own.keys()).collect();
+    names
+        .into_iter()
+        .find_map(|name| match (known.get(name), own.get(name)) {
+            (Some(before), Some(now)) if before == now => None,
+            (Some(_), Some(_)) => Some(format!("{name} has changed")),
+            (Some(_), None) => Some(format!("{name} was removed")),
+            (None, _) => Some(format!("{name} was added")),
+        })
 }
 
 fn checksum(path: &Path) -> Result<String, FileError> {
@@ -303,14 +356,17 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let root = folder.path();
         let first = recipe("seed = 1");
-        let store = Store::open(root, &first, false, false).unwrap();
-        let error =
-            |file: &RecipeFile, resume| Store::open(root, file, resume, false).unwrap_err().to_string();
+        let store = Store::open(root, &first, &[], false, false).unwrap();
+        let error = |file: &RecipeFile, resume| {
+            Store::open(root, file, &[], resume, false)
+                .unwrap_err()
+                .to_string()
+        };
         assert!(error(&first, false).contains("already has a data set"));
         assert!(error(&first, true).contains("another process is writing"));
-        assert!(Store::open(root, &first, true, true).is_ok());
+        assert!(Store::open(root, &first, &[], true, true).is_ok());
         drop(store);
-        assert!(Store::open(root, &recipe("seed = 1\nframes = 7"), true, false).is_ok());
+        assert!(Store::open(root, &recipe("seed = 1\nframes = 7"), &[], true, false).is_ok());
         let changed = recipe("seed = 2\n[camera]\nclearance_m = 0.2");
         let error = error(&changed, true);
         assert!(
@@ -320,9 +376,30 @@ mod tests {
     }
 
     #[test]
+    fn a_data_set_is_made_of_the_same_files() {
+        let folder = tempfile::tempdir().unwrap();
+        let (root, cup) = (folder.path().join("set"), folder.path().join("cup.obj"));
+        let mut file = recipe("seed = 1");
+        file.path = folder.path().join("r.toml");
+        fs::write(&cup, "v 0 0 0").unwrap();
+        let open = |inputs: &[PathBuf]| Store::open(&root, &file, inputs, true, false);
+        open(std::slice::from_ref(&cup)).unwrap();
+        open(std::slice::from_ref(&cup)).unwrap();
+        let error = open(&[]).unwrap_err().to_string();
+        assert!(error.contains("cup.obj was removed"), "{error}");
+        let mug = folder.path().join("mug.obj");
+        fs::write(&mug, "v 1 0 0").unwrap();
+        let error = open(&[cup.clone(), mug]).unwrap_err().to_string();
+        assert!(error.contains("mug.obj was added"), "{error}");
+        fs::write(&cup, "v 0 0 1").unwrap();
+        let error = open(std::slice::from_ref(&cup)).unwrap_err().to_string();
+        assert!(error.contains("cup.obj has changed"), "{error}");
+    }
+
+    #[test]
     fn frames_are_intact_while_their_files_are() {
         let folder = tempfile::tempdir().unwrap();
-        let store = Store::open(folder.path(), &recipe("seed = 1"), false, false).unwrap();
+        let store = Store::open(folder.path(), &recipe("seed = 1"), &[], false, false).unwrap();
         let path = folder.path().join("a.txt");
         fs::write(&path, "abc").unwrap();
         let files = store

@@ -1,3 +1,4 @@
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
@@ -57,6 +58,12 @@ impl ObjectFiles {
             of_rule.push(first..entries.len());
         }
         Ok(Self { entries, of_rule })
+    }
+
+    /// Returns the labels of all objects, sorted.
+    pub(crate) fn labels(&self) -> Vec<String> {
+        let labels: BTreeSet<&str> = self.entries.iter().map(|entry| entry.label.as_str()).collect();
+        labels.into_iter().map(ToOwned::to_owned).collect()
     }
 
     /// Returns an object, which is read on first use.

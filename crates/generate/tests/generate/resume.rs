@@ -35,8 +35,8 @@ fn a_frame_does_not_depend_on_other_frames_or_workers() {
     let files = case.files("whole");
     assert_eq!(
         files.len() as u64,
-        whole.files + 8,
-        "the manifest, the recipe, the lock and five records"
+        whole.files + 9,
+        "the manifest, the recipe, its inputs, the lock and five records"
     );
     assert!(files == case.files("parallel") && files == case.files("parts"));
 }

@@ -262,13 +262,11 @@ fn device_rectification(twin: &Twin) -> RectifyOptions {
 
 fn projector(twin: &Twin, options: &PairOptions) -> Result<Option<ActiveProjector>, PairError> {
     let power = within("projector", options.projector, 1.0)?;
-    if power <= 0.0 {
+    let Some(spec) = active(twin, options.projector)? else {
         return Ok(None);
-    }
-    let (Some(spec), Some(place)) = (&twin.device.projector, twin.device.body.projector_mm) else {
-        return Err(PairError::NoProjector {
-            device: twin.device.name.clone(),
-        });
+    };
+    let Some(place) = twin.device.body.projector_mm else {
+        return Err(no_projector(twin));
     };
     Ok(Some(ActiveProjector {
         body_from_projector: RigidTransform::new(
@@ -278,6 +276,44 @@ fn projector(twin: &Twin, options: &PairOptions) -> Result<Option<ActiveProjecto
         dots: dots(spec),
         power,
     }))
+}
+
+/// Returns the projector of a device at this intensity; `None` if it is off.
+fn active(twin: &Twin, power: f64) -> Result<Option<&catalog::Projector>, PairError> {
+    within("projector", power, 1.0)?;
+    if power <= 0.0 {
+        return Ok(None);
+    }
+    twin.device
+        .projector
+        .as_ref()
+        .ok_or_else(|| no_projector(twin))
+        .map(Some)
+}
+
+fn no_projector(twin: &Twin) -> PairError {
+    PairError::NoProjector {
+        device: twin.device.name.clone(),
+    }
+}
+
+/// Returns what `stereo-noise` calls `dotContrast`: the light of a dot at 1 m relative to the ambient light, of the dot projector
+/// at an intensity from 0 (off) to 1, in a room with `ambient` times the light of a bright one.
+///
+/// # Errors
+/// Returns an error if the intensity or the ambient light is out of range, or the device has no projector.
+pub fn dot_contrast(twin: &Twin, projector: f64, ambient: f64) -> Result<f64, PairError> {
+    /// The largest contrast of the engine, for dark rooms.
+    const MAX: f64 = 1e6;
+    within("ambient", ambient, 1e6)?;
+    let spec = active(twin, projector)?;
+    Ok(spec.map_or(0.0, |spec| (spec.brightness * projector / ambient).min(MAX)))
+}
+
+/// Returns the intensity at which data sets and coverage use the dot projector of a device by default: full, 1, or 0 without one.
+#[must_use]
+pub fn default_projector(twin: &Twin) -> f64 {
+    if twin.device.projector.is_some() { 1.0 } else { 0.0 }
 }
 
 /// The dot pattern of a projector.

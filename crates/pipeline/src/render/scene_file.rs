@@ -7,7 +7,7 @@ use oaktwin_render::Clip;
 use oaktwin_base::diagnostic::{Finding, message, opt};
 use oaktwin_files::FileError;
 use oaktwin_scene::import::{self, ImportError, ImportOptions, ImportedCamera};
-use oaktwin_scene::{Scene, Up};
+use oaktwin_scene::{MicroTexture, Scene, Up};
 use oaktwin_usd::stage::{
     self, Attribute, Prim, RenderProduct, SceneCamera, SceneLimit, SceneOptions, StageError, Value,
 };
@@ -32,6 +32,9 @@ pub struct OpenOptions {
     /// Whether the meshes of a USD stage without a texture keep their texture coordinates, for materials that are given to them
     /// later. Mesh files always keep them.
     pub texture_coordinates: bool,
+    /// Whether surfaces without a texture get the fine one of ordinary surfaces ([`MicroTexture::ordinary`]), by which stereo cameras
+    /// match them.
+    pub micro_texture: bool,
 }
 
 /// The contents of a scene file.
@@ -74,13 +77,15 @@ impl SceneFile {
             .extension()
             .map(|extension| extension.to_string_lossy().to_lowercase())
             .unwrap_or_default();
-        if USD.contains(&extension.as_str()) {
+        let mut opened = if USD.contains(&extension.as_str()) {
             Self::open_stage(path, options)
         } else if import::is_importable(path) {
             Self::import(path, options)
         } else {
             Err(unknown_kind(path, &extension).into())
-        }
+        }?;
+        opened.scene.micro_texture = options.micro_texture.then(|| MicroTexture::ordinary(0));
+        Ok(opened)
     }
 
     fn open_stage(path: &Path, options: &OpenOptions) -> Result<Self, SceneFileError> {

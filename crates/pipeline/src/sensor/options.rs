@@ -1,6 +1,6 @@
 use oaktwin_camera::{Intrinsics, StereoDrift};
 use oaktwin_catalog::DepthKind;
-use oaktwin_depth::engines::calibration_error_px;
+use oaktwin_depth::engines::{STEREO_NOISE, calibration_error_px};
 use oaktwin_depth::{EngineKind, ParameterError, Setup, Technology};
 use oaktwin_usd::asset::IsaacVersion;
 
@@ -46,6 +46,17 @@ pub struct SensorOptions {
 }
 
 impl SensorOptions {
+    /// Returns the options with this `dotContrast` for `stereo-noise`, which a parameter that is given overrides. Other engines
+    /// render dots or have none.
+    #[must_use]
+    pub fn with_dots(mut self, contrast: f64) -> Self {
+        if contrast > 0.0 && self.engine.is_some_and(|engine| engine.name == STEREO_NOISE.name) {
+            let parameter = ("dotContrast".to_owned(), contrast.to_string());
+            self.parameters.insert(0, parameter);
+        }
+        self
+    }
+
     /// Returns the error of the disparities of the unit's stereo pair, in pixels of the mode's full width: the parameter
     /// `bias`, else the bias drawn from the device seed, else 0.
     ///

@@ -107,7 +107,7 @@ def coverage(
     size: tuple[int, int] | None = None,
     samples: int = 10_000,
     points: bool = False,
-    projector: float = 0.0,
+    projector: float | None = None,
     ambient: float = 1.0,
     imager: Mapping[str, float | str | bool] | None = None,
     **options: Unpack[_SensorOptions],
@@ -128,7 +128,8 @@ def coverage(
     size: (width, height) of the sensor's images in px, resized by DepthAI's rule; by default its own.
     samples: the number of points that are distributed evenly over the surface, 1 to 1000000.
     points: whether the result has the outcomes at each point.
-    projector, ambient, imager: as for `Scene.render_pair`, for the engine "stereo-matching".
+    projector: the intensity of the dot projector of a model that has one, from 0 (off) to 1; by default 1.
+    ambient, imager: as for `Scene.render_pair`; `imager` is for the engine "stereo-matching".
     options: the options of `DepthSensor` from `engine` on; the engine may also be "stereo-matching", which renders and matches
         an image pair.
 

@@ -83,7 +83,7 @@ def coverage(
     size: tuple[int, int] | None = None,
     samples: int | None = None,
     points: bool = False,
-    projector: float = 0.0,
+    projector: float | None = None,
     ambient: float = 1.0,
     imager: Mapping[str, float | str | bool] | None = None,
     **options: Unpack[_SensorOptions],

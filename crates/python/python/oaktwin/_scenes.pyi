@@ -62,6 +62,7 @@ class Scene:
         scale: float | None = None,
         scene_limit: float = 1.0,
         allow_outside: bool = False,
+        micro_texture: bool = False,
     ) -> Scene:
         """Opens a USD stage (usd, usda, usdc, usdz) or a mesh file (gltf, glb, obj, stl, ply).
 
@@ -72,6 +73,7 @@ class Scene:
         scale: the metres per unit of a mesh file; by default 1.
         scene_limit: a factor on the limits on a USD stage's prims, references and instances; by default 1.
         allow_outside: whether a glTF file may name buffers and images outside its folder; for trusted files only.
+        micro_texture: whether surfaces without a texture get the fine one of paint, wood or cloth, by which stereo cameras match them.
 
         Missing and unsupported contents are listed in `findings`. Raises FileNotFoundError or another OSError if the file cannot
         be read, oaktwin.Error for an invalid file, or an option that does not apply to its format.

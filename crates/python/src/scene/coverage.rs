@@ -51,7 +51,7 @@ const ARGUMENTS: [&str; 11] = [
 /// Wraps the report of `oaktwin coverage --json` as a dictionary, and the outcomes by point, for `oaktwin.coverage`.
 #[pyfunction]
 #[pyo3(signature = (scene, devices, world_from_body, *, region = None, region_box = None, height = None, tilt = None, sensor = None,
-    size = None, samples = None, points = false, projector = 0.0, ambient = 1.0, imager = None, **options))]
+    size = None, samples = None, points = false, projector = None, ambient = 1.0, imager = None, **options))]
 #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub(crate) fn coverage<'py>(
@@ -67,7 +67,7 @@ pub(crate) fn coverage<'py>(
     size: Option<Size>,
     #[pyo3(from_py_with = optional::samples)] samples: Option<u32>,
     points: bool,
-    projector: f64,
+    projector: Option<f64>,
     ambient: f64,
     imager: Option<&Bound<'py, PyAny>>,
     options: Option<&Bound<'py, PyDict>>,
@@ -79,7 +79,7 @@ pub(crate) fn coverage<'py>(
         let pair = PairSettings {
             sensor: None,
             size: size.map(|Size(width, height)| (width, height)),
-            projector,
+            projector: 0.0,
             ambient,
             imager,
             seed: engine.seed,
@@ -90,6 +90,7 @@ pub(crate) fn coverage<'py>(
             sensor: sensor.clone(),
             engine: engine.clone(),
             size: size.map(|Size(width, height)| ImageSize::new(width, height)),
+            projector,
             pair: pair.options(device)?,
         };
         let (rig, findings) = Rig::new(&device.twin, &options).map_err(error)?;

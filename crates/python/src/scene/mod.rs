@@ -78,11 +78,13 @@ impl Scene {
     /// scale: the metres per unit of a mesh file; by default 1.
     /// scene_limit: a factor on the limits on a USD stage's prims, references and instances; by default 1.
     /// allow_outside: whether a glTF file may name buffers and images outside its folder; for trusted files only.
+    /// micro_texture: whether surfaces without a texture get the fine one of paint, wood or cloth, by which stereo cameras match them.
     ///
     /// Missing and unsupported contents are listed in `findings`. Raises FileNotFoundError or another OSError if the file cannot
     /// be read, oaktwin.Error for an invalid file, or an option that does not apply to its format.
     #[staticmethod]
-    #[pyo3(signature = (path, *, time = None, subdivide = 0, up = None, scale = None, scene_limit = 1.0, allow_outside = false))]
+    #[pyo3(signature = (path, *, time = None, subdivide = 0, up = None, scale = None, scene_limit = 1.0, allow_outside = false,
+        micro_texture = false))]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
     fn open(
         py: Python<'_>,
@@ -93,6 +95,7 @@ impl Scene {
         scale: Option<f64>,
         scene_limit: f64,
         allow_outside: bool,
+        micro_texture: bool,
     ) -> PyResult<Self> {
         let limit = asset::scene_limit(scene_limit)?;
         let options = OpenOptions {
@@ -103,6 +106,7 @@ impl Scene {
             scale,
             allow_outside,
             texture_coordinates: false,
+            micro_texture,
         };
         let opened = threads::interruptible(py, |_| SceneFile::open(&path, &options))?;
         let mut file = opened.map_err(|error| reading(&path, &error))?;

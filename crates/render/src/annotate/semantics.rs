@@ -21,8 +21,8 @@ pub(crate) struct Entity {
 
 /// The semantic labels of a scene, with ids that are the same in all of its views.
 ///
-/// The labels of an instance are its own and its ancestors', as Replicator flattens them. Each distinct set has an
-/// id; ids are in the order of the sets.
+/// The labels of an instance are its own and its ancestors', as Replicator flattens them. Each distinct set, also of the instances
+/// that the scene may have at other times, has an id; ids are in the order of the sets.
 #[derive(Debug)]
 pub(crate) struct Semantics {
     of_instance: Vec<u32>,
@@ -54,8 +54,13 @@ impl Semantics {
             let own = placed.labels.first();
             nearest.push(own.and_then(|label| entity_of_prim.get(label.prim.as_str()).copied()));
         }
-        let sets: BTreeSet<&Labels> = entities.iter().map(|(_, labels, _)| labels).collect();
-        let sets: Vec<Labels> = sets.into_iter().cloned().collect();
+        let possible = scene.possible_labels.iter().flat_map(|labels| {
+            let starts = carriers(labels).into_iter();
+            starts.map(|start| flattened(&labels[start..]))
+        });
+        let shown = entities.iter().map(|(_, labels, _)| labels.clone());
+        let sets: BTreeSet<Labels> = shown.chain(possible).collect();
+        let sets: Vec<Labels> = sets.into_iter().collect();
         let id_of = |labels: &Labels| match sets.binary_search(labels) {
             Ok(at) => FIRST + at as u32,
             Err(_) => UNLABELLED,

@@ -10,6 +10,7 @@ mod dome;
 mod edges;
 mod film;
 mod filter;
+mod grain;
 mod harmonics;
 mod lamp;
 mod occlusion;
@@ -406,7 +407,12 @@ impl ShadingContext<'_> {
             ..
         } = workspace;
         if let Some(found) = packet.find() {
-            let finishes = finishes(&self.paints, &found, self.level);
+            let finishes = finishes(
+                &self.paints,
+                &found,
+                self.scene.micro_texture.as_ref(),
+                self.level,
+            );
             let (mut shares, known) = self.coarse.light(&found, self.level);
             for lane in 0..found.count() {
                 if (known >> lane) & 1 == 0 {

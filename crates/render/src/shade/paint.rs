@@ -1,10 +1,11 @@
 //! Materials and textures at a point of a surface.
 
 use glam::{DVec2, DVec3, Vec3};
-use oaktwin_scene::{Material, Mesh, Scene, TextureUse};
+use oaktwin_scene::{Material, Mesh, MicroTexture, Scene, TextureUse};
 use oaktwin_simd::Level;
 
 use super::filter::{Footprints, Wraps};
+use super::grain;
 use super::pyramid::Pyramid;
 use super::surfaces::{Columns, Found, Spot, corner_values, lane_of, set_lane};
 use super::textures::Textures;
@@ -162,7 +163,12 @@ enum Fill {
 
 /// Returns the properties at the surfaces of a packet.
 #[inline]
-pub(super) fn finishes(paints: &[Paint<'_>], found: &Found<'_, '_>, level: Level) -> Finishes {
+pub(super) fn finishes(
+    paints: &[Paint<'_>],
+    found: &Found<'_, '_>,
+    grain: Option<&MicroTexture>,
+    level: Level,
+) -> Finishes {
     let mut finishes = Finishes::default();
     let mut materials = [u32::MAX; 8];
     let mut footprints = Footprints::default();
@@ -173,7 +179,12 @@ pub(super) fn finishes(paints: &[Paint<'_>], found: &Found<'_, '_>, level: Level
         materials[lane & 7] = material;
         let paint = paints.get(material as usize).unwrap_or(&Paint::BARE);
         let color = match paint.fill(found.mesh, triangle, &found.spot(lane)) {
-            Fill::Color(color) => color,
+            Fill::Color(color) => match (grain, found.grained(lane)) {
+                (Some(grain), Some((point, footprint))) => {
+                    color * grain::factor(grain, found.surface(), point, footprint)
+                }
+                _ => color,
+            },
             Fill::Texture([at, across, down]) => {
                 footprints.set(lane, at, across, down);
                 textured |= 1 << lane;

@@ -62,6 +62,8 @@ struct Placed<'a> {
     from_mesh: DAffine3,
     /// The inverse transpose, for normals, also of mirrored instances, with elements near 1.
     from_normal: [Vec3; 3],
+    /// The lengths in the world, metres, of the mesh's unit vectors.
+    scale: Vec3,
     /// −1 where the instance is mirrored, which reverses the winding of its triangles.
     turn: f32,
     has_normals: bool,
@@ -194,6 +196,10 @@ impl<'a> Packet<'a> {
             mesh,
             from_mesh,
             from_normal: near_one(from_normal),
+            scale: {
+                let axes = &from_mesh.matrix3;
+                DVec3::new(axes.x_axis.length(), axes.y_axis.length(), axes.z_axis.length()).as_vec3()
+            },
             turn: if from_mesh.matrix3.determinant() < 0.0 {
                 -1.0
             } else {
@@ -222,6 +228,8 @@ impl<'a> Packet<'a> {
         Some(Found {
             mesh: placed.mesh,
             instance: placed.placed,
+            number: placed.instance,
+            scale: placed.scale,
             pixels: &self.pixels,
             surfaces: &self.surfaces,
         })
@@ -238,6 +246,8 @@ impl<'a> Packet<'a> {
 pub(super) struct Found<'p, 'a> {
     pub(super) mesh: &'a Mesh,
     instance: &'a Instance,
+    number: u32,
+    scale: Vec3,
     pixels: &'p Pixels,
     pub(super) surfaces: &'p Surfaces,
 }
@@ -264,6 +274,26 @@ impl Found<'_, '_> {
     #[inline]
     pub(super) fn material(&self, lane: usize) -> Option<u32> {
         self.instance.material(self.mesh.material(self.triangle(lane)))
+    }
+
+    /// Returns the number of the instance.
+    pub(super) const fn surface(&self) -> u32 {
+        self.number
+    }
+
+    /// Returns the place in a lane in metres along the axes of the mesh, which moves with the instance, and the size of a pixel
+    /// there.
+    pub(super) fn grained(&self, lane: usize) -> Option<(Vec3, f32)> {
+        let vertices = *self.mesh.triangles.get(self.triangle(lane) as usize)?;
+        let corner = |vertex: u32| {
+            let position = self.mesh.positions.get(vertex as usize)?;
+            Some(Vec3::from(*position) * self.scale)
+        };
+        let (a, b, c) = (corner(vertices[0])?, corner(vertices[1])?, corner(vertices[2])?);
+        let spot = self.spot(lane);
+        let along = |[u, v]: [f32; 2]| (b - a) * u + (c - a) * v;
+        let footprint = (along(spot.across).length() * along(spot.down).length()).sqrt();
+        Some((a + along(spot.at), footprint))
     }
 
     pub(super) fn spot(&self, lane: usize) -> Spot {

@@ -61,13 +61,14 @@ pub(super) fn models(context: &Context, args: &CoverageArgs) -> Result<Models> {
     let is_pair = engine
         .engine
         .is_some_and(|engine| engine.input == EngineInput::Pair);
-    if let (Some(option), false) = (args.pair.given(), is_pair) {
-        return Err(format!("{option} requires --engine stereo-matching").into());
+    if !args.pair.imager.is_empty() && !is_pair {
+        return Err("--imager requires --engine stereo-matching".into());
     }
     let options = RigOptions {
         sensor: args.sensor.clone(),
         engine,
         size: size::parse("--resolution", args.resolution.as_deref())?,
+        projector: args.pair.projector,
         pair: args.pair.options(args.unit.lens)?,
     };
     let mut models = Models::default();
