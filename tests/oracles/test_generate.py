@@ -217,6 +217,50 @@ def test_bops_annotations_are_those_of_its_tools(bop: Bop) -> None:
         assert next(annotations, None) is None
 
 
+def test_depth_aligned_to_colour_is_the_colour_cameras(program: Path, tmp_path: Path) -> None:
+    recipe = tmp_path / "recipe.toml"
+    recipe.write_text(
+        f'''scene = "{RECIPES}/table.usda"
+objects = [{{ files = "{RECIPES}/objects/", count = 3, on = "/World/Table" }}]
+frames = 2
+camera = {{ resolution = [640, 360] }}
+sensor = {{ align = "rgb" }}
+output = {{ formats = ["basic", "bop", "tum"] }}
+'''
+    )
+    out = tmp_path / "set"
+    subprocess.run([program, "generate", recipe, "-o", out], check=True)
+    for number in range(2):
+        measured = np.load(out / f"basic/depth_sensor_distance_{number:04}.npy")
+        exact = np.load(out / f"basic/distance_to_image_plane_{number:04}.npy")
+        assert measured.shape == exact.shape == image(out / f"basic/rgb_{number:04}.png").shape[:2] == (360, 640)
+        valid = measured > 0
+        assert valid.mean() > 0.8
+        # The depth is the surface's that the colour camera sees, not the one beside it.
+        assert np.median(np.abs(measured - exact)[valid] / exact[valid]) < 0.01
+        for path in out.glob(f"bop/train/*/depth/{number:06}.png"):
+            np.testing.assert_allclose(image(path) / 1000, np.minimum(measured, 65.535), atol=1e-3)
+
+
+def test_stereo_formats_write_the_pairs_camera_only(program: Path, tmp_path: Path) -> None:
+    recipe = tmp_path / "recipe.toml"
+    text = f'''scene = "{RECIPES}/table.usda"
+objects = [{{ files = "{RECIPES}/objects/", count = 2, on = "/World/Table" }}]
+frames = 1
+camera = {{ resolution = [320, 200], cameras = CAMERAS }}
+output = {{ formats = "kitti" }}
+'''
+    recipe.write_text(text.replace("CAMERAS", '["depth", "rgb"]'))
+    command = [program, "generate", recipe, "-o", tmp_path / "set"]
+    found = subprocess.run(command, check=True, capture_output=True, text=True)
+    assert "no-pair" in found.stderr
+    assert len(list((tmp_path / "set").glob("**/calib_cam_to_cam/*.txt"))) == 1
+    recipe.write_text(text.replace("CAMERAS", '"rgb"'))
+    command[-1] = tmp_path / "none"
+    found = subprocess.run(command, capture_output=True, text=True)
+    assert found.returncode == 2 and "add depth to camera.cameras" in found.stderr
+
+
 def test_categories_and_classes_do_not_depend_on_the_seed(program: Path, tmp_path: Path) -> None:
     recipe = tmp_path / "recipe.toml"
     recipe.write_text(

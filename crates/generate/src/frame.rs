@@ -1,6 +1,6 @@
 //! One frame: everything that is drawn for it, rendered and measured.
 
-use oaktwin_base::diagnostic::Finding;
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::RigidTransform;
 use oaktwin_catalog::{DepthKind, Twin};
 use oaktwin_dataset::Shot;
@@ -16,6 +16,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::GenerateError;
+use crate::aligned::Aligned;
 use crate::arrange::{Arrangement, Stage};
 use crate::context::Context;
 use crate::described::objects;
@@ -59,7 +60,13 @@ struct Explained<'a> {
 
 /// The cameras and sensors of a frame.
 struct Rig {
+    /// The cameras of the recipe, and then the camera that measures aligned depth if it is not among them.
     cameras: Vec<PlacedCamera>,
+    /// The number of cameras of the recipe.
+    written: usize,
+    aligned: Option<Aligned>,
+    /// Whether each camera is the one that the stereo pair measures for.
+    has_pair: Vec<bool>,
     sensors: Vec<Option<Sensor>>,
     pair: Option<PairCameras>,
     findings: Vec<Finding>,
@@ -124,10 +131,14 @@ impl<'a> FrameMaker<'a> {
         };
         let recipe = &context.file.recipe;
         let mut shots = Vec::new();
-        for index in 0..rig.cameras.len() {
-            let number = usize::try_from(frame).unwrap_or(usize::MAX);
-            let (mut shot, more) = render_shot(stage.renderer(), &rig.cameras, index, number, &options);
+        let number = usize::try_from(frame).unwrap_or(usize::MAX);
+        for index in 0..rig.written {
+            let cameras = &rig.cameras[..rig.written];
+            let (mut shot, more) = render_shot(stage.renderer(), cameras, index, number, &options);
             rig.findings.extend(more);
+            if !rig.has_pair[index] {
+                shot.stereo = None;
+            }
             shot.sequence = arrangement.number;
             shot.time_ns = recipe.output.time_ns(frame % recipe.frames_per_scene);
             if context.needs.objects {
@@ -140,6 +151,31 @@ impl<'a> FrameMaker<'a> {
                 shot.objects = objects(context, arrangement, stage, &view, ids.as_ref());
             }
             shots.push(shot);
+        }
+        if let Some(Aligned { target, source }) = rig.aligned
+            && wanted.contains(&Annotator::DepthSensorDistance)
+            && let Some(sensor) = &rig.sensors[source]
+        {
+            let own = shots
+                .get(source)
+                .and_then(|shot| shot.frame.depth_sensor_distance.clone());
+            let depth = own.or_else(|| {
+                let options = FrameOptions {
+                    annotators: &[Annotator::DepthSensorDistance],
+                    describes_pair: false,
+                    ..options
+                };
+                let (shot, more) = render_shot(stage.renderer(), &rig.cameras, source, number, &options);
+                rig.findings.extend(more);
+                shot.frame.depth_sensor_distance
+            });
+            if let Some(depth) = depth {
+                let from = (&rig.cameras[source], sensor);
+                let shot = &mut shots[target];
+                shot.frame.depth_sensor_distance = context.aligned(twin, from, &depth)?;
+                shot.sensor_view.clone_from(&shot.view);
+                shot.sensor_params.clone_from(&shot.camera_params);
+            }
         }
         Ok(Made {
             shots,
@@ -201,10 +237,10 @@ impl Context {
         twin: &Twin,
         world_from_body: &RigidTransform,
     ) -> Result<(Vec<PlacedCamera>, Vec<Finding>), GenerateError> {
-        let rule = &self.file.recipe.camera;
+        let names = self.camera_names();
         let options = OakOptions {
-            cameras: &rule.cameras.0,
-            size: rule.size(),
+            cameras: &names,
+            size: self.file.recipe.camera.size(),
             ..OakOptions::default()
         };
         Ok(oak_cameras(twin, world_from_body, &options)?)
@@ -236,6 +272,8 @@ impl Context {
     ) -> Result<Rig, GenerateError> {
         let recipe = &self.file.recipe;
         let (mut cameras, mut findings) = self.cameras(twin, world_from_body)?;
+        let written = cameras.len();
+        let aligned = self.add_aligned(twin, world_from_body, &mut cameras)?;
         let engine = match &recipe.sensor.engine {
             Some(name) => Some(EngineKind::parse(name)?),
             None => None,
@@ -286,8 +324,26 @@ impl Context {
             sensors.extend(made);
         }
         self.reject_memory(&sensors)?;
+        let has_pair: Vec<bool> = cameras.iter().map(|camera| is_stereo(twin, camera)).collect();
+        if self.needs.stereo {
+            if !has_pair[..written].contains(&true) {
+                return Err(self.unfit(
+                    "output.formats",
+                    "a stereo format describes a pair, and no camera of the recipe is a stereo depth sensor",
+                    "add depth to camera.cameras, or remove the format",
+                ));
+            }
+            let without = cameras[..written].iter().zip(&has_pair).filter(|(_, has)| !**has);
+            findings.extend(without.map(|(camera, _)| {
+                let what = "is not part of a stereo pair; stereo formats leave it out";
+                Finding::new("no-pair", Level::Note, &camera.path, what, "")
+            }));
+        }
         Ok(Rig {
             cameras,
+            has_pair,
+            written,
+            aligned,
             sensors,
             pair,
             findings,
@@ -311,6 +367,17 @@ impl Context {
             "the temporal filter makes a frame depend on the frames before it",
             "choose another preset, or list the filters without it in sensor.filters",
         ))
+    }
+}
+
+/// Whether a camera is that of a stereo depth sensor.
+fn is_stereo(twin: &Twin, camera: &PlacedCamera) -> bool {
+    match &camera.depth_sensor {
+        Some(DepthSensorSource::Twin(prim)) => {
+            let sensor = twin.depth_sensors.iter().find(|sensor| sensor.spec.prim == *prim);
+            sensor.is_some_and(|sensor| sensor.spec.pair().is_some())
+        }
+        _ => false,
     }
 }
 

@@ -1,6 +1,7 @@
 use std::collections::BTreeMap;
 use std::num::NonZeroU64;
 
+use oaktwin_catalog::Role;
 use oaktwin_dataset::SHARD_FRAMES;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -23,6 +24,11 @@ pub struct SensorRule {
     pub parameters: BTreeMap<String, ParameterValue>,
     /// Whether the extended disparity range is enabled.
     pub extended_disparity: bool,
+    /// The camera that measured depth is aligned to, such as `rgb`: the usual RGB-D images of an OAK. Its frames have the depth that the
+    /// device's own sensor measures, as the device aligns it. If `camera.cameras` is not given, it is the only camera.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<String>", extend("enum" = ["rgb", "left", "right", "tof"]))]
+    pub align: Option<Role>,
 }
 
 /// The value of a parameter.

@@ -143,8 +143,13 @@ impl<'a> Job<'a> {
             files: Vec::new(),
             formats: Vec::new(),
         };
-        for ((format, _), output) in self.formats.iter().zip(outputs) {
-            let records = made.shots.iter().map(|shot| format.frame(shot, output));
+        for (((format, _), kind), output) in self.formats.iter().zip(&self.context.formats).zip(outputs) {
+            // A stereo format describes the pair, which the frames of other cameras do not have.
+            let shots = made
+                .shots
+                .iter()
+                .filter(|shot| !kind.needs.stereo || shot.stereo.is_some());
+            let records = shots.map(|shot| format.frame(shot, output));
             let records = records.collect::<Result<Vec<_>, _>>()?;
             record.formats.push(records);
             record.files.extend(self.store.describe(&output.take_files())?);
