@@ -12,6 +12,7 @@ mod builder;
 mod error;
 mod gltf;
 mod obj;
+mod origin;
 mod ply;
 mod stl;
 mod text;

@@ -5,6 +5,7 @@ use oaktwin_camera::math::DAffine3;
 
 use super::builder::{Builder, step};
 use super::error::Fault;
+use super::origin::Origin;
 use super::text;
 use super::weld::Welder;
 use crate::polygon::PolygonMesh;
@@ -64,12 +65,13 @@ fn read_binary(facets: &[u8], builder: &mut Builder) {
         }
     }
     let name = builder.stem.clone();
-    add(&name, welder.points, indices, builder);
+    add(&name, welder.points, indices, DAffine3::IDENTITY, builder);
 }
 
 fn read_text(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
     let mut name = String::new();
     let mut welder = Welder::default();
+    let mut origin = Origin::default();
     let mut indices = Vec::new();
     let mut corners = 0;
     let mut ended = true;
@@ -81,7 +83,7 @@ fn read_text(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
                 let Some(point) = text::numbers(&mut words) else {
                     return Err(Fault::damaged(place(), "expected three coordinates of a vertex"));
                 };
-                indices.push(welder.index(point));
+                indices.push(welder.index(origin.relative(point)));
                 corners += 1;
             }
             Some(b"endfacet") => {
@@ -96,7 +98,8 @@ fn read_text(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
             }
             Some(b"endsolid") => {
                 let points = std::mem::take(&mut welder).points;
-                add(&name, points, std::mem::take(&mut indices), builder);
+                let from_mesh = std::mem::take(&mut origin).file_from_mesh();
+                add(&name, points, std::mem::take(&mut indices), from_mesh, builder);
                 ended = true;
             }
             Some(b"facet" | b"outer" | b"endloop" | b"color") | None => {}
@@ -114,7 +117,13 @@ fn read_text(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
     Ok(())
 }
 
-fn add(name: &str, points: Vec<[f32; 3]>, indices: Vec<i32>, builder: &mut Builder) {
+fn add(
+    name: &str,
+    points: Vec<[f32; 3]>,
+    indices: Vec<i32>,
+    file_from_mesh: DAffine3,
+    builder: &mut Builder,
+) {
     let name = step(name);
     let path = format!(
         "/{}",
@@ -133,6 +142,6 @@ fn add(name: &str, points: Vec<[f32; 3]>, indices: Vec<i32>, builder: &mut Build
     .into_mesh(&path);
     builder.findings.extend(findings);
     if let Some(mesh) = builder.add_mesh(mesh) {
-        builder.place(mesh, &path, DAffine3::IDENTITY);
+        builder.place(mesh, &path, file_from_mesh);
     }
 }

@@ -6,12 +6,11 @@ mod part;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use oaktwin_camera::math::DAffine3;
-
 use self::mtl::Library;
 use self::part::{Corner, Part, Pool};
 use super::builder::{Builder, step};
 use super::error::Fault;
+use super::origin::Origin;
 use super::text;
 use oaktwin_image::srgb;
 
@@ -29,6 +28,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, builder: &mut Builder) -> Result<(
         material: None,
         left_out: BTreeMap::new(),
         bad_corners: 0,
+        origin: Origin::default(),
     };
     let mut known = 0_usize;
     for (number, line) in text::continued_lines(&text::decoded(bytes)) {
@@ -60,23 +60,28 @@ struct Reader<'a> {
     /// Unsupported statements with their number.
     left_out: BTreeMap<&'static str, usize>,
     bad_corners: usize,
+    origin: Origin,
 }
 
 impl Reader<'_> {
     /// Returns false for an unknown statement.
     fn line(&mut self, line: &[u8], number: usize) -> Result<bool, Fault> {
-        let line = line.split(|&byte| byte == b'#').next().unwrap_or_default();
+        // As in other readers, `#` begins a comment at the start of a line or after numbers, but may be part of a name.
         let mut words = text::words(line);
         let bad = |what: &str| {
             let message = format!("{what}: {}", text::shown(line));
             Err(Fault::damaged(format!("line {number}"), message))
         };
-        let Some(word) = words.next() else {
+        let Some(word) = words.next().filter(|word| !word.starts_with(b"#")) else {
             return Ok(false);
         };
+        let mut words = words.take_while(|word| !word.starts_with(b"#"));
         match word {
             b"v" => match text::numbers(&mut words) {
-                Some(point) => self.pool.push_point(point, point_color(&mut words)),
+                Some(point) => {
+                    let point = self.origin.relative(point);
+                    self.pool.push_point(point, point_color(&mut words));
+                }
                 None => return bad("expected three coordinates"),
             },
             b"vt" => match text::numbers::<f32, 1>(&mut words) {
@@ -180,7 +185,7 @@ impl Reader<'_> {
             let (mesh, findings) = part.polygons(&mut pool).into_mesh(&path);
             builder.findings.extend(findings);
             if let Some(mesh) = builder.add_mesh(mesh) {
-                builder.place(mesh, &path, DAffine3::IDENTITY);
+                builder.place(mesh, &path, self.origin.file_from_mesh());
             }
         }
     }

@@ -5,12 +5,11 @@
 mod body;
 mod header;
 
-use oaktwin_camera::math::DAffine3;
-
 use self::body::Body;
 use self::header::{Element, Encoding, Header, Kind, Property};
 use super::builder::{Builder, step};
 use super::error::Fault;
+use super::origin::Origin;
 use crate::polygon::{Interpolation, PolygonMesh, Primvar};
 use oaktwin_image::srgb;
 
@@ -22,10 +21,11 @@ pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
     }
     let mut body = Body::new(&bytes[header.length..], &header);
     let mut mesh = PolygonMesh::default();
+    let mut origin = Origin::default();
     for element in &header.elements {
         check_size(element, header.encoding, &body)?;
         match element.name.as_str() {
-            "vertex" => read_vertices(element, &mut body, &mut mesh)?,
+            "vertex" => read_vertices(element, &mut body, &mut mesh, &mut origin)?,
             "face" => read_faces(element, &mut body, &mut mesh)?,
             name => {
                 if name == "tristrips" && element.count > 0 {
@@ -53,7 +53,7 @@ pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
     let (mesh, findings) = mesh.into_mesh(&path);
     builder.findings.extend(findings);
     if let Some(mesh) = builder.add_mesh(mesh) {
-        builder.place(mesh, &path, DAffine3::IDENTITY);
+        builder.place(mesh, &path, origin.file_from_mesh());
     }
     Ok(())
 }
@@ -131,7 +131,12 @@ fn columns(element: &Element) -> Vec<Column> {
 }
 
 #[allow(clippy::cast_possible_truncation, reason = "meshes store single precision")]
-fn read_vertices(element: &Element, body: &mut Body<'_>, mesh: &mut PolygonMesh) -> Result<(), Fault> {
+fn read_vertices(
+    element: &Element,
+    body: &mut Body<'_>,
+    mesh: &mut PolygonMesh,
+    origin: &mut Origin,
+) -> Result<(), Fault> {
     let columns = columns(element);
     if ["x", "y", "z"].iter().any(|name| element.find(&[name]).is_none()) {
         return Err(Fault::new(
@@ -159,7 +164,7 @@ fn read_vertices(element: &Element, body: &mut Body<'_>, mesh: &mut PolygonMesh)
             }
             let number = body.number(property.kind)?;
             match *column {
-                Column::Position(i) => point[i] = number as f32,
+                Column::Position(i) => point[i] = number,
                 Column::Normal(i) => normal[i] = number as f32,
                 Column::Uv(i) => uv[i] = number as f32,
                 Column::Color(i, None) => color[i] = number as f32,
@@ -168,7 +173,7 @@ fn read_vertices(element: &Element, body: &mut Body<'_>, mesh: &mut PolygonMesh)
             }
         }
         body.end_row();
-        points.push(point);
+        points.push(origin.relative(point));
         if has_normals {
             normals.push(normal);
         }
