@@ -39,6 +39,8 @@ pub struct Number {
 enum Kind {
     U8,
     U16,
+    I16,
+    I32,
     F16,
     F32,
     F64,
@@ -51,7 +53,7 @@ impl Layout {
     /// Parses the start of a file.
     ///
     /// # Errors
-    /// Returns an error if it is not an array of `uint8`, `uint16`, `float16`, `float32` or `float64`.
+    /// Returns an error if it is not an array of `uint8`, `uint16`, `int16`, `int32`, `float16`, `float32` or `float64`.
     pub fn parse(beginning: &[u8]) -> Result<Self, CodecError> {
         let header = header::decode(beginning)?;
         let number = Number::parse(&header.descr).ok_or_else(|| {
@@ -59,7 +61,7 @@ impl Layout {
                 FORMAT,
                 "descr",
                 format!(
-                    "'{}' is not one of uint8, uint16, float16, float32 and float64",
+                    "'{}' is not one of uint8, uint16, int16, int32, float16, float32 and float64",
                     header.descr
                 ),
                 "convert it with a.astype(numpy.float32)",
@@ -104,6 +106,8 @@ impl Number {
         let kind = match name {
             "u1" => Kind::U8,
             "u2" => Kind::U16,
+            "i2" => Kind::I16,
+            "i4" => Kind::I32,
             "f2" => Kind::F16,
             "f4" => Kind::F32,
             "f8" => Kind::F64,
@@ -123,13 +127,13 @@ impl Number {
     pub const fn bytes(self) -> usize {
         match self.kind {
             Kind::U8 => 1,
-            Kind::U16 | Kind::F16 => 2,
-            Kind::F32 => 4,
+            Kind::U16 | Kind::I16 | Kind::F16 => 2,
+            Kind::I32 | Kind::F32 => 4,
             Kind::F64 => 8,
         }
     }
 
-    /// Reads all complete numbers in `bytes`. `float16` becomes `float32`, which represents all of its values.
+    /// Reads all complete numbers in `bytes`. `float16` becomes `float32`, and `int16` `int32`, which represent all of their values.
     #[must_use]
     pub fn values(self, bytes: &[u8]) -> Values {
         fn get<T: Scalar>(bytes: &[u8], is_big_endian: bool) -> Vec<T> {
@@ -142,6 +146,11 @@ impl Number {
         match self.kind {
             Kind::U8 => Values::U8(bytes.to_vec()),
             Kind::U16 => Values::U16(get(bytes, self.is_big_endian)),
+            Kind::I16 => {
+                let shorts: Vec<u16> = get(bytes, self.is_big_endian);
+                Values::I32(shorts.into_iter().map(|bits| bits.cast_signed().into()).collect())
+            }
+            Kind::I32 => Values::I32(get(bytes, self.is_big_endian)),
             Kind::F16 => {
                 let halves: Vec<u16> = get(bytes, self.is_big_endian);
                 Values::F32(
@@ -163,10 +172,10 @@ mod tests {
 
     #[test]
     fn parses_types() {
-        for (descr, bytes) in [("|u1", 1), ("<u2", 2), (">f2", 2), ("<f4", 4), (">f8", 8)] {
+        for (descr, bytes) in [("|u1", 1), ("<u2", 2), ("<i2", 2), (">i4", 4), (">f2", 2), ("<f4", 4), (">f8", 8)] {
             assert_eq!(Number::parse(descr).unwrap().bytes(), bytes);
         }
-        for descr in ["", "f4", "=f4", "|f4", "<i4", "<f16", "é", "<c8"] {
+        for descr in ["", "f4", "=f4", "|f4", "<i8", "<f16", "é", "<c8"] {
             assert_eq!(Number::parse(descr), None, "{descr}");
         }
     }

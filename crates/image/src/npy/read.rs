@@ -61,7 +61,7 @@ impl Array {
         let pixels = match self.values {
             Values::F32(values) => values,
             Values::F64(values) => values.iter().map(|&value| value as f32).collect(),
-            Values::U8(_) | Values::U16(_) => {
+            Values::U8(_) | Values::U16(_) | Values::I32(_) => {
                 return Err(CodecError::new(
                     FORMAT,
                     "descr",
@@ -91,7 +91,7 @@ mod tests {
             "NPY: data: 15 bytes, [2, 2] of 4 bytes each needs 16; the file is truncated or damaged; copy it again"
         );
         let says = |bytes: Vec<u8>| decode(&bytes).unwrap_err().to_string();
-        assert!(says(encode(&[2, 2], &[1i32, 2, 3, 4]).unwrap()).contains("'<i4' is not one of"));
+        assert!(says(encode(&[2, 2], &[1u32, 2, 3, 4]).unwrap()).contains("'<u4' is not one of"));
         assert!(says(encode(&[1], &[1f32]).unwrap()).contains("1 axes"));
         let image = |shape: &[usize]| {
             decode(&encode(shape, &[1u16, 2]).unwrap())

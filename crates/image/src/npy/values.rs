@@ -5,6 +5,8 @@ pub enum Values {
     U8(Vec<u8>),
     /// `uint16`
     U16(Vec<u16>),
+    /// `int32`, or `int16`
+    I32(Vec<i32>),
     /// `float32`, or `float16`
     F32(Vec<f32>),
     /// `float64`
@@ -17,6 +19,7 @@ impl Values {
         match self {
             Self::U8(values) => Self::U8(to_c_order(shape, values)),
             Self::U16(values) => Self::U16(to_c_order(shape, values)),
+            Self::I32(values) => Self::I32(to_c_order(shape, values)),
             Self::F32(values) => Self::F32(to_c_order(shape, values)),
             Self::F64(values) => Self::F64(to_c_order(shape, values)),
         }

@@ -166,7 +166,7 @@ impl Source {
             return Err(FileError::new(
                 path,
                 "NPY: descr: unsupported dtype uint8",
-                message!["give float metres, or uint16 with ", opt("depth-scale")],
+                message!["give float metres, or uint16 or int32 with ", opt("depth-scale")],
             ));
         }
         let given = length.map(|length| length.saturating_sub(layout.data_offset as u64));
@@ -258,6 +258,7 @@ fn fortran(
         Values::F32(values) => split(&values, pixels, |&z| z),
         Values::F64(values) => split(&values, pixels, |&z| single(z)),
         Values::U16(values) => split(&values, pixels, |&unit| metres(unit, scale)),
+        Values::I32(values) => split(&values, pixels, |&unit| metres(unit.max(0), scale)),
         Values::U8(_) => Vec::new(),
     };
     let images = images
@@ -279,14 +280,16 @@ fn image(number: Number, bytes: &[u8], size: ImageSize, scale: f64) -> Option<Im
         Values::F32(values) => values,
         Values::F64(values) => values.into_iter().map(single).collect(),
         Values::U16(values) => values.into_iter().map(|unit| metres(unit, scale)).collect(),
+        // Negative numbers mean that there is no depth.
+        Values::I32(values) => values.into_iter().map(|unit| metres(unit.max(0), scale)).collect(),
         Values::U8(_) => return None,
     };
     Image::new(size.width, size.height, pixels)
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "depth is single precision")]
-fn metres(unit: u16, scale: f64) -> f32 {
-    (f64::from(unit) * scale) as f32
+fn metres(unit: impl Into<f64>, scale: f64) -> f32 {
+    (unit.into() * scale) as f32
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "depth is single precision")]
@@ -311,4 +314,20 @@ fn take(path: &Path, reader: &mut dyn Read, max: u64, bytes: &mut Vec<u8>) -> Re
         };
         FileError::new(path, message, "check the path")
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Cursor;
+
+    use super::*;
+
+    #[test]
+    fn integers_are_in_units_of_the_scale_and_negative_ones_are_missing() {
+        let file = npy::encode(&[1, 3], &[1500_i32, -1, 70_000]).unwrap();
+        let length = Some(file.len() as u64);
+        let mut source = Source::read(Path::new("a.npy"), Box::new(Cursor::new(file)), length, 0.001).unwrap();
+        let image = source.next_image().unwrap().unwrap();
+        assert_eq!(image.pixels(), [1.5, 0.0, 70.0]);
+    }
 }
