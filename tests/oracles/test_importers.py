@@ -142,47 +142,46 @@ def test_colours_of_points(dump, tmp_path):
     assert described["meshes"][0]["colors"]["shape"] == [12, 9]
 
 
-# A scanned street in the coordinates of a map.
-MAP = np.array([499123.4, 4649776.2, 215.7])
-
-
-@pytest.mark.parametrize("kind", ["obj", "ply text", "ply binary", "stl"])
-def test_coordinates_of_a_map_keep_their_precision(dump, tmp_path, kind):
-    near = lumpy(3)
-    far = near.vertices + MAP
-    path = tmp_path / f"street.{kind.split()[0]}"
-    faces = np.asarray(near.faces)
-    if kind == "obj":
-        lines = ["v %r %r %r" % tuple(map(float, point)) for point in far] + ["f %d %d %d" % tuple(face + 1) for face in faces]
-        path.write_text("\n".join(lines))
-    elif kind == "stl":
-        facets = ["facet normal 0 0 0\nouter loop\n" + "".join("vertex %r %r %r\n" % tuple(map(float, far[i])) for i in face) + "endloop\nendfacet" for face in faces]
-        path.write_text("solid s\n" + "\n".join(facets) + "\nendsolid s\n")
+@pytest.mark.parametrize("extension", ["obj", "ply", "stl"])
+def test_large_coordinates(dump, tmp_path, extension):
+    """A survey in a national grid: single precision would move its points by up to 0.25 m."""
+    mesh = lumpy(5)
+    mesh.vertices += [499123.40625, 4649776.203125, 215.703125]
+    # trimesh writes PLY and STL with fewer digits.
+    if extension == "ply":
+        header = f"ply\nformat ascii 1.0\nelement vertex {len(mesh.vertices)}\n"
+        header += "".join(f"property double {axis}\n" for axis in "xyz")
+        header += f"element face {len(mesh.faces)}\nproperty list uchar int vertex_indices\nend_header\n"
+        points = "".join("{!r} {!r} {!r}\n".format(*point) for point in mesh.vertices.tolist())
+        content = header + points + "".join("3 {} {} {}\n".format(*face) for face in mesh.faces)
+    elif extension == "stl":
+        content = "solid a\n"
+        for triangle in mesh.triangles.tolist():
+            corners = "".join("vertex {!r} {!r} {!r}\n".format(*corner) for corner in triangle)
+            content += f"facet normal 0 0 0\nouter loop\n{corners}endloop\nendfacet\n"
+        content += "endsolid a\n"
     else:
-        form = "ascii" if kind == "ply text" else "binary_little_endian"
-        head = f"ply\nformat {form} 1.0\nelement vertex {len(far)}\n" + "".join(f"property double {axis}\n" for axis in "xyz")
-        head += f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"
-        if kind == "ply text":
-            rows = ["%r %r %r" % tuple(map(float, point)) for point in far] + ["3 %d %d %d" % tuple(face) for face in faces]
-            path.write_text(head + "\n".join(rows) + "\n")
-        else:
-            rows = b"".join(b"\x03" + face.astype("<i4").tobytes() for face in faces)
-            path.write_bytes(head.encode() + far.astype("<f8").tobytes() + rows)
-    triangles, _ = dump(path)
-    assert_same(triangles - MAP, near.triangles)
+        content = mesh.export(file_type="obj", digits=9)
+    path = tmp_path / f"a.{extension}"
+    path.write_text(content)
+    ours, _ = dump(path)
+    assert_same(ours, mesh.triangles)
+    assert_same(ours, theirs(path))
 
 
-def test_number_signs_in_names_of_an_obj_file(dump, tmp_path):
-    (tmp_path / "a.mtl").write_text("newmtl Paint #25\nKd 1 0 0 # red\nnewmtl #26\nKd 0 0 1\n")
+def test_a_hash_in_names(dump, tmp_path):
+    (tmp_path / "a.mtl").write_text("newmtl Paint #25\nKd 1 0 0\nnewmtl Paint #26\nKd 0 0 1\n")
     path = tmp_path / "a.obj"
     path.write_text(
-        "  # a comment\nmtllib a.mtl\no Bolt#1\nv 0 0 0 # the origin\nv 1 0 0\nv 0 1 0\n"
-        "usemtl Paint #25\nf 1 2 3 # a face\no #2\nusemtl #26\nf 3 2 1\n"
+        "# two parts\nmtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 1 1 3\n"
+        "o Nut#1\nusemtl Paint #25\nf 1 2 3\no Nut#2\nusemtl Paint #26\nf 1 2 4\n"
     )
-    triangles, scene = dump(path)
-    assert len(triangles) == 2
-    assert [instance["path"] for instance in scene["instances"]] == ["/Bolt#1", "/#2"]
-    assert {material["name"]: material["base_color"] for material in scene["materials"]} == {
-        "Paint #25": [1, 0, 0],
-        "#26": [0, 0, 1],
+    ours, described = dump(path)
+    assert_same(ours, theirs(path))
+    loaded = trimesh.load_scene(path, process=False, split_objects=True)
+    assert {instance["path"][1:] for instance in described["instances"]} == {
+        name.split("_")[0] for name in loaded.geometry
+    }
+    assert {material["name"] for material in described["materials"]} == {
+        mesh.visual.material.name for mesh in loaded.geometry.values()
     }

@@ -7,7 +7,7 @@ use oaktwin_base::diagnostic::{Finding, Level, Message};
 use oaktwin_camera::math::{DAffine3, DVec3};
 
 use super::error::Fault;
-use super::{Imported, ImportedCamera};
+use super::{Imported, ImportedCamera, origin};
 use crate::{Instance, Light, Material, Mesh, MetersPerUnit, Scene, Texture, Up};
 
 /// Paths longer than this are shortened at the front, because every instance stores its ancestors' names.
@@ -52,6 +52,11 @@ impl Builder {
     /// Converts the file's unit to metres.
     pub(super) fn world_from_file(&self) -> DAffine3 {
         DAffine3::from_scale(DVec3::splat(self.scale))
+    }
+
+    /// The origin for meshes with these points, if they are farther than `far_m` metres from that of their frame; see [`origin`].
+    pub(super) fn origin(&self, points: impl Iterator<Item = [f64; 3]>, far_m: f64) -> DVec3 {
+        origin::origin(points, far_m / self.scale)
     }
 
     pub(super) fn add_material(&mut self, material: Material) -> u32 {
@@ -175,7 +180,7 @@ pub(super) fn step(name: &str) -> String {
 }
 
 /// Whether the mesh keeps its volume, so that the transform can be inverted accurately.
-fn is_invertible(transform: DAffine3) -> bool {
+pub(super) fn is_invertible(transform: DAffine3) -> bool {
     let m = transform.matrix3;
     let room = m.x_axis.length() * m.y_axis.length() * m.z_axis.length();
     m.determinant().abs() > 1e-9 * room && transform.inverse().is_finite()

@@ -1,11 +1,11 @@
 //! Imports STL, binary and text. Triangles share points with equal coordinates; facet normals repeat the winding and
 //! are ignored.
 
-use oaktwin_camera::math::DAffine3;
+use oaktwin_camera::math::{DAffine3, DVec3};
 
 use super::builder::{Builder, step};
 use super::error::Fault;
-use super::origin::Origin;
+use super::origin::{FAR_M, relative};
 use super::text;
 use super::weld::Welder;
 use crate::polygon::PolygonMesh;
@@ -65,13 +65,12 @@ fn read_binary(facets: &[u8], builder: &mut Builder) {
         }
     }
     let name = builder.stem.clone();
-    add(&name, welder.points, indices, DAffine3::IDENTITY, builder);
+    add(&name, welder.points, indices, DVec3::ZERO, builder);
 }
 
 fn read_text(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
     let mut name = String::new();
-    let mut welder = Welder::default();
-    let mut origin = Origin::default();
+    let mut welder = Welder::with_capacity(0);
     let mut indices = Vec::new();
     let mut corners = 0;
     let mut ended = true;
@@ -83,7 +82,7 @@ fn read_text(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
                 let Some(point) = text::numbers(&mut words) else {
                     return Err(Fault::damaged(place(), "expected three coordinates of a vertex"));
                 };
-                indices.push(welder.index(origin.relative(point)));
+                indices.push(welder.index(point));
                 corners += 1;
             }
             Some(b"endfacet") => {
@@ -97,9 +96,10 @@ fn read_text(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
                 ended = false;
             }
             Some(b"endsolid") => {
-                let points = std::mem::take(&mut welder).points;
-                let from_mesh = std::mem::take(&mut origin).file_from_mesh();
-                add(&name, points, std::mem::take(&mut indices), from_mesh, builder);
+                let points = std::mem::replace(&mut welder, Welder::with_capacity(0)).points;
+                let origin = builder.origin(points.iter().copied(), FAR_M);
+                let points = points.into_iter().map(|point| relative(point, origin)).collect();
+                add(&name, points, std::mem::take(&mut indices), origin, builder);
                 ended = true;
             }
             Some(b"facet" | b"outer" | b"endloop" | b"color") | None => {}
@@ -117,13 +117,7 @@ fn read_text(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
     Ok(())
 }
 
-fn add(
-    name: &str,
-    points: Vec<[f32; 3]>,
-    indices: Vec<i32>,
-    file_from_mesh: DAffine3,
-    builder: &mut Builder,
-) {
+fn add(name: &str, points: Vec<[f32; 3]>, indices: Vec<i32>, origin: DVec3, builder: &mut Builder) {
     let name = step(name);
     let path = format!(
         "/{}",
@@ -142,6 +136,6 @@ fn add(
     .into_mesh(&path);
     builder.findings.extend(findings);
     if let Some(mesh) = builder.add_mesh(mesh) {
-        builder.place(mesh, &path, file_from_mesh);
+        builder.place(mesh, &path, DAffine3::from_translation(origin));
     }
 }

@@ -256,8 +256,8 @@ fn unsupported_features_are_reported() {
         [
             "KHR_animation_pointer: the file requires this extension, which is not supported; the result may be incomplete or wrong",
             "scenes: only scene 0 of 2 is rendered",
-            "/node_0: its skin is ignored: it is rendered in its rest pose",
             "meshes[0].primitives[0]: its morph targets are ignored",
+            "meshes[0].primitives[0]: its skin is ignored: it has no JOINTS_0 and WEIGHTS_0",
             "meshes[0]: points are not supported: 1 skipped",
             "meshes[0]: primitives with an unknown mode are not supported: 1 skipped",
             "animations: not supported: 1 skipped",

@@ -42,6 +42,7 @@ impl Builder {
             "SCALAR" => 1,
             "VEC2" => 2,
             "VEC3" => 3,
+            "MAT4" => 16,
             _ => 4,
         };
         let view = self.view(&floats(numbers), None);

@@ -131,6 +131,37 @@ fn materials_come_from_libraries() {
 }
 
 #[test]
+fn a_hash_within_a_name_is_no_comment() {
+    let files = Files::new()
+        .with("c#.mtl", "# made by hand\nnewmtl Material #25\nKd 1 0 0\nmap_Kd wood #2.png\nnewmtl #2\nKd 0 1 0\n")
+        .with("wood #2.png", "not read")
+        .with(
+            "a.obj",
+            "  # a comment\nmtllib c#.mtl # by hand\nv 0 0 0 # first\nv 1 0 0#second\nv 1 1 0\n\
+            o Bolt#1\nusemtl Material #25\nf 1 2 3 # one\n\
+            o Bolt#2\nusemtl #2\nf 1 2 3\nusemtl Material #25 # again\nf 1 2 3\nusemtl plain # no such material\nf 1 2 3\n",
+        );
+    let imported = files.open("a.obj");
+    let scene = &imported.scene;
+    assert_eq!(messages(&imported), [""; 0]);
+    let paths: Vec<&str> = scene.instances.iter().map(|i| i.path.as_str()).collect();
+    assert_eq!(paths, ["/Bolt#1", "/Bolt#2"]);
+    let name = |mesh: usize, triangle| {
+        let material = scene.meshes[mesh].material(triangle).unwrap();
+        scene.materials[material as usize].name.as_str()
+    };
+    assert_eq!(name(0, 0), "Material #25");
+    assert_eq!(
+        [0, 1, 2].map(|i| name(1, i)),
+        ["#2", "Material #25", "plain # no such material"]
+    );
+    assert_eq!(
+        scene.textures[0].source,
+        TextureSource::File(files.path("wood #2.png"))
+    );
+}
+
+#[test]
 fn unsupported_statements_are_counted() {
     let imported = open(
         "a.obj",

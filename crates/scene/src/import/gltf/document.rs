@@ -1,18 +1,29 @@
 use std::cell::Cell;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use ::gltf::json::{Root, deserialize};
 use oaktwin_files as files;
 use serde_json::Value;
 
+use super::instancing::Instancing;
+use super::placement::Placement;
+use super::skin::Skin;
 use super::uri::{self, Folder, Target};
-use super::{compressed, glb, json};
+use super::{compressed, extension, glb, json};
 use crate::import::MAX_BYTES;
 use crate::import::error::Fault;
 
 /// A glTF file with its buffers.
 pub(super) struct Document {
     pub(super) root: Root,
+    /// The names of all extensions in the file.
+    pub(super) extensions: BTreeSet<String>,
+    /// The placement of each node.
+    pub(super) placements: Vec<Placement>,
+    /// The nodes that place their mesh many times.
+    pub(super) instancing: BTreeMap<usize, Instancing>,
+    pub(super) skins: Vec<Skin>,
     buffers: Vec<Vec<u8>>,
     pub(super) folder: Folder,
     /// The number of values that may still be read.
@@ -51,10 +62,23 @@ impl Document {
         compressed::decode(&mut root, &mut buffers)?;
         let all: u64 = buffers.iter().map(|buffer| buffer.len() as u64).sum();
         let allowance = (size + all).saturating_mul(MAX_READS_PER_BYTE).max(1 << 20);
+        let nodes = root
+            .get("nodes")
+            .and_then(Value::as_array)
+            .map_or(&[][..], Vec::as_slice);
+        let placements = nodes.iter().map(Placement::of).collect();
+        let instancing = nodes.iter().map(Instancing::of).enumerate();
+        let instancing = instancing.filter_map(|(node, of)| Some((node, of?))).collect();
+        let extensions = extension::names(&root);
+        let skins = Skin::take_all(&mut root);
         let root =
             deserialize::from_value(root).map_err(|error| Fault::damaged("JSON", error.to_string()))?;
         Ok(Self {
             root,
+            extensions,
+            placements,
+            instancing,
+            skins,
             buffers,
             folder,
             allowance: Cell::new(allowance),

@@ -155,12 +155,9 @@ fn repair(root: &mut Value) {
             texture.entry("source").or_insert(source);
         }
     }
-    // Only the number of animations is read, and whether a node has a skin.
+    // Only the number of animations is read.
     for animation in objects(root, "animations") {
         *animation = Map::from_iter([("channels".into(), json!([])), ("samplers".into(), json!([]))]);
-    }
-    for skin in objects(root, "skins") {
-        *skin = Map::from_iter([("joints".into(), json!([]))]);
     }
 }
 

@@ -11,16 +11,18 @@ use json::validation::Checked;
 use super::accessor::Accessor;
 use super::document::Document;
 use super::material::{MaterialInfo, Materials};
+use super::skin::Pose;
 use crate::Mesh;
 use crate::import::builder::Builder;
 use crate::import::error::Fault;
 use crate::polygon::{Interpolation, PolygonMesh, Primvar};
 
-/// Reads a mesh; it has no triangles if none of its primitives can be rendered.
+/// Reads a mesh, in a pose if it has one; it has no triangles if none of its primitives can be rendered.
 pub(super) fn read(
     document: &Document,
     index: usize,
     materials: &Materials,
+    pose: Option<&Pose>,
     builder: &mut Builder,
 ) -> Result<Mesh, Fault> {
     let place = format!("meshes[{index}]");
@@ -45,7 +47,7 @@ pub(super) fn read(
                 let material = primitive
                     .material
                     .and_then(|material| materials.get(material.value()));
-                let part = Part::read(document, primitive, mode, material, &place, builder)
+                let part = Part::read(document, primitive, mode, material, pose, &place, builder)
                     .map_err(|message| Fault::damaged(&place, message))?;
                 parts.push(part);
             }
@@ -74,6 +76,7 @@ impl Part {
         primitive: &json::mesh::Primitive,
         mode: Mode,
         material: Option<MaterialInfo>,
+        pose: Option<&Pose>,
         place: &str,
         builder: &mut Builder,
     ) -> Result<Self, String> {
@@ -120,6 +123,19 @@ impl Part {
                 [0, 1, 2].map(|i| color[i] * factor[i])
             })
         });
+        if let Some(pose) = pose {
+            let normals = polygons.normals.as_mut().map(|normals| &mut normals.values[..]);
+            let posed = pose.apply(
+                document,
+                primitive,
+                vertices.iter(),
+                &mut polygons.points,
+                normals,
+            );
+            if let Err(why) = posed {
+                builder.warn("gltf-skin", place, format!("its skin is ignored: {why}"));
+            }
+        }
         let (mesh, findings) = polygons.into_mesh(place);
         builder.findings.extend(findings);
         Ok(Self { mesh, factor })
@@ -146,7 +162,7 @@ impl Vertices {
         }
     }
 
-    fn iter(&self) -> impl Iterator<Item = usize> {
+    fn iter(&self) -> impl Iterator<Item = usize> + Clone {
         let at = |i: usize| match self {
             Self::All(_) => i,
             // Indices in the list are not negative.

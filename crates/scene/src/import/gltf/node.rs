@@ -1,9 +1,10 @@
 //! Imports the tree of nodes, without recursion: the nesting depth is limited only by the file size.
 
 use ::gltf::json;
-use oaktwin_camera::math::{DAffine3, DMat4, DQuat, DVec3};
+use oaktwin_camera::math::DAffine3;
 
 use super::document::Document;
+use super::instancing::EXTENSION;
 use super::material::Materials;
 use super::{camera, light, mesh};
 use crate::import::builder::{Builder, step};
@@ -24,7 +25,14 @@ enum MeshState {
 struct Pending {
     node: usize,
     parent_path: String,
+    parent: Parent,
+}
+
+/// What a node inherits.
+#[derive(Clone, Copy)]
+struct Parent {
     file_from_parent: DAffine3,
+    is_visible: bool,
 }
 
 pub(super) fn read(document: &Document, materials: &Materials, builder: &mut Builder) -> Result<(), Fault> {
@@ -33,11 +41,16 @@ pub(super) fn read(document: &Document, materials: &Materials, builder: &mut Bui
         document,
         materials,
         meshes: vec![MeshState::Unread; document.root.meshes.len()],
+        file_from_nodes: None,
         visited: vec![false; document.root.nodes.len()],
         repeated: 0,
         stack: Vec::new(),
     };
-    walk.push(&roots, "", DAffine3::IDENTITY);
+    let file = Parent {
+        file_from_parent: DAffine3::IDENTITY,
+        is_visible: true,
+    };
+    walk.push(&roots, "", file);
     while let Some(pending) = walk.stack.pop() {
         walk.visit(&pending, builder)?;
     }
@@ -67,18 +80,20 @@ struct Walk<'a> {
     document: &'a Document,
     materials: &'a Materials,
     meshes: Vec<MeshState>,
+    /// The transforms of all nodes, once a skin needs them.
+    file_from_nodes: Option<Vec<DAffine3>>,
     visited: Vec<bool>,
     repeated: usize,
     stack: Vec<Pending>,
 }
 
 impl Walk<'_> {
-    fn push(&mut self, children: &[usize], path: &str, file_from_parent: DAffine3) {
+    fn push(&mut self, children: &[usize], path: &str, parent: Parent) {
         // The last to be pushed is the first to be visited.
         self.stack.extend(children.iter().rev().map(|&node| Pending {
             node,
             parent_path: path.to_string(),
-            file_from_parent,
+            parent,
         }));
     }
 
@@ -92,18 +107,12 @@ impl Walk<'_> {
             return Ok(());
         }
         let path = node_path(node, pending);
-        let file_from_node = pending.file_from_parent * local(node);
-        if let Some(mesh) = node.mesh {
-            if node.skin.is_some() {
-                builder.warn(
-                    "gltf-unsupported",
-                    &path,
-                    "its skin is ignored: it is rendered in its rest pose",
-                );
-            }
-            if let MeshState::Index(mesh) = self.mesh(index, mesh.value(), builder)? {
-                builder.place(mesh, &path, file_from_node);
-            }
+        let placement = self.document.placements[index];
+        let file_from_node = pending.parent.file_from_parent * placement.parent_from_node;
+        let is_visible = pending.parent.is_visible && placement.is_visible;
+        if is_visible && let Some(mesh) = node.mesh {
+            let skin = node.skin.map(|skin| skin.value());
+            self.place(index, mesh.value(), skin, &path, file_from_node, builder)?;
         }
         if let Some(camera) = node.camera {
             camera::read(self.document, camera.value(), &path, file_from_node, builder);
@@ -112,7 +121,7 @@ impl Walk<'_> {
             .extensions
             .as_ref()
             .and_then(|extensions| extensions.khr_lights_punctual.as_ref());
-        if let Some(lights) = lights {
+        if is_visible && let Some(lights) = lights {
             light::read(
                 self.document,
                 lights.light.value(),
@@ -122,7 +131,71 @@ impl Walk<'_> {
             );
         }
         let children: Vec<usize> = node.children.iter().flatten().map(json::Index::value).collect();
-        self.push(&children, &path, file_from_node);
+        let parent = Parent {
+            file_from_parent: file_from_node,
+            is_visible,
+        };
+        self.push(&children, &path, parent);
+        Ok(())
+    }
+
+    /// Places the mesh of a node.
+    fn place(
+        &mut self,
+        node: usize,
+        mesh: usize,
+        skin: Option<usize>,
+        path: &str,
+        file_from_node: DAffine3,
+        builder: &mut Builder,
+    ) -> Result<(), Fault> {
+        let document = self.document;
+        if let Some(skin) = skin {
+            let file_from_nodes = self
+                .file_from_nodes
+                .get_or_insert_with(|| file_from_nodes(document));
+            let pose = match document.skins.get(skin) {
+                Some(skin) => skin.pose(document, file_from_nodes, file_from_node),
+                None => Err("it does not exist".into()),
+            };
+            match pose {
+                Ok(pose) => {
+                    if document.instancing.contains_key(&node) {
+                        let message = format!("{EXTENSION} is ignored: its mesh has a skin");
+                        builder.warn("gltf-unsupported", path, message);
+                    }
+                    let mesh = mesh::read(document, mesh, self.materials, Some(&pose), builder)?;
+                    if let Some(mesh) = builder.add_mesh(mesh) {
+                        builder.place(mesh, path, pose.file_from_frame);
+                    }
+                    return Ok(());
+                }
+                Err(why) => builder.warn("gltf-skin", path, format!("its skin is ignored: {why}")),
+            }
+        }
+        let MeshState::Index(mesh) = self.mesh(node, mesh, builder)? else {
+            return Ok(());
+        };
+        let Some(instancing) = document.instancing.get(&node) else {
+            builder.place(mesh, path, file_from_node);
+            return Ok(());
+        };
+        if !instancing.others.is_empty() {
+            let message = format!(
+                "attributes of {EXTENSION} are ignored: {}",
+                instancing.others.join(", ")
+            );
+            builder.warn("gltf-unsupported", path, message);
+        }
+        let node_from_mesh = instancing.node_from_mesh(document);
+        let node_from_mesh = node_from_mesh.map_err(|message| Fault::damaged(path, message))?;
+        for (i, node_from_mesh) in node_from_mesh.into_iter().enumerate() {
+            builder.place(
+                mesh,
+                &format!("{path}/instance_{i}"),
+                file_from_node * node_from_mesh,
+            );
+        }
         Ok(())
     }
 
@@ -132,7 +205,7 @@ impl Walk<'_> {
             return Err(Fault::damaged(format!("nodes[{node}].mesh"), "does not exist"));
         };
         if let MeshState::Unread = state {
-            let mesh = mesh::read(self.document, mesh, self.materials, builder)?;
+            let mesh = mesh::read(self.document, mesh, self.materials, None, builder)?;
             *state = builder.add_mesh(mesh).map_or(MeshState::Empty, MeshState::Index);
         }
         Ok(*state)
@@ -173,25 +246,29 @@ fn roots(document: &Document, builder: &mut Builder) -> Vec<usize> {
     (0..root.nodes.len()).filter(|&node| !is_child[node]).collect()
 }
 
-/// The transform from a node's frame to its parent's.
-fn local(node: &json::Node) -> DAffine3 {
-    if let Some(matrix) = node.matrix {
-        return DAffine3::from_mat4(DMat4::from_cols_array(&matrix.map(f64::from)));
-    }
-    let vector = |value: Option<[f32; 3]>, default| value.map_or(default, |v| DVec3::from(v.map(f64::from)));
-    let rotation = node.rotation.map_or(DQuat::IDENTITY, |rotation| {
-        let quaternion = DQuat::from_array(rotation.0.map(f64::from));
-        // In single precision the length is only approximately 1.
-        let length = quaternion.length();
-        if length > 0.0 && length.is_finite() {
-            quaternion / length
-        } else {
-            DQuat::IDENTITY
+/// The transforms of all nodes to the file's frame. Of several parents the first counts.
+fn file_from_nodes(document: &Document) -> Vec<DAffine3> {
+    let nodes = &document.root.nodes;
+    let children = |node: usize| nodes[node].children.iter().flatten().map(json::Index::value);
+    let mut parents = vec![None; nodes.len()];
+    for node in 0..nodes.len() {
+        for child in children(node) {
+            if let Some(parent @ None) = parents.get_mut(child) {
+                *parent = Some(node);
+            }
         }
-    });
-    DAffine3::from_scale_rotation_translation(
-        vector(node.scale, DVec3::ONE),
-        rotation,
-        vector(node.translation, DVec3::ZERO),
-    )
+    }
+    let mut transforms: Vec<DAffine3> = document
+        .placements
+        .iter()
+        .map(|placement| placement.parent_from_node)
+        .collect();
+    let mut stack: Vec<usize> = (0..nodes.len()).filter(|&node| parents[node].is_none()).collect();
+    while let Some(node) = stack.pop() {
+        if let Some(parent) = parents[node].take() {
+            transforms[node] = transforms[parent] * transforms[node];
+        }
+        stack.extend(children(node).filter(|&child| parents.get(child) == Some(&Some(node))));
+    }
+    transforms
 }

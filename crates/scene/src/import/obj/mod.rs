@@ -1,4 +1,8 @@
 //! Imports OBJ with MTL: polygons by object or group, texture coordinates, normals, and vertex colours.
+//!
+//! `#` begins a comment at the start of a line and after the numbers of a statement. In the names of objects, groups, materials and
+//! files it is a character like others, as in Blender: 3ds Max calls materials `Material #25`. Where no material or file
+//! has such a name, what follows ` #` is a comment.
 
 mod mtl;
 mod part;
@@ -6,11 +10,13 @@ mod part;
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use oaktwin_camera::math::{DAffine3, DVec3};
+
 use self::mtl::Library;
 use self::part::{Corner, Part, Pool};
 use super::builder::{Builder, step};
 use super::error::Fault;
-use super::origin::Origin;
+use super::origin::{FAR_M, FAR_PART_M};
 use super::text;
 use oaktwin_image::srgb;
 
@@ -28,7 +34,6 @@ pub(super) fn read(bytes: &[u8], path: &Path, builder: &mut Builder) -> Result<(
         material: None,
         left_out: BTreeMap::new(),
         bad_corners: 0,
-        origin: Origin::default(),
     };
     let mut known = 0_usize;
     for (number, line) in text::continued_lines(&text::decoded(bytes)) {
@@ -60,28 +65,25 @@ struct Reader<'a> {
     /// Unsupported statements with their number.
     left_out: BTreeMap<&'static str, usize>,
     bad_corners: usize,
-    origin: Origin,
 }
 
 impl Reader<'_> {
     /// Returns false for an unknown statement.
     fn line(&mut self, line: &[u8], number: usize) -> Result<bool, Fault> {
-        // As in other readers, `#` begins a comment at the start of a line or after numbers, but may be part of a name.
+        // A comment ends a statement of numbers; a name is the rest of its line, and may contain the sign.
+        let name = line.trim_ascii();
+        let line = line.split(|&byte| byte == b'#').next().unwrap_or_default();
         let mut words = text::words(line);
         let bad = |what: &str| {
             let message = format!("{what}: {}", text::shown(line));
             Err(Fault::damaged(format!("line {number}"), message))
         };
-        let Some(word) = words.next().filter(|word| !word.starts_with(b"#")) else {
+        let Some(word) = words.next() else {
             return Ok(false);
         };
-        let mut words = words.take_while(|word| !word.starts_with(b"#"));
         match word {
             b"v" => match text::numbers(&mut words) {
-                Some(point) => {
-                    let point = self.origin.relative(point);
-                    self.pool.push_point(point, point_color(&mut words));
-                }
+                Some(point) => self.pool.push_point(point, point_color(&mut words)),
                 None => return bad("expected three coordinates"),
             },
             b"vt" => match text::numbers::<f32, 1>(&mut words) {
@@ -102,15 +104,15 @@ impl Reader<'_> {
                 }
             }
             b"o" => {
-                self.object = rest(line, 1);
+                self.object = rest(name, 1);
                 self.current = None;
             }
             b"g" => {
-                self.group = rest(line, 1);
+                self.group = rest(name, 1);
                 self.current = None;
             }
-            b"usemtl" => self.material = Some(self.library.find(&rest(line, 6), self.builder)),
-            b"mtllib" => self.library.load(&rest(line, 6), self.folder, self.builder),
+            b"usemtl" => self.material = Some(self.library.find(&rest(name, 6), self.builder)),
+            b"mtllib" => self.library.load(&rest(name, 6), self.folder, self.builder),
             b"p" => *self.left_out.entry("points").or_default() += 1,
             b"l" => *self.left_out.entry("lines").or_default() += 1,
             b"curv" | b"curv2" | b"surf" => *self.left_out.entry("curves and surfaces").or_default() += 1,
@@ -176,16 +178,23 @@ impl Reader<'_> {
             );
         }
         let mut pool = self.pool;
+        let all = self
+            .parts
+            .iter()
+            .map(|part| pool.points_of(&part.corners, DVec3::ZERO));
+        let common = builder.origin(all.flatten(), FAR_M);
         for part in self.parts {
             let path = if part.path.is_empty() {
                 format!("/{}", step(&builder.stem))
             } else {
                 part.path.clone()
             };
-            let (mesh, findings) = part.polygons(&mut pool).into_mesh(&path);
+            let own = builder.origin(pool.points_of(&part.corners, common), FAR_PART_M);
+            let origin = common + own;
+            let (mesh, findings) = part.polygons(&mut pool, origin).into_mesh(&path);
             builder.findings.extend(findings);
             if let Some(mesh) = builder.add_mesh(mesh) {
-                builder.place(mesh, &path, self.origin.file_from_mesh());
+                builder.place(mesh, &path, DAffine3::from_translation(origin));
             }
         }
     }
@@ -213,6 +222,15 @@ fn point_color<'a>(words: &mut impl Iterator<Item = &'a [u8]>) -> Option<[f32; 3
         [r, g, b] | [_, r, g, b] => Some([r, g, b].map(srgb::linear)),
         _ => None,
     }
+}
+
+/// What a name may be, the longest first: the whole, or what comes before a comment.
+fn names(whole: &str) -> impl Iterator<Item = &str> {
+    let starts = whole.rmatch_indices('#').map(|(at, _)| &whole[..at]);
+    let shorter = starts
+        .filter(|name| name.ends_with([' ', '\t']))
+        .map(str::trim_end);
+    std::iter::once(whole).chain(shorter)
 }
 
 /// The remainder of a line after its first word, including spaces.

@@ -3,7 +3,7 @@ use std::path::{Path, PathBuf};
 
 use oaktwin_files as files;
 
-use super::rest;
+use super::{names, rest};
 use crate::import::MAX_BYTES;
 use crate::import::builder::Builder;
 use crate::import::text;
@@ -21,14 +21,16 @@ pub(super) struct Library {
 
 impl Library {
     /// Reads one file, or several: names are separated by spaces, but may also contain spaces.
-    pub(super) fn load(&mut self, names: &str, folder: &Path, builder: &mut Builder) {
-        let whole = folder.join(local(names));
+    pub(super) fn load(&mut self, statement: &str, folder: &Path, builder: &mut Builder) {
+        let whole = existing(folder, statement);
         let files = if whole.is_file() {
             vec![whole]
         } else {
-            names
-                .split_whitespace()
-                .map(|name| folder.join(local(name)))
+            let words = statement.split_whitespace();
+            words
+                .map(|name| (name, folder.join(local(name))))
+                .take_while(|(name, file)| !name.starts_with('#') || file.is_file())
+                .map(|(_, file)| file)
                 .collect()
         };
         for file in files {
@@ -53,6 +55,8 @@ impl Library {
 
     /// Returns the material with this name; an undefined one is created, so that its faces stay separate.
     pub(super) fn find(&mut self, name: &str, builder: &mut Builder) -> u32 {
+        let known = names(name).find(|name| self.materials.contains_key(*name));
+        let name = known.unwrap_or(name);
         *self.materials.entry(name.into()).or_insert_with(|| {
             builder.add_material(Material {
                 name: name.into(),
@@ -111,7 +115,7 @@ impl Library {
     /// Parses a texture statement: options, then the name of the image.
     fn texture(&mut self, statement: &str, folder: &Path, builder: &mut Builder) -> Option<TextureUse> {
         let (name, options) = Options::split(statement);
-        let file = folder.join(local(name));
+        let file = existing(folder, name);
         let texture = self.textures.entry(file.clone()).or_insert_with(|| {
             if !file.is_file() {
                 builder.warn(
@@ -217,6 +221,14 @@ fn color<'a>(words: &mut impl Iterator<Item = &'a [u8]>) -> Option<[f32; 3]> {
 fn fraction(word: Option<&[u8]>) -> Option<f32> {
     let number: f32 = text::number(word?)?;
     number.is_finite().then(|| number.clamp(0.0, 1.0))
+}
+
+/// The file with a name, or with the name before a comment if only that exists.
+fn existing(folder: &Path, name: &str) -> PathBuf {
+    let mut files = names(name).map(|name| folder.join(local(name)));
+    files
+        .find(|file| file.is_file())
+        .unwrap_or_else(|| folder.join(local(name)))
 }
 
 /// Converts a file name to this system's path separators.

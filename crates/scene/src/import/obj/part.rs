@@ -1,11 +1,14 @@
 use std::collections::HashMap;
 
+use oaktwin_camera::math::DVec3;
+
+use crate::import::origin::relative;
 use crate::polygon::{FaceMaterial, Interpolation, PolygonMesh, Primvar};
 
 /// The values that the faces of a file refer to.
 #[derive(Default)]
 pub(super) struct Pool {
-    points: Vec<[f32; 3]>,
+    points: Vec<[f64; 3]>,
     /// The colours of the points; may be shorter than the points if the last ones have none.
     colors: Vec<[f32; 3]>,
     pub(super) uvs: Vec<[f32; 2]>,
@@ -18,7 +21,7 @@ pub(super) struct Pool {
 const WHITE: [f32; 3] = [1.0; 3];
 
 impl Pool {
-    pub(super) fn push_point(&mut self, point: [f32; 3], color: Option<[f32; 3]>) {
+    pub(super) fn push_point(&mut self, point: [f64; 3], color: Option<[f32; 3]>) {
         if let Some(color) = color {
             self.colors.resize(self.points.len(), WHITE);
             self.colors.push(color);
@@ -28,6 +31,14 @@ impl Pool {
 
     pub(super) fn point(&self, index: i64) -> i32 {
         super::index(index, self.points.len())
+    }
+
+    /// The points of corners, relative to an origin, as far as they exist.
+    pub(super) fn points_of(&self, corners: &[Corner], origin: DVec3) -> impl Iterator<Item = [f64; 3]> {
+        let found = corners
+            .iter()
+            .filter_map(|corner| self.points.get(usize::try_from(corner.point).ok()?));
+        found.map(move |point| (DVec3::from(*point) - origin).to_array())
     }
 }
 
@@ -72,8 +83,8 @@ impl Part {
         }
     }
 
-    /// Builds a mesh with only the values that its faces refer to.
-    pub(super) fn polygons(self, pool: &mut Pool) -> PolygonMesh {
+    /// Builds a mesh with only the values that its faces refer to, with points relative to an origin.
+    pub(super) fn polygons(self, pool: &mut Pool, origin: DVec3) -> PolygonMesh {
         let Self {
             counts,
             corners,
@@ -85,7 +96,12 @@ impl Part {
         let has_color = !pool.colors.is_empty();
         let mut colors = Vec::new();
         let points = corners.iter().map(|corner| corner.point);
-        (mesh.points, mesh.face_vertex_indices) = picked(&pool.points, points.clone(), numbers);
+        let (picked_points, point_indices) = picked(&pool.points, points.clone(), numbers);
+        mesh.points = picked_points
+            .into_iter()
+            .map(|point| relative(point, origin))
+            .collect();
+        mesh.face_vertex_indices = point_indices;
         if has_color {
             pool.colors.resize(pool.points.len(), WHITE);
             colors = picked(&pool.colors, points, numbers).0;

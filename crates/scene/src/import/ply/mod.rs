@@ -5,11 +5,13 @@
 mod body;
 mod header;
 
+use oaktwin_camera::math::DAffine3;
+
 use self::body::Body;
 use self::header::{Element, Encoding, Header, Kind, Property};
 use super::builder::{Builder, step};
 use super::error::Fault;
-use super::origin::Origin;
+use super::origin::{FAR_M, relative};
 use crate::polygon::{Interpolation, PolygonMesh, Primvar};
 use oaktwin_image::srgb;
 
@@ -21,11 +23,11 @@ pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
     }
     let mut body = Body::new(&bytes[header.length..], &header);
     let mut mesh = PolygonMesh::default();
-    let mut origin = Origin::default();
+    let mut points = Vec::new();
     for element in &header.elements {
         check_size(element, header.encoding, &body)?;
         match element.name.as_str() {
-            "vertex" => read_vertices(element, &mut body, &mut mesh, &mut origin)?,
+            "vertex" => points = read_vertices(element, &mut body, &mut mesh)?,
             "face" => read_faces(element, &mut body, &mut mesh)?,
             name => {
                 if name == "tristrips" && element.count > 0 {
@@ -39,21 +41,25 @@ pub(super) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
             }
         }
     }
-    if mesh.points.is_empty() {
+    if points.is_empty() {
         return Err(Fault::new("vertex", "contains no points", "export it again"));
     }
     if mesh.face_vertex_counts.is_empty() {
         return Err(Fault::new(
             "face",
-            format!("is a point cloud of {} points without faces", mesh.points.len()),
+            format!("is a point cloud of {} points without faces", points.len()),
             "convert it to a mesh first, for example by Poisson reconstruction",
         ));
     }
+    let used = mesh.face_vertex_indices.iter();
+    let used = used.filter_map(|&at| points.get(usize::try_from(at).ok()?).copied());
+    let origin = builder.origin(used, FAR_M);
+    mesh.points = points.into_iter().map(|point| relative(point, origin)).collect();
     let path = format!("/{}", step(&builder.stem));
     let (mesh, findings) = mesh.into_mesh(&path);
     builder.findings.extend(findings);
     if let Some(mesh) = builder.add_mesh(mesh) {
-        builder.place(mesh, &path, origin.file_from_mesh());
+        builder.place(mesh, &path, DAffine3::from_translation(origin));
     }
     Ok(())
 }
@@ -130,13 +136,13 @@ fn columns(element: &Element) -> Vec<Column> {
     element.properties.iter().map(column).collect()
 }
 
+/// Reads the points, and sets what else a mesh has at its points.
 #[allow(clippy::cast_possible_truncation, reason = "meshes store single precision")]
 fn read_vertices(
     element: &Element,
     body: &mut Body<'_>,
     mesh: &mut PolygonMesh,
-    origin: &mut Origin,
-) -> Result<(), Fault> {
+) -> Result<Vec<[f64; 3]>, Fault> {
     let columns = columns(element);
     if ["x", "y", "z"].iter().any(|name| element.find(&[name]).is_none()) {
         return Err(Fault::new(
@@ -173,7 +179,7 @@ fn read_vertices(
             }
         }
         body.end_row();
-        points.push(origin.relative(point));
+        points.push(point);
         if has_normals {
             normals.push(normal);
         }
@@ -184,11 +190,10 @@ fn read_vertices(
             colors.push(color);
         }
     }
-    mesh.points = points;
     mesh.normals = has_normals.then(|| Primvar::new(Interpolation::Vertex, normals));
     mesh.uvs = has_uvs.then(|| Primvar::new(Interpolation::Vertex, uvs));
     mesh.colors = has_colors.then(|| Primvar::new(Interpolation::Vertex, colors));
-    Ok(())
+    Ok(points)
 }
 
 fn read_faces(element: &Element, body: &mut Body<'_>, mesh: &mut PolygonMesh) -> Result<(), Fault> {

@@ -1,0 +1,58 @@
+//! Where a node is and whether it is visible, from the raw JSON, whose numbers have double precision.
+
+use oaktwin_camera::math::{DAffine3, DMat4, DQuat, DVec3};
+use serde_json::Value;
+
+/// The extensions that hide a node and those below it: the ratified one, and the one that it was first drafted as.
+pub(super) const VISIBILITY: [&str; 2] = ["KHR_node_visibility", "KHR_visibility"];
+
+#[derive(Clone, Copy)]
+pub(super) struct Placement {
+    pub(super) parent_from_node: DAffine3,
+    /// Whether the node and those below it are shown.
+    pub(super) is_visible: bool,
+}
+
+impl Placement {
+    pub(super) fn of(node: &Value) -> Self {
+        Self {
+            parent_from_node: parent_from_node(node),
+            is_visible: !VISIBILITY.iter().any(|name| is_hidden(node, name)),
+        }
+    }
+}
+
+fn is_hidden(node: &Value, extension: &str) -> bool {
+    let extension = node.get("extensions").and_then(|all| all.get(extension));
+    let member = |name: &str| extension.and_then(|extension| extension.get(name)?.as_bool());
+    // The second name is that of a draft.
+    member("visible") == Some(false) || member("hidden") == Some(true)
+}
+
+fn parent_from_node(node: &Value) -> DAffine3 {
+    if let Some(matrix) = numbers(node, "matrix") {
+        return DAffine3::from_mat4(DMat4::from_cols_array(&matrix));
+    }
+    DAffine3::from_scale_rotation_translation(
+        numbers(node, "scale").map_or(DVec3::ONE, DVec3::from_array),
+        numbers(node, "rotation").map_or(DQuat::IDENTITY, rotation),
+        numbers(node, "translation").map_or(DVec3::ZERO, DVec3::from_array),
+    )
+}
+
+/// The rotation of a quaternion whose length is only approximately 1; none of one without a direction.
+pub(super) fn rotation(quaternion: [f64; 4]) -> DQuat {
+    let quaternion = DQuat::from_array(quaternion);
+    let length = quaternion.length();
+    if length > 0.0 && length.is_finite() {
+        quaternion / length
+    } else {
+        DQuat::IDENTITY
+    }
+}
+
+fn numbers<const N: usize>(node: &Value, name: &str) -> Option<[f64; N]> {
+    let list = node.get(name)?.as_array()?;
+    let numbers: Vec<f64> = list.iter().filter_map(Value::as_f64).collect();
+    numbers.try_into().ok()
+}
