@@ -172,7 +172,15 @@ mod tests {
 
     #[test]
     fn parses_types() {
-        for (descr, bytes) in [("|u1", 1), ("<u2", 2), ("<i2", 2), (">i4", 4), (">f2", 2), ("<f4", 4), (">f8", 8)] {
+        for (descr, bytes) in [
+            ("|u1", 1),
+            ("<u2", 2),
+            ("<i2", 2),
+            (">i4", 4),
+            (">f2", 2),
+            ("<f4", 4),
+            (">f8", 8),
+        ] {
             assert_eq!(Number::parse(descr).unwrap().bytes(), bytes);
         }
         for descr in ["", "f4", "=f4", "|f4", "<i8", "<f16", "é", "<c8"] {

@@ -281,7 +281,10 @@ fn image(number: Number, bytes: &[u8], size: ImageSize, scale: f64) -> Option<Im
         Values::F64(values) => values.into_iter().map(single).collect(),
         Values::U16(values) => values.into_iter().map(|unit| metres(unit, scale)).collect(),
         // Negative numbers mean that there is no depth.
-        Values::I32(values) => values.into_iter().map(|unit| metres(unit.max(0), scale)).collect(),
+        Values::I32(values) => values
+            .into_iter()
+            .map(|unit| metres(unit.max(0), scale))
+            .collect(),
         Values::U8(_) => return None,
     };
     Image::new(size.width, size.height, pixels)
@@ -326,7 +329,8 @@ mod tests {
     fn integers_are_in_units_of_the_scale_and_negative_ones_are_missing() {
         let file = npy::encode(&[1, 3], &[1500_i32, -1, 70_000]).unwrap();
         let length = Some(file.len() as u64);
-        let mut source = Source::read(Path::new("a.npy"), Box::new(Cursor::new(file)), length, 0.001).unwrap();
+        let mut source =
+            Source::read(Path::new("a.npy"), Box::new(Cursor::new(file)), length, 0.001).unwrap();
         let image = source.next_image().unwrap().unwrap();
         assert_eq!(image.pixels(), [1.5, 0.0, 70.0]);
     }
