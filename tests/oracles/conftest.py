@@ -24,6 +24,7 @@ NEEDS = {
     "test_dataset.py": ("cv2",),
     "test_filters.py": ("cv2", "depthai"),
     "test_generate.py": ("cv2", "evo", "pycocotools", "pycolmap", "trimesh", "webdataset"),
+    "test_generate_annotations.py": ("cv2", "evo", "pycocotools", "pycolmap", "trimesh", "webdataset"),
     "test_imu.py": ("allantools", "rosbags", "scipy"),
     "test_importers.py": ("trimesh",),
     "test_population.py": ("depthai",),

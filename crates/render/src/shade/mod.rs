@@ -407,12 +407,8 @@ impl ShadingContext<'_> {
             ..
         } = workspace;
         if let Some(found) = packet.find() {
-            let finishes = finishes(
-                &self.paints,
-                &found,
-                self.scene.micro_texture.as_ref(),
-                self.level,
-            );
+            let grain = self.scene.micro_texture.as_ref();
+            let finishes = finishes(&self.paints, &found, grain, self.level);
             let (mut shares, known) = self.coarse.light(&found, self.level);
             for lane in 0..found.count() {
                 if (known >> lane) & 1 == 0 {

@@ -10,7 +10,7 @@ use super::instancing::Instancing;
 use super::placement::Placement;
 use super::skin::Skin;
 use super::uri::{self, Folder, Target};
-use super::{compressed, extension, glb, json};
+use super::{compressed, glb, json};
 use crate::import::MAX_BYTES;
 use crate::import::error::Fault;
 
@@ -69,7 +69,7 @@ impl Document {
         let placements = nodes.iter().map(Placement::of).collect();
         let instancing = nodes.iter().map(Instancing::of).enumerate();
         let instancing = instancing.filter_map(|(node, of)| Some((node, of?))).collect();
-        let extensions = extension::names(&root);
+        let extensions = json::extension_names(&root);
         let skins = Skin::take_all(&mut root);
         let root =
             deserialize::from_value(root).map_err(|error| Fault::damaged("JSON", error.to_string()))?;

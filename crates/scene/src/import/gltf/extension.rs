@@ -1,9 +1,5 @@
 //! Which extensions are implemented, and which do not change where surfaces are.
 
-use std::collections::BTreeSet;
-
-use serde_json::Value;
-
 use super::compressed;
 use super::document::Document;
 use crate::import::builder::Builder;
@@ -56,38 +52,6 @@ const HARMLESS: [&str; 30] = [
     "VRM",
     "MOZ_lightmap",
 ];
-
-/// The names of all extensions that a file lists or has.
-pub(super) fn names(root: &Value) -> BTreeSet<String> {
-    let mut names = BTreeSet::new();
-    for list in ["extensionsUsed", "extensionsRequired"] {
-        let list = root.get(list).and_then(Value::as_array);
-        names.extend(
-            list.into_iter()
-                .flatten()
-                .filter_map(Value::as_str)
-                .map(String::from),
-        );
-    }
-    let mut rest = vec![root];
-    while let Some(value) = rest.pop() {
-        match value {
-            Value::Array(list) => rest.extend(list.iter().filter(|item| item.is_array() || item.is_object())),
-            Value::Object(members) => {
-                if let Some(Value::Object(extensions)) = members.get("extensions") {
-                    names.extend(extensions.keys().cloned());
-                }
-                rest.extend(
-                    members
-                        .values()
-                        .filter(|item| item.is_array() || item.is_object()),
-                );
-            }
-            _ => {}
-        }
-    }
-    names
-}
 
 /// Reports the extensions without which the result may be wrong.
 pub(super) fn report(document: &Document, builder: &mut Builder) {

@@ -1,5 +1,7 @@
 //! Parses the JSON of a glTF file and repairs what older exporters get wrong.
 
+use std::collections::BTreeSet;
+
 use serde_json::{Map, Value, json};
 
 use crate::import::error::Fault;
@@ -168,6 +170,38 @@ pub(super) fn objects<'a>(
 ) -> impl Iterator<Item = &'a mut Map<String, Value>> {
     let list = root.get_mut(list).and_then(Value::as_array_mut);
     list.into_iter().flatten().filter_map(Value::as_object_mut)
+}
+
+/// The names of all extensions that a file lists or has.
+pub(super) fn extension_names(root: &Value) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    for list in ["extensionsUsed", "extensionsRequired"] {
+        let list = root.get(list).and_then(Value::as_array);
+        names.extend(
+            list.into_iter()
+                .flatten()
+                .filter_map(Value::as_str)
+                .map(String::from),
+        );
+    }
+    let mut rest = vec![root];
+    while let Some(value) = rest.pop() {
+        match value {
+            Value::Array(list) => rest.extend(list.iter().filter(|item| item.is_array() || item.is_object())),
+            Value::Object(members) => {
+                if let Some(Value::Object(extensions)) = members.get("extensions") {
+                    names.extend(extensions.keys().cloned());
+                }
+                rest.extend(
+                    members
+                        .values()
+                        .filter(|item| item.is_array() || item.is_object()),
+                );
+            }
+            _ => {}
+        }
+    }
+    names
 }
 
 #[cfg(test)]
