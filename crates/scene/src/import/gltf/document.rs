@@ -6,9 +6,7 @@ use ::gltf::json::{Root, deserialize};
 use oaktwin_files as files;
 use serde_json::Value;
 
-use super::instancing::Instancing;
-use super::placement::Placement;
-use super::skin::Skin;
+use super::placement::{Instancing, Placement, Skin};
 use super::uri::{self, Folder, Target};
 use super::{compressed, glb, json};
 use crate::import::MAX_BYTES;

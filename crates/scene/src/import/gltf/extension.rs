@@ -4,7 +4,7 @@ use super::compressed;
 use super::document::Document;
 use crate::import::builder::Builder;
 
-/// The implemented extensions, besides those of [`compressed`], [`instancing`](super::instancing) and
+/// The implemented extensions, besides those of [`compressed`], [`placement`](super::placement) and
 /// [`placement`](super::placement).
 const IMPLEMENTED: [&str; 9] = [
     "EXT_texture_webp",
@@ -55,7 +55,7 @@ const HARMLESS: [&str; 30] = [
 
 /// Reports the extensions without which the result may be wrong.
 pub(super) fn report(document: &Document, builder: &mut Builder) {
-    let own = [super::instancing::EXTENSION];
+    let own = [super::placement::INSTANCING];
     let implemented = [
         &IMPLEMENTED[..],
         &compressed::EXTENSIONS,

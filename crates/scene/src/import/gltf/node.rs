@@ -4,8 +4,8 @@ use ::gltf::json;
 use oaktwin_camera::math::DAffine3;
 
 use super::document::Document;
-use super::instancing::EXTENSION;
 use super::material::Materials;
+use super::placement::INSTANCING as EXTENSION;
 use super::{camera, light, mesh};
 use crate::import::builder::{Builder, step};
 use crate::import::error::Fault;

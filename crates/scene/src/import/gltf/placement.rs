@@ -1,7 +1,9 @@
-//! Where a node is and whether it is visible, from the raw JSON, whose numbers have double precision.
+//! Where a node is, whether it is visible, its instances and skins, from the raw JSON, whose numbers have double precision.
 
 use oaktwin_camera::math::{DAffine3, DMat4, DQuat, DVec3};
-use serde_json::Value;
+use serde_json::{Map, Value, json};
+
+use super::json::objects;
 
 /// The extensions that hide a node and those below it: the ratified one, and the one that it was first drafted as.
 pub(super) const VISIBILITY: [&str; 2] = ["KHR_node_visibility", "KHR_visibility"];
@@ -55,4 +57,63 @@ fn numbers<const N: usize>(node: &Value, name: &str) -> Option<[f64; N]> {
     let list = node.get(name)?.as_array()?;
     let numbers: Vec<f64> = list.iter().filter_map(Value::as_f64).collect();
     numbers.try_into().ok()
+}
+
+/// The extension of nodes that place their mesh many times.
+pub(super) const INSTANCING: &str = "EXT_mesh_gpu_instancing";
+
+/// The accessors of the instances' transforms.
+pub(super) struct Instancing {
+    pub(super) translation: Option<usize>,
+    pub(super) rotation: Option<usize>,
+    pub(super) scale: Option<usize>,
+    /// The attributes that are ignored.
+    pub(super) others: Vec<String>,
+}
+
+impl Instancing {
+    pub(super) fn of(node: &Value) -> Option<Self> {
+        let extension = node.get("extensions")?.get(INSTANCING)?;
+        let attributes = extension.get("attributes").and_then(Value::as_object);
+        let find = |name: &str| usize::try_from(attributes?.get(name)?.as_u64()?).ok();
+        let is_other = |name: &&String| !["TRANSLATION", "ROTATION", "SCALE"].contains(&name.as_str());
+        let names = attributes.into_iter().flat_map(|attributes| attributes.keys());
+        Some(Self {
+            translation: find("TRANSLATION"),
+            rotation: find("ROTATION"),
+            scale: find("SCALE"),
+            others: names.filter(is_other).cloned().collect(),
+        })
+    }
+}
+
+/// A skin as the file describes it.
+pub(super) struct Skin {
+    pub(super) joints: Vec<usize>,
+    /// The accessor of the matrices from the mesh to each joint; without it they are the identity.
+    pub(super) inverse_bind: Option<usize>,
+}
+
+impl Skin {
+    /// Takes the skins out of the JSON, because only [`skin`](super::skin) checks them.
+    pub(super) fn take_all(root: &mut Value) -> Vec<Self> {
+        let index = |value: &Value| value.as_u64().and_then(|index| usize::try_from(index).ok());
+        let take = |skin: &mut Map<String, Value>| {
+            let joints = skin.get("joints").and_then(Value::as_array);
+            let of = Self {
+                // An index that is no number is one that does not exist.
+                joints: joints
+                    .into_iter()
+                    .flatten()
+                    .map(|joint| index(joint).unwrap_or(usize::MAX))
+                    .collect(),
+                inverse_bind: skin
+                    .get("inverseBindMatrices")
+                    .map(|at| index(at).unwrap_or(usize::MAX)),
+            };
+            *skin = Map::from_iter([("joints".into(), json!([]))]);
+            of
+        };
+        objects(root, "skins").map(take).collect()
+    }
 }

@@ -3,43 +3,13 @@
 use ::gltf::json::mesh::{Primitive, Semantic};
 use ::gltf::json::validation::Checked;
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
-use serde_json::{Map, Value, json};
 
 use super::accessor::Accessor;
 use super::document::Document;
-use super::json::objects;
+use super::placement::Skin;
 use crate::import::builder::is_invertible;
 
-/// A skin as the file describes it.
-pub(super) struct Skin {
-    joints: Vec<usize>,
-    /// The accessor of the matrices from the mesh to each joint; without it they are the identity.
-    inverse_bind: Option<usize>,
-}
-
 impl Skin {
-    /// Takes the skins out of the JSON, because only this module checks them.
-    pub(super) fn take_all(root: &mut Value) -> Vec<Self> {
-        let index = |value: &Value| value.as_u64().and_then(|index| usize::try_from(index).ok());
-        let take = |skin: &mut Map<String, Value>| {
-            let joints = skin.get("joints").and_then(Value::as_array);
-            let of = Self {
-                // An index that is no number is one that does not exist.
-                joints: joints
-                    .into_iter()
-                    .flatten()
-                    .map(|joint| index(joint).unwrap_or(usize::MAX))
-                    .collect(),
-                inverse_bind: skin
-                    .get("inverseBindMatrices")
-                    .map(|at| index(at).unwrap_or(usize::MAX)),
-            };
-            *skin = Map::from_iter([("joints".into(), json!([]))]);
-            of
-        };
-        objects(root, "skins").map(take).collect()
-    }
-
     /// Poses a mesh with the joints where their nodes are.
     pub(super) fn pose(
         &self,
