@@ -4,8 +4,7 @@ use super::compressed;
 use super::document::Document;
 use crate::import::builder::Builder;
 
-/// The implemented extensions, besides those of [`compressed`], [`placement`](super::placement) and
-/// [`placement`](super::placement).
+/// The implemented extensions, besides those of [`compressed`] and [`placement`](super::placement).
 const IMPLEMENTED: [&str; 9] = [
     "EXT_texture_webp",
     "KHR_lights_punctual",
