@@ -2,7 +2,7 @@
 
 use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::RigidTransform;
-use oaktwin_catalog::{DepthKind, Twin};
+use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_dataset::Shot;
 use oaktwin_depth::filter::Filter;
 use oaktwin_image::annotation::Annotator;
@@ -370,27 +370,25 @@ impl Context {
     }
 }
 
-/// Whether a camera is that of a stereo depth sensor.
-fn is_stereo(twin: &Twin, camera: &PlacedCamera) -> bool {
-    match &camera.depth_sensor {
-        Some(DepthSensorSource::Twin(prim)) => {
-            let sensor = twin.depth_sensors.iter().find(|sensor| sensor.spec.prim == *prim);
-            sensor.is_some_and(|sensor| sensor.spec.pair().is_some())
-        }
-        _ => false,
-    }
+/// Returns the depth sensor that measures with a camera; `None` for a camera without one.
+fn sensor_of<'a>(twin: &'a Twin, camera: &PlacedCamera) -> Option<&'a TwinDepthSensor> {
+    let DepthSensorSource::Twin(prim) = camera.depth_sensor.as_ref()? else {
+        return None;
+    };
+    twin.depth_sensors.iter().find(|sensor| sensor.spec.prim == *prim)
 }
 
-/// The engine of a camera's depth sensor; `None` for a camera without one.
+/// Whether a stereo depth sensor measures with a camera.
+fn is_stereo(twin: &Twin, camera: &PlacedCamera) -> bool {
+    sensor_of(twin, camera).is_some_and(|sensor| sensor.spec.pair().is_some())
+}
+
+/// Returns the engine of a camera's depth sensor; `None` for a camera without one.
 fn engine_of(
     twin: &Twin,
     camera: &PlacedCamera,
     chosen: Option<&'static EngineKind>,
 ) -> Option<&'static EngineKind> {
-    let DepthSensorSource::Twin(prim) = camera.depth_sensor.as_ref()? else {
-        return None;
-    };
-    let sensor = twin.depth_sensors.iter().find(|sensor| sensor.spec.prim == *prim);
-    let kind = sensor.map_or(DepthKind::Stereo, |sensor| sensor.spec.kind);
-    Some(chosen.unwrap_or_else(|| default_engine(kind)))
+    let sensor = sensor_of(twin, camera)?;
+    Some(chosen.unwrap_or_else(|| default_engine(sensor.spec.kind)))
 }

@@ -11,7 +11,7 @@ pub(crate) enum Units {
 }
 
 impl Units {
-    /// Returns a twin whose device is that of every unit.
+    /// Returns a twin of the model: all units have the same device.
     pub(crate) fn any(&self) -> &Twin {
         match self {
             Self::One(twin) => twin,

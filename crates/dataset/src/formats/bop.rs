@@ -206,7 +206,7 @@ impl Scene {
             self.labels
                 .entry(id)
                 .or_insert_with(|| text(mask, "label").to_owned());
-            // The benchmark's tools leave out what cannot be seen.
+            // The tools of the benchmark write no annotation for an object without visible pixels.
             if number(mask, "area") == 0 {
                 continue;
             }

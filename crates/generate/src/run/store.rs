@@ -229,7 +229,7 @@ impl Store {
 /// The checksums of a recipe's files, by their paths relative to the recipe.
 pub(crate) type Inputs = BTreeMap<String, String>;
 
-/// Says which file was changed, added or removed first.
+/// Returns what happened to the first file, by name, that was changed, added or removed; `None` if all are the same.
 fn changed_input(known: &Inputs, own: &Inputs) -> Option<String> {
     let names: BTreeSet<&String> = known.keys().chain(own.keys()).collect();
     names

@@ -67,7 +67,8 @@ pub(super) fn plain_targets(reader: &Reader, record: &Record, path: &str, name: 
 /// Returns the scene path of `target`, to which a prim composed at `composed` refers, whose scene path is `path`: what
 /// instances share is composed below a prototype.
 fn scene_path(target: &str, composed: &str, path: &str) -> String {
-    let root_end = composed[1..].find('/').map_or(composed.len(), |end| end + 1);
+    let after_slash = composed.get(1..).unwrap_or_default();
+    let root_end = after_slash.find('/').map_or(composed.len(), |end| end + 1);
     let (prototype, below) = composed.split_at(root_end);
     let of_instance = path
         .strip_suffix(below)

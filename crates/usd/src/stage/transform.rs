@@ -13,6 +13,17 @@ pub(super) struct LocalTransform {
     pub(super) resets: bool,
 }
 
+impl LocalTransform {
+    /// Returns the transform from the prim to the stage below a parent with the transform `stage_from_parent`.
+    pub(super) fn below(&self, stage_from_parent: DAffine3) -> DAffine3 {
+        if self.resets {
+            self.parent_from_prim
+        } else {
+            stage_from_parent * self.parent_from_prim
+        }
+    }
+}
+
 /// The types without a transform: OpenUSD ignores ops authored on them, too.
 const UNTRANSFORMED_TYPES: [&str; 8] = [
     "",

@@ -1,7 +1,7 @@
 //! Imports OBJ with MTL: polygons by object or group, texture coordinates, normals, and vertex colours.
 //!
 //! `#` begins a comment at the start of a line and after the numbers of a statement. In the names of objects, groups, materials and
-//! files it is a character like others, as in Blender: 3ds Max calls materials `Material #25`. Where no material or file
+//! files it is a character like others, as in trimesh: 3ds Max calls materials `Material #25`. Where no material or file
 //! has such a name, what follows ` #` is a comment.
 
 mod mtl;

@@ -56,11 +56,7 @@ impl Context {
     pub(in crate::stage) fn with(&self, own: &Own, path: &str) -> Self {
         let mut inner = self.clone();
         if let Some(local) = &own.transform {
-            inner.stage_from_prim = if local.resets {
-                local.parent_from_prim
-            } else {
-                self.stage_from_prim * local.parent_from_prim
-            };
+            inner.stage_from_prim = local.below(self.stage_from_prim);
         }
         inner.drawn &= !own.invisible;
         if let Some(purpose) = own.purpose {

@@ -126,11 +126,7 @@ fn placed(walk: &Walk<'_>, skeleton: &Path, context: &Context) -> Outcome<(DAffi
     for path in chain {
         let record = walk.record(&path, true)?;
         if let Some(local) = local_transform(walk.reader, &record) {
-            stage_from_prim = if local.resets {
-                local.parent_from_prim
-            } else {
-                stage_from_prim * local.parent_from_prim
-            };
+            stage_from_prim = local.below(stage_from_prim);
         }
         if let Some(source) = walk.reader.targets(&record, "skel:animationSource").pop() {
             animation = Some(source);

@@ -1,7 +1,5 @@
 //! The metadata of layers and prims.
 
-use std::collections::HashMap;
-
 use openusd::sdf::schema::FieldKey;
 use openusd::sdf::{LayerOffset, ListOp, Path, Payload, Permission, Reference, Value};
 use openusd::tf::Token;
@@ -259,7 +257,7 @@ fn reference(lexer: &mut Lexer) -> Outcome<Reference> {
         asset_path,
         prim_path,
         layer_offset: offset(lexer)?,
-        custom_data: HashMap::new(),
+        ..Reference::default()
     })
 }
 

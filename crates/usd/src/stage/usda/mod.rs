@@ -112,15 +112,13 @@ impl<'a> Parser<'a> {
         };
         let type_name = self.lexer.prim_type();
         let name = self.lexer.string()?;
-        if !Path::is_valid_identifier(&name) {
-            return self
-                .lexer
-                .error_at(at, format!("`{name}` is not a valid name of a prim"));
-        }
-        let Ok(path) = parent.append_path(name.as_str()) else {
-            return self
-                .lexer
-                .error_at(at, format!("`{name}` is not a valid name of a prim"));
+        let path = match parent.append_path(name.as_str()) {
+            Ok(path) if Path::is_valid_identifier(&name) => path,
+            _ => {
+                return self
+                    .lexer
+                    .error_at(at, format!("`{name}` is not a valid name of a prim"));
+            }
         };
         if self.data.has_spec(&path) {
             return self
