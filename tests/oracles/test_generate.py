@@ -193,8 +193,14 @@ def test_tum_has_the_trajectory(root: Path, bop: Bop) -> None:
 def test_euroc(root: Path, bop: Bop) -> None:
     for sequence in range(2):
         folder = root / f"euroc/{sequence:06}/mav0"
-        trajectory = file_interface.read_euroc_csv_trajectory(folder / "state_groundtruth_estimate0/data.csv")
-        np.testing.assert_allclose(trajectory.timestamps, [0, 1 / 30], atol=1e-9)
+        table = folder / "state_groundtruth_estimate0/data.csv"
+        trajectory = file_interface.read_euroc_csv_trajectory(table)
+        # Kalibr takes stamps near 0 for missing ones.
+        np.testing.assert_allclose(trajectory.timestamps - 1.5e9, [0, 1 / 30], atol=1e-6)
+        states = np.loadtxt(table, delimiter=",")
+        assert states.shape == (2, 17) and (states[:, 11:] == 0).all()
+        moved = (states[1, 1:4] - states[0, 1:4]) * 30
+        np.testing.assert_allclose(states[:, 8:11], [moved, moved], atol=1e-6)
         sensor = yaml.load((folder / "cam0/sensor.yaml").read_text())
         body_from_camera = np.reshape(sensor["T_BS"]["data"], (4, 4))
         # x forward, y left, z up, with the camera at most a few centimetres from the middle.
@@ -209,7 +215,7 @@ def test_euroc(root: Path, bop: Bop) -> None:
             expected = [matrix[0, 0], matrix[1, 1], matrix[0, 2], matrix[1, 2]]
             np.testing.assert_allclose(sensor["intrinsics"], expected, atol=1e-6)
             time, name = lines[1 + index].split(",")
-            assert name == f"{time}.png" and int(time) == round(index / 30 * 1e9)
+            assert name == f"{time}.png" and int(time) == 1_500_000_000_000_000_000 + round(index / 30 * 1e9)
             assert np.array_equal(image(folder / "cam0/data" / name), image(scene / f"rgb/{2 * sequence + index:06}.png"))
             assert np.array_equal(image(folder / "depth0/data" / name), image(scene / f"depth/{2 * sequence + index:06}.png"))
 
@@ -231,6 +237,17 @@ def test_colmap_projects_as_bop(root: Path, bop: Bop) -> None:
     for sequence in range(2):
         model = pycolmap.Reconstruction(root / f"colmap/{sequence:06}/sparse/0")
         assert len(model.images) == 2 and len(model.rigs) == 1 and len(model.frames) == 2
+        assert len(model.points3D) > 500
+        for point in model.points3D.values():
+            (element,) = point.track.elements
+            found = model.images[element.image_id]
+            seen = found.points2D[element.point2D_idx]
+            np.testing.assert_allclose(found.project_point(point.xyz), seen.xy, atol=2e-3)
+            x, y = (int(value) for value in seen.xy)
+            number = int(Path(found.name).stem)
+            scene = bop.frames[number][0]
+            assert abs(image(scene / f"depth_exact/{number:06}.png")[y, x] - (found.cam_from_world() * point.xyz)[2] * 1000) < 0.51
+            assert (point.color == image(scene / f"rgb/{number:06}.png")[y, x]).all()
         for found in model.images.values():
             _, camera, _, _ = bop.frames[int(Path(found.name).stem)]
             assert (root / f"colmap/{sequence:06}/images" / found.name).exists()
@@ -259,7 +276,11 @@ def test_disparity_is_that_of_exact_depth(root: Path, bop: Bop) -> None:
         kitti = image(root / f"kitti/training/disp_occ_0/{number:06}_10.png") / 256
         assert np.abs(kitti - np.where(known, disparity, 0)).max() <= 0.002
         lines = (root / f"kitti/training/calib_cam_to_cam/{number:06}.txt").read_text().splitlines()
-        right = [float(value) for value in lines[1].split()[1:]]
+        words = dict(line.split(": ", 1) for line in lines)
+        assert {"S_rect_02", "R_rect_02", "P_rect_02", "K_03", "D_03", "T_03"} <= set(words)
+        assert words["P_rect_02"].split()[0] == words["P_rect_03"].split()[0]
+        right = [float(value) for value in words["P_rect_03"].split()]
+        assert len(right) == 12
         assert -right[3] / right[0] * 1000 == pytest.approx(float(calib["baseline"]), rel=1e-6)
 
 
@@ -395,6 +416,7 @@ def test_webdataset(root: Path) -> None:
             assert np.array_equal(sample[f"{name}.npy"], expected)
         assert np.array_equal(sample["rgb.png"], image(root / f"basic/rgb_{number:04}.png")[..., :3])
         camera = json.loads((root / f"bop/train/{number // 2:06}/scene_camera.json").read_text())[str(number)]
+        assert sample["json"]["distortion"] == {"model": "pinhole", "coefficients": []}
         assert sample["json"]["frame"] == number and np.allclose(sample["json"]["camera_matrix"], camera["cam_K"])
         assert np.allclose(sample["json"]["world_from_camera"], world_from_camera(camera), atol=1e-6)
         assert sample["camera_params.json"]["renderProductResolution"] == [320, 200]

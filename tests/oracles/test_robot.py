@@ -14,7 +14,7 @@ import urdf_usd_converter
 import xacro
 import yourdfpy
 from pxr import Usd, UsdGeom
-from pydrake.all import MultibodyPlant, Parser, RollPitchYaw
+from pydrake.all import AddMultibodyPlantSceneGraph, DiagramBuilder, GeometrySet, Parser, Role, RollPitchYaw
 
 os.environ.setdefault("MUJOCO_GL", "egl")
 import mujoco  # noqa: E402, after the choice of its graphics
@@ -87,22 +87,19 @@ def test_urdf_has_the_frames_of_the_twin(exports: Exports, model: str) -> None:
 
 
 @pytest.mark.parametrize("model", MODELS)
-def test_drake_reads_urdf_and_sdf(exports: Exports, model: str) -> None:
+def test_drake_reads_urdf_sdf_and_mjcf(exports: Exports, model: str) -> None:
     shown = exports.show(model)
-    for to, file in [("urdf", "oak.urdf"), ("sdf", "model.sdf")]:
-        plant = MultibodyPlant(time_step=0.0)
-        parser = Parser(plant)
-        path = exports(model, to) / file
-        if to == "sdf":
-            # Gazebo reads this element, Drake refuses whatever SDFormat does not define.
-            known = [line for line in path.read_text().splitlines() if "gz_frame_id" not in line]
-            path = path.with_name("known.sdf")
-            path.write_text("\n".join(known))
-        parser.AddModels(str(path))
+    for to, file in [("urdf", "oak.urdf"), ("drake", "model.sdf"), ("mjcf", "oak.xml")]:
+        # With a scene graph, colliders are read as well.
+        plant, scene = AddMultibodyPlantSceneGraph(DiagramBuilder(), 0.0)
+        Parser(plant).AddModels(str(exports(model, to) / file))
         plant.Finalize()
+        colliders = scene.model_inspector().GetGeometryIds(GeometrySet(scene.model_inspector().GetAllGeometryIds()), Role.kProximity)
+        assert len(colliders) == 1, to
         context = plant.CreateDefaultContext()
         body = plant.GetFrameByName("oak")
-        for name, pose in frames(shown).items():
+        # Drake reads no cameras of MJCF.
+        for name, pose in frames(shown).items() if to != "mjcf" else ():
             found = plant.GetFrameByName(name).CalcPose(context, body).GetAsMatrix4()
             assert found == pytest.approx(pose, abs=2e-9), (to, name)
         mass = sum(plant.get_body(index).default_mass() for index in plant.GetBodyIndices(plant.GetModelInstanceByName("oak")))

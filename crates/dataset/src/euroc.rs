@@ -10,6 +10,22 @@ use crate::ImuSample;
 pub const HEADER: &str = "#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad s^-1],\
     a_RS_S_x [m s^-2],a_RS_S_y [m s^-2],a_RS_S_z [m s^-2]\n";
 
+/// The time of the first frame of a sequence whose times count from its start, nanoseconds: 14 July 2017. Kalibr and others fail at 0.
+const START_NS: u64 = 1_500_000_000_000_000_000;
+
+/// Times below this, three years, count from the start of a sequence; others are the sequence's own.
+const RELATIVE_NS: u64 = 100_000_000_000_000_000;
+
+/// Returns the stamp of a time of a sequence, nanoseconds since 1970.
+#[must_use]
+pub const fn stamp(time_ns: u64) -> u64 {
+    if time_ns < RELATIVE_NS {
+        START_NS + time_ns
+    } else {
+        time_ns
+    }
+}
+
 /// The line of a sample, with its end. Numbers have as many digits as their values need.
 #[derive(Clone, Copy, Debug)]
 pub struct Line<'a>(pub &'a ImuSample);
@@ -91,6 +107,8 @@ mod tests {
         };
         let line = Line(&sample).to_string();
         assert_eq!(line, "1500000000,0.1,-0.25,0,0.0000001,9.80665,-3\n");
+        let own = 1_403_636_579_763_555_584;
+        assert_eq!([stamp(0), stamp(own)], [1_500_000_000_000_000_000, own]);
         assert_eq!(HEADER.split(',').count(), line.split(',').count());
     }
 }

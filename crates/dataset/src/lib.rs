@@ -48,7 +48,7 @@ pub use file::DatasetError;
 pub use flat::FlatWriter;
 pub use formats::{FORMATS, FormatKind, Needs};
 pub use imu::ImuSample;
-pub use object::{Extent, Mask, Model, Object, StereoImages};
+pub use object::{Extent, Mask, Model, Object, Paint, StereoImages};
 pub use options::{Extras, Options, SHARD_FRAMES};
 pub use shot::{CloudAxes, InputName, Layer, LayerData, Shot};
 pub use writer::{Format, FormatWriter, Records, WriteError, Writer};

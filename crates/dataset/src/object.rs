@@ -42,6 +42,28 @@ pub struct Model {
     pub positions: Vec<[f32; 3]>,
     /// The three positions of each triangle, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
+    /// The colours.
+    pub paint: Paint,
+}
+
+/// The colours of a model.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Paint {
+    /// The sRGB colours of each triangle's corners; empty if they are not known.
+    Corners(Vec<[[u8; 3]; 3]>),
+    /// A texture.
+    Texture {
+        /// The coordinates of each triangle's corners, (0, 0) at the lower left of the image.
+        uvs: Vec<[[f32; 2]; 3]>,
+        /// The image in sRGB.
+        image: Arc<Image<[u8; 4]>>,
+    },
+}
+
+impl Default for Paint {
+    fn default() -> Self {
+        Self::Corners(Vec::new())
+    }
 }
 
 /// The images of a rectified stereo pair.

@@ -3,6 +3,7 @@ use std::path::PathBuf;
 
 use oaktwin_base::parameter::choice;
 use oaktwin_camera::RigidTransform;
+use oaktwin_camera::math::DVec3;
 use oaktwin_image::annotation::Frame;
 use oaktwin_image::{CodecError, Image};
 
@@ -31,6 +32,8 @@ pub struct Shot {
     pub sequence: u64,
     /// The time within the sequence, nanoseconds.
     pub time_ns: u64,
+    /// The biases of the gyroscope, rad/s, and of the accelerometer, m/s², at this time, if there is an inertial sensor.
+    pub imu_biases: Option<[DVec3; 2]>,
     /// The index of the camera.
     pub camera: usize,
     /// The frame number, from 0.
@@ -59,6 +62,7 @@ impl Shot {
             stereo: None,
             sequence: 0,
             time_ns: 0,
+            imu_biases: None,
             camera: 0,
             number,
             world_from_mount: RigidTransform::IDENTITY,

@@ -12,6 +12,7 @@ pub(crate) fn npy(bytes: &[u8]) {
         Values::U8(values) => (values.len(), npy::encode(&array.shape, values)),
         Values::U16(values) => (values.len(), npy::encode(&array.shape, values)),
         Values::I32(values) => (values.len(), npy::encode(&array.shape, values)),
+        Values::I64(values) => (values.len(), npy::encode(&array.shape, values)),
         Values::F32(values) => (values.len(), npy::encode(&array.shape, values)),
         Values::F64(values) => (values.len(), npy::encode(&array.shape, values)),
     };

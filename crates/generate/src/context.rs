@@ -104,6 +104,7 @@ impl Context {
             findings,
             file,
         };
+        context.check_times()?;
         let findings = context.check_inertial()?;
         context.findings.extend(findings);
         Ok(context)

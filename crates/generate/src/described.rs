@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Camera, ImageSize, Intrinsics, OpenCv, PixelPoint};
-use oaktwin_dataset::{Extent, Mask, Model, Object};
+use oaktwin_dataset::{Extent, Mask, Object};
 use oaktwin_image::annotation::Segmentation;
 use oaktwin_pipeline::render::View;
 
 use crate::arrange::{Arrangement, Placed, Stage};
 use crate::context::Context;
+use crate::models::model_of;
 
 /// Returns the objects of a frame with their masks.
 pub(crate) fn objects(
@@ -107,38 +107,4 @@ fn visible(objects: &[Placed], ids: Option<&Segmentation>) -> Vec<Mask> {
         }
     }
     places.iter().map(|places| Mask::from_places(places)).collect()
-}
-
-/// Creates the model of a placed object: all of its meshes, in metres with the file's axes.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "geometry is float32, and a scene's indices are u32"
-)]
-fn model_of(object: &Placed, name: &str) -> Model {
-    let (mut positions, mut triangles) = (Vec::new(), Vec::new());
-    let scene = &object.asset.scene;
-    for instance in &scene.instances {
-        let Some(mesh) = scene.meshes.get(instance.mesh as usize) else {
-            continue;
-        };
-        let start = positions.len() as u32;
-        positions.extend(mesh.positions.iter().map(|p| {
-            let point = instance
-                .world_from_mesh
-                .transform_point3(DVec3::from(p.map(f64::from)));
-            (point * object.scale).to_array().map(|x| x as f32)
-        }));
-        triangles.extend(
-            mesh.triangles
-                .iter()
-                .map(|corners| corners.map(|index| start + index)),
-        );
-    }
-    Model {
-        id: object.entry as u32 + 1,
-        name: name.to_owned(),
-        label: object.label.clone(),
-        positions,
-        triangles,
-    }
 }

@@ -1,7 +1,10 @@
 //! One frame: everything that is drawn for it, rendered and measured.
 
+use std::path::PathBuf;
+
 use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::RigidTransform;
+use oaktwin_camera::math::DVec3;
 use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_dataset::Shot;
 use oaktwin_depth::filter::Filter;
@@ -21,6 +24,7 @@ use crate::arrange::{Arrangement, Stage};
 use crate::context::Context;
 use crate::described::objects;
 use crate::recipe::ParameterValue;
+use crate::saved::scene_files;
 use crate::unit::DrawnUnit;
 use crate::view::{DrawnView, Search};
 
@@ -38,6 +42,8 @@ struct Shown {
     /// The twin of its unit.
     twin: Twin,
     stage: Stage,
+    /// The biases of the inertial sensor at each of its frames, if there is one.
+    biases: Vec<[DVec3; 2]>,
 }
 
 /// A finished frame.
@@ -93,6 +99,20 @@ impl<'a> FrameMaker<'a> {
         Ok(json!(explained))
     }
 
+    /// Returns the files of the arrangement that a frame sees, relative to the data set, if the recipe asks for them and the frame is the
+    /// first one of its arrangement.
+    ///
+    /// # Errors
+    /// Returns an error if an object has no place, or an image cannot be read.
+    pub(crate) fn scene_files(&mut self, frame: u64) -> Result<Vec<(PathBuf, Vec<u8>)>, GenerateError> {
+        let recipe = &self.context.file.recipe;
+        if !recipe.output.scenes || !frame.is_multiple_of(recipe.frames_per_scene) {
+            return Ok(Vec::new());
+        }
+        let shown = self.show(frame)?;
+        scene_files(&shown.stage, shown.arrangement.number)
+    }
+
     /// Renders a frame.
     ///
     /// # Errors
@@ -112,6 +132,7 @@ impl<'a> FrameMaker<'a> {
             arrangement,
             twin,
             stage,
+            biases,
         } = shown;
         let view = context.view(shown, frame)?;
         let mut rig = context.rig(arrangement, twin, &view.world_from_body, frame)?;
@@ -130,6 +151,7 @@ impl<'a> FrameMaker<'a> {
             strict: false,
         };
         let recipe = &context.file.recipe;
+        let place = usize::try_from(frame % recipe.frames_per_scene).unwrap_or(usize::MAX);
         let mut shots = Vec::new();
         let number = usize::try_from(frame).unwrap_or(usize::MAX);
         for index in 0..rig.written {
@@ -140,7 +162,8 @@ impl<'a> FrameMaker<'a> {
                 shot.stereo = None;
             }
             shot.sequence = arrangement.number;
-            shot.time_ns = recipe.output.time_ns(frame % recipe.frames_per_scene);
+            shot.time_ns = context.time_ns(frame % recipe.frames_per_scene);
+            shot.imu_biases = biases.get(place).copied();
             if context.needs.objects {
                 let camera = &rig.cameras[index];
                 let view = camera.view(&camera.world_from_mount);
@@ -198,6 +221,7 @@ impl<'a> FrameMaker<'a> {
                 let unit = &arrangement.unit;
                 Shown {
                     twin: self.context.units(&unit.model).twin(unit.number),
+                    biases: self.context.biases(number, unit)?,
                     arrangement,
                     stage,
                 }
@@ -213,6 +237,7 @@ impl Context {
             arrangement,
             twin,
             stage,
+            ..
         } = shown;
         let (cameras, _) = self.cameras(twin, &RigidTransform::IDENTITY)?;
         let Some(camera) = cameras.first() else {

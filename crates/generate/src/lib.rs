@@ -36,6 +36,8 @@ mod random;
 pub mod recipe;
 mod run;
 mod samples;
+mod saved;
+mod times;
 mod unit;
 mod units;
 mod view;

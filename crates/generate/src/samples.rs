@@ -5,6 +5,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use oaktwin_base::diagnostic::Finding;
+use oaktwin_camera::math::DVec3;
 use oaktwin_catalog::InertialPart;
 use oaktwin_dataset::{WriteError, euroc};
 use oaktwin_files::OutputFiles;
@@ -57,6 +58,36 @@ impl Context {
         Ok(findings)
     }
 
+    /// Returns the biases of the gyroscope and of the accelerometer at each frame of an arrangement; nothing without an inertial sensor.
+    pub(crate) fn biases(&self, number: u64, unit: &DrawnUnit) -> Result<Vec<[DVec3; 2]>, GenerateError> {
+        let Some(inertial) = &self.inertial else {
+            return Ok(Vec::new());
+        };
+        let (mut samples, _) = self.samples(inertial, number, unit)?;
+        let rate_hz = samples.rate_hz();
+        let mut taken = 0;
+        let biases = (0..self.file.recipe.frames_per_scene).map(|index| {
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "a number of samples"
+            )]
+            let nearest = (self.since_first_s(index) * rate_hz).round() as u64;
+            while taken < nearest && samples.next().is_some() {
+                taken += 1;
+            }
+            samples.biases()
+        });
+        Ok(biases.collect())
+    }
+
+    /// Returns the time of a frame of an arrangement since its first one, seconds.
+    fn since_first_s(&self, index: u64) -> f64 {
+        #[expect(clippy::cast_precision_loss, reason = "times of a sequence, nanoseconds")]
+        let seconds = self.time_ns(index).saturating_sub(self.time_ns(0)) as f64 * 1e-9;
+        seconds
+    }
+
     /// Returns the samples of an arrangement, whose poses begin at 0.
     fn samples(
         &self,
@@ -64,12 +95,10 @@ impl Context {
         number: u64,
         unit: &DrawnUnit,
     ) -> Result<(ImuSimulation, Vec<Finding>), GenerateError> {
-        let recipe = &self.file.recipe;
-        let timed = (0..recipe.frames_per_scene).zip(&self.trajectory);
-        #[expect(clippy::cast_precision_loss, reason = "times of files, nanoseconds")]
+        let timed = (0..self.file.recipe.frames_per_scene).zip(&self.trajectory);
         let timed: Vec<TimedPose> = timed
             .map(|(index, pose)| TimedPose {
-                time_s: Some(recipe.output.time_ns(index) as f64 * 1e-9),
+                time_s: Some(self.since_first_s(index)),
                 ..*pose
             })
             .collect();
@@ -111,6 +140,7 @@ impl Context {
             let place = PathBuf::from(format!("{number:06}/mav0/imu0"));
             let part = &inertial.parts[&unit.model];
             output.write(&place.join("sensor.yaml"), description(part, &samples).as_bytes())?;
+            let samples = samples.in_sequence(self.time_ns(0));
             write_samples(samples, &place.join("data.csv"), &mut output)?;
         }
         Ok(output)

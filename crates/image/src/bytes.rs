@@ -49,7 +49,7 @@ macro_rules! scalar {
     )+};
 }
 
-scalar!(u8, u16, u32, i32, f32, f64);
+scalar!(u8, u16, u32, i32, i64, f32, f64);
 
 #[cfg(test)]
 mod tests {

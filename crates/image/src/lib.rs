@@ -21,6 +21,7 @@ pub mod preview;
 pub mod srgb;
 pub mod text;
 pub mod texture;
+pub mod tiff;
 mod view;
 
 pub use depth::{RangeDepth, ZDepth};

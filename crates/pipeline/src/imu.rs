@@ -252,6 +252,29 @@ fn draws(stream: &Stream, sample: u64, item: u32) -> Draws {
     }
 }
 
+impl ImuSimulation {
+    /// Returns the same samples with the stamps of an EuRoC sequence that begins at this time, nanoseconds; see [`euroc::stamp`].
+    #[must_use]
+    pub fn in_sequence(self, first_ns: u64) -> Self {
+        Self {
+            start: Time::from_nanoseconds(euroc::stamp(first_ns)),
+            ..self
+        }
+    }
+
+    /// Returns the time of the first sample, nanoseconds.
+    #[must_use]
+    pub fn first_ns(&self) -> u64 {
+        self.start.nanoseconds()
+    }
+
+    /// Returns the biases of the gyroscope, rad/s, and of the accelerometer, m/s², in the next sample.
+    #[must_use]
+    pub fn biases(&self) -> [DVec3; 2] {
+        [self.gyroscope.bias(), self.accelerometer.bias()]
+    }
+}
+
 #[expect(clippy::cast_precision_loss, reason = "there are fewer than 2^53 samples")]
 impl Iterator for ImuSimulation {
     type Item = ImuSample;

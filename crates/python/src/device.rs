@@ -342,7 +342,7 @@ impl Device {
     /// Writes a description for robots and simulators, and returns the paths of its files.
     ///
     /// folder: the folder for the files, which is created.
-    /// format: "urdf", "sdf", "mjcf", "webots" or "blender".
+    /// format: "urdf", "sdf", "drake", "mjcf", "webots" or "blender".
     /// name: the name of the device, the prefix of its frames.
     /// parent: the robot's link that carries the device.
     /// mount: the point of the device that xyz places: "cameras" (midway between the left and the right optical centre), or the centre of

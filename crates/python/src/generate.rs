@@ -19,6 +19,7 @@ use crate::{finding, json, threads};
 /// path: the TOML file.
 /// formats: the names of formats instead of the recipe's, such as ["bop", "coco"].
 /// seed: the seed instead of the recipe's.
+/// save_scenes: whether each arrangement is also written as a USD scene, scenes/NUMBER.usda.
 /// catalog: a folder of TOML files with additional devices and sensors.
 ///
 /// A frame depends only on the recipe, the seed and its number: it has the same bytes on every machine, whichever frames are made
@@ -32,6 +33,7 @@ pub(crate) struct Recipe {
     path: PathBuf,
     formats: Option<Vec<String>>,
     seed: Option<u64>,
+    save_scenes: bool,
     models: Models,
     generator: Generator,
 }
@@ -46,12 +48,13 @@ pub(crate) enum Ray {
 #[pymethods]
 impl Recipe {
     #[new]
-    #[pyo3(signature = (path, *, formats = None, seed = None, catalog = None))]
+    #[pyo3(signature = (path, *, formats = None, seed = None, save_scenes = false, catalog = None))]
     fn new(
         py: Python<'_>,
         path: PathBuf,
         #[pyo3(from_py_with = formats)] formats: Option<Vec<String>>,
         #[pyo3(from_py_with = optional::seed)] seed: Option<u64>,
+        save_scenes: bool,
         catalog: Option<PathBuf>,
     ) -> PyResult<Self> {
         let models = Models::open(catalog)?;
@@ -61,6 +64,7 @@ impl Recipe {
                 file.recipe.output.formats = Texts(formats.clone());
             }
             file.recipe.seed = seed.unwrap_or(file.recipe.seed);
+            file.recipe.output.scenes |= save_scenes;
             Generator::open(file, models.get())
         })?;
         let generator = generator.map_err(|cause: GenerateError| reading(&path, &cause))?;
@@ -68,6 +72,7 @@ impl Recipe {
             path,
             formats,
             seed,
+            save_scenes,
             models,
             generator,
         })
@@ -77,6 +82,7 @@ impl Recipe {
         let options = PyDict::new(py);
         options.set_item("formats", &self.formats)?;
         options.set_item("seed", self.seed)?;
+        options.set_item("save_scenes", self.save_scenes)?;
         options.set_item("catalog", self.models.folder())?;
         Ok(((&self.path,), options))
     }
@@ -208,6 +214,7 @@ impl Recipe {
             job.set_item("output", absolute(output)?)?;
             job.set_item("formats", &self.formats)?;
             job.set_item("seed", self.seed)?;
+            job.set_item("save_scenes", self.save_scenes)?;
             job.set_item("catalog", self.models.folder())?;
             let batches = generation.batches().iter();
             let batches: Vec<_> = batches.map(|batch| (batch.start, batch.end)).collect();

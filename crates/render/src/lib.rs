@@ -6,6 +6,7 @@
 mod annotate;
 mod backend;
 mod blocks;
+mod cutout;
 #[cfg(test)]
 mod fixture;
 mod luminance;
@@ -15,6 +16,8 @@ mod rays;
 mod renderer;
 mod shade;
 mod spare;
+mod texture_file;
+mod through;
 mod view;
 mod visibility;
 
@@ -24,5 +27,6 @@ pub use luminance::Luminance;
 pub use ray::Ray;
 pub use renderer::Renderer;
 pub use shade::{Beam, BeamPattern};
+pub use texture_file::texture_pixels;
 pub use view::{Clip, View};
 pub use visibility::{Hit, Visibility};

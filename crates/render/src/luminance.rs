@@ -35,7 +35,8 @@ impl Renderer {
             rays: &self.rays(view),
             seen: &seen,
         };
-        let (parts, findings) = self.shader().luminance(input, Some(&corners), beam);
+        let (parts, mut findings) = self.shader().luminance(input, Some(&corners), beam);
+        findings.extend(self.unread_masks());
         self.spare_visibility(view, backend).keep(None, seen.hits);
         let found = Luminance {
             scene: parts.scene,

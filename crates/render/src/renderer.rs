@@ -1,15 +1,18 @@
 use std::sync::OnceLock;
 
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::math::DAffine3;
 use oaktwin_image::ZDepth;
 use oaktwin_scene::{Instance, Light, Material, Mesh, Scene, Texture};
 
 use crate::annotate::Semantics;
 use crate::blocks::Blocks;
+use crate::cutout::Cutouts;
 use crate::raster::Rasterizer;
 use crate::ray::RayCaster;
 use crate::rays::Rays;
 use crate::shade::{Corners, Shader, ShaderAssets, corners_of};
+use crate::through::look_through;
 use crate::visibility::SpareVisibility;
 use crate::{Backend, Hit, Ray, View, Visibility};
 
@@ -100,6 +103,11 @@ impl Renderer {
     /// Renders the z-depth of each pixel in metres; `+inf` for a miss.
     #[must_use]
     pub fn depth(&self, view: &View, backend: Backend) -> ZDepth {
+        if Cutouts::are_in(&self.scene) {
+            let Visibility { z, hits } = self.visibility(view, backend);
+            self.spare_visibility(view, backend).keep(None, hits);
+            return z;
+        }
         match backend.for_view(view) {
             Backend::Ray => self.ray_caster().depth(&self.scene, view),
             Backend::Auto | Backend::Raster => self.rasterizer().depth(&self.scene, view),
@@ -109,18 +117,41 @@ impl Renderer {
     /// Renders the visible triangle and the z-depth of each pixel.
     #[must_use]
     pub fn visibility(&self, view: &View, backend: Backend) -> Visibility {
-        match backend.for_view(view) {
+        let seen = match backend.for_view(view) {
             Backend::Ray => self.ray_caster().visibility(&self.scene, view),
             Backend::Auto | Backend::Raster => self.rasterizer().visibility(&self.scene, view),
-        }
+        };
+        self.cut(view, None, seen)
     }
 
     /// Renders [`visibility`](Self::visibility) in some blocks; pixels elsewhere are arbitrary.
     pub(crate) fn visibility_in(&self, blocks: &Blocks, view: &View, backend: Backend) -> Visibility {
-        match backend.for_view(view) {
+        let seen = match backend.for_view(view) {
             Backend::Ray => self.ray_caster().visibility_in(blocks, &self.scene, view),
             Backend::Auto | Backend::Raster => self.rasterizer().visibility_in(blocks, &self.scene, view),
+        };
+        self.cut(view, Some(blocks), seen)
+    }
+
+    /// Finds what is seen through the invisible parts of surfaces.
+    fn cut(&self, view: &View, blocks: Option<&Blocks>, mut seen: Visibility) -> Visibility {
+        if let Some(cutouts) = self.cutouts() {
+            look_through(cutouts, self.ray_caster(), &self.scene, view, blocks, &mut seen);
         }
+        seen
+    }
+
+    /// Returns the masks of the surfaces that are not solid everywhere, if there are any.
+    pub(crate) fn cutouts(&self) -> Option<&Cutouts> {
+        Cutouts::are_in(&self.scene)
+            .then(|| self.ray_caster().cutouts())
+            .flatten()
+    }
+
+    /// Returns the masks that cannot be read.
+    pub(crate) fn unread_masks(&self) -> Vec<Finding> {
+        self.cutouts()
+            .map_or_else(Vec::new, |cutouts| cutouts.findings().cloned().collect())
     }
 
     /// Finds the nearest triangle on each ray, both ends included, and its distance in lengths of the ray's direction; of

@@ -193,7 +193,7 @@ impl Description {
 
     /// Returns the name of the file of the collider.
     pub(crate) fn collider_file(&self) -> String {
-        format!("{}_collider.stl", self.id)
+        format!("{}_collider.obj", self.id)
     }
 }
 

@@ -33,7 +33,9 @@ choice! {
         Urdf = "urdf",
         /// `SDFormat` 1.9 for Gazebo.
         Sdf = "sdf",
-        /// MJCF for `MuJoCo`.
+        /// `SDFormat` 1.9 for Drake.
+        Drake = "drake",
+        /// MJCF for `MuJoCo` 3.6 and newer, and for Drake.
         Mjcf = "mjcf",
         /// A PROTO for Webots R2023b.
         Webots = "webots",
@@ -81,7 +83,7 @@ impl Export {
     /// Adds the collider's mesh.
     fn with_collider(mut self, of: &Description) -> Self {
         let path = format!("meshes/{}", of.collider_file());
-        self.files.push((path, of.housing.collider.to_stl()));
+        self.files.push((path, of.housing.collider.to_obj()));
         self
     }
 
@@ -103,7 +105,8 @@ pub fn export(
     let description = Description::new(catalog, twin, attachment)?;
     let mut export = match format {
         Format::Urdf => urdf::export(&description),
-        Format::Sdf => sdf::export(&description),
+        Format::Sdf => sdf::export(&description, sdf::Reader::Gazebo),
+        Format::Drake => sdf::export(&description, sdf::Reader::Drake),
         Format::Mjcf => mjcf::export(&description),
         Format::Webots => webots::export(&description),
         Format::Blender => blender::export(&description),

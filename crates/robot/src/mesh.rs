@@ -1,8 +1,7 @@
-//! Meshes in files that every simulator reads.
+//! Meshes as OBJ files, which every simulator reads; Drake reads no STL.
 
 use std::fmt::Write;
 
-use oaktwin_camera::math::DVec3;
 use oaktwin_usd::body::BodyPart;
 
 /// Triangles with normals, in the body frame in metres.
@@ -60,23 +59,6 @@ impl Mesh {
             out.push('\n');
         }
         out.into_bytes()
-    }
-
-    /// Returns the mesh as a binary STL file.
-    pub(crate) fn to_stl(&self) -> Vec<u8> {
-        let mut out = vec![0; 80];
-        out.extend(index(self.triangles.len()).to_le_bytes());
-        for triangle in &self.triangles {
-            let corners =
-                triangle.map(|[point, _]| self.points.get(point as usize).copied().unwrap_or_default());
-            let [a, b, c] = corners.map(|corner| DVec3::from(corner.map(f64::from)));
-            let normal = (b - a).cross(c - a).normalize_or_zero().as_vec3().to_array();
-            for value in normal.iter().chain(corners.as_flattened()) {
-                out.extend(value.to_le_bytes());
-            }
-            out.extend([0; 2]);
-        }
-        out
     }
 }
 

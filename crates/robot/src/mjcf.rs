@@ -1,7 +1,7 @@
 //! MJCF for `MuJoCo`: a body to attach to a robot.
 //!
-//! `principalpixel` has the sign of `MuJoCo` 4's renderer: "20 0" moves the optical axis 20 pixels to the left of the centre, so the
-//! principal point (cx, cy) from the upper left border is written as (W/2 − cx, H/2 − cy).
+//! `principalpixel` has the sign that `MuJoCo`'s renderer has since version 3.6: "20 0" moves the optical axis 20 pixels to the left of the
+//! centre, so the principal point (cx, cy) from the upper left border is written as (W/2 − cx, H/2 − cy).
 
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DMat3, DQuat, DVec3};
@@ -57,12 +57,16 @@ fn model(of: &Description) -> Element {
     }
     let model = Element::new("mujoco")
         .set("model", &of.name)
-        .commented(&of.title)
+        .commented(format!(
+            "{}, for MuJoCo 3.6 and newer: older versions read principalpixel with the opposite sign.",
+            of.title
+        ))
         .with(
             Element::new("compiler")
                 .set("meshdir", "meshes")
                 .set("angle", "radian"),
         )
+        .with(offscreen(of))
         .with(assets)
         .with(Element::new("worldbody").with(body(of, &site)));
     if of.imu.is_some() {
@@ -70,6 +74,20 @@ fn model(of: &Description) -> Element {
     } else {
         model
     }
+}
+
+/// The buffer of `MuJoCo`'s renderer, as large as the largest image: by default it has 640 × 480 pixels.
+fn offscreen(of: &Description) -> Element {
+    let largest = of.all_cameras().fold([0.0_f64; 2], |[w, h], camera| {
+        let (width, height) = camera.size();
+        [w.max(width), h.max(height)]
+    });
+    let [width, height] = largest.map(number);
+    Element::new("visual").with(
+        Element::new("global")
+            .set("offwidth", width)
+            .set("offheight", height),
+    )
 }
 
 fn body(of: &Description, imu_site: &str) -> Element {

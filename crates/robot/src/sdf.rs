@@ -1,4 +1,7 @@
-//! `SDFormat` 1.9, the newest version that Debian's parser reads, for Gazebo.
+//! `SDFormat` 1.9, the newest version that Debian's parser reads, for Gazebo and Drake.
+//!
+//! Gazebo names the frames of a sensor's messages with the element `gz_frame_id`. Drake refuses it, as all that `SDFormat` does not define, and
+//! has no such messages.
 //!
 //! A principal point counts from the border of the image, so the centre of the first pixel is at 0.5. Depth has no noise: Gazebo's is
 //! constant over distance, unlike a stereo camera's.
@@ -20,7 +23,21 @@ const FRAME_RATE: f64 = 30.0;
 /// The correlation time with which Gazebo's bias is a random walk for any usual run, s.
 const CORRELATION_TIME: f64 = 1e6;
 
-pub(crate) fn export(of: &Description) -> Export {
+/// The program that reads a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Reader {
+    Gazebo,
+    Drake,
+}
+
+impl Reader {
+    /// Returns the element that names the frame of a sensor's messages.
+    fn frame_id(self, frame: String) -> Option<Element> {
+        (self == Self::Gazebo).then(|| Element::text("gz_frame_id", frame))
+    }
+}
+
+pub(crate) fn export(of: &Description, reader: Reader) -> Export {
     let mut export = Export::with_visuals(of).with_collider(of);
     if let Some(parent) = &of.parent {
         export.findings.push(Finding::new(
@@ -31,8 +48,10 @@ pub(crate) fn export(of: &Description) -> Export {
             "include the model in the robot's, and add a fixed joint from its link",
         ));
     }
-    export.text("model.sdf", sdf(of).document());
-    export.text("model.config", config(of).document());
+    export.text("model.sdf", sdf(of, reader).document());
+    if reader == Reader::Gazebo {
+        export.text("model.config", config(of).document());
+    }
     export
 }
 
@@ -47,19 +66,23 @@ fn config(of: &Description) -> Element {
         ))
 }
 
-fn sdf(of: &Description) -> Element {
+fn sdf(of: &Description, reader: Reader) -> Element {
     let mut frames = Vec::new();
     for camera in of.all_cameras() {
         frames.extend(frames_of(of, camera));
     }
     let mut link = housing(of)
-        .with_all(of.cameras.iter().map(|camera| sensor(of, camera, "camera", None)))
+        .with_all(
+            of.cameras
+                .iter()
+                .map(|camera| sensor(of, reader, camera, "camera", None)),
+        )
         .with_all(of.depth_sensors.iter().map(|depth| {
             let DepthFrame { camera, range } = depth;
-            sensor(of, camera, "rgbd_camera", Some(*range))
+            sensor(of, reader, camera, "rgbd_camera", Some(*range))
         }));
     if let Some(imu) = &of.imu {
-        link = link.with(imu_sensor(of, imu));
+        link = link.with(imu_sensor(of, reader, imu));
         let name = format!("{}_imu_frame", of.name);
         frames.push(frame(&name, &of.name, &imu.body_from_imu));
     }
@@ -136,7 +159,13 @@ fn housing(of: &Description) -> Element {
 }
 
 /// Returns the sensor of a camera, which sees along the x axis of its frame.
-fn sensor(of: &Description, camera: &CameraFrame, kind: &str, range: Option<(f64, f64)>) -> Element {
+fn sensor(
+    of: &Description,
+    reader: Reader,
+    camera: &CameraFrame,
+    kind: &str,
+    range: Option<(f64, f64)>,
+) -> Element {
     let name = format!("{}_{}", of.name, camera.role);
     let (width, height) = (camera.intrinsics.size.width, camera.intrinsics.size.height);
     let (cx, cy) = camera.centre();
@@ -171,14 +200,11 @@ fn sensor(of: &Description, camera: &CameraFrame, kind: &str, range: Option<(f64
         .with(Element::text("always_on", "true"))
         .with(Element::text("update_rate", number(FRAME_RATE)))
         .with(Element::text("topic", format!("{}/{}", of.name, camera.role)))
-        .with(Element::text(
-            "gz_frame_id",
-            format!("{}_{}_camera_optical_frame", of.name, camera.role),
-        ))
+        .with_all(reader.frame_id(format!("{}_{}_camera_optical_frame", of.name, camera.role)))
         .with(optics)
 }
 
-fn imu_sensor(of: &Description, imu: &ImuFrame) -> Element {
+fn imu_sensor(of: &Description, reader: Reader, imu: &ImuFrame) -> Element {
     let axes = |name, noise: &Option<ChannelNoise>| {
         let axis = |axis, deviation: f64, walk: f64| {
             let mut model = Element::new("noise")
@@ -214,7 +240,7 @@ fn imu_sensor(of: &Description, imu: &ImuFrame) -> Element {
         .with(Element::text("always_on", "true"))
         .with(Element::text("update_rate", number(IMU_RATE)))
         .with(Element::text("topic", format!("{}/imu/data", of.name)))
-        .with(Element::text("gz_frame_id", format!("{}_imu_frame", of.name)))
+        .with_all(reader.frame_id(format!("{}_imu_frame", of.name)))
         .with(model)
 }
 

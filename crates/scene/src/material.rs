@@ -16,6 +16,8 @@ pub struct Material {
     pub metallic: f32,
     /// The roughness, from 0 to 1.
     pub roughness: f32,
+    /// Where the surface is invisible; `None` if it is solid everywhere.
+    pub opacity: Option<Opacity>,
 }
 
 impl Default for Material {
@@ -27,8 +29,82 @@ impl Default for Material {
             emissive: [0.0; 3],
             metallic: 0.0,
             roughness: 0.5,
+            opacity: None,
         }
     }
+}
+
+impl Material {
+    /// Returns the material for a scene in which its textures come after `count` others.
+    #[must_use]
+    pub fn after_textures(self, count: u32) -> Self {
+        let moved = |used: TextureUse| TextureUse {
+            texture: used.texture + count,
+            ..used
+        };
+        Self {
+            base_color_texture: self.base_color_texture.map(moved),
+            opacity: self.opacity.map(|opacity| Opacity {
+                mask: opacity.mask.map(|mask| Mask {
+                    texture: moved(mask.texture),
+                    ..mask
+                }),
+                ..opacity
+            }),
+            ..self
+        }
+    }
+}
+
+/// Where a surface is invisible, as the leaves of a plant are cut out of a card. A surface is solid or invisible, never translucent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Opacity {
+    /// The opacity, which multiplies the mask if there is one.
+    pub value: f32,
+    /// The image that cuts the surface.
+    pub mask: Option<Mask>,
+    /// The surface is invisible where its opacity is below this number, or 0.
+    pub threshold: f32,
+}
+
+impl Opacity {
+    /// What findings say of translucent materials.
+    pub const TRANSLUCENT: &str =
+        "is translucent, which is not modelled: its surface is solid wherever its opacity is not 0";
+
+    /// Returns an opacity; `None` if the surface is solid everywhere.
+    #[must_use]
+    pub fn new(value: f32, mask: Option<Mask>, threshold: f32) -> Option<Self> {
+        let opacity = Self {
+            value,
+            mask,
+            threshold: if threshold.is_finite() { threshold } else { 0.0 },
+        };
+        (mask.is_some() || !opacity.shows(1.0)).then_some(opacity)
+    }
+
+    /// Whether a surface is translucent: its opacity may be between 0 and 1, and no threshold decides which parts are visible.
+    #[must_use]
+    pub fn is_translucent(value: f32, mask: Option<Mask>, threshold: f32) -> bool {
+        threshold <= 0.0 && (mask.is_some() || value > 0.0 && value < 1.0)
+    }
+
+    /// Whether a point is visible where the mask, if there is one, has a value.
+    #[must_use]
+    #[inline]
+    pub fn shows(&self, mask: f32) -> bool {
+        let opacity = self.value * mask;
+        opacity > 0.0 && opacity >= self.threshold
+    }
+}
+
+/// One channel of a texture as a mask.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mask {
+    /// The texture.
+    pub texture: TextureUse,
+    /// The index of the channel among red, green, blue and opacity.
+    pub channel: u8,
 }
 
 /// A texture with the way in which a material uses it.
@@ -38,10 +114,10 @@ pub struct TextureUse {
     pub texture: u32,
     /// The rows of the 2×3 matrix from the mesh's coordinates to the image's, with the origin at the lower left.
     pub image_from_uv: [[f32; 3]; 2],
-    /// The factor applied to the texture's values.
-    pub scale: [f32; 3],
+    /// The factor applied to the texture's red, green, blue and opacity.
+    pub scale: [f32; 4],
     /// The offset added after that.
-    pub bias: [f32; 3],
+    pub bias: [f32; 4],
     /// The wrap mode in the horizontal direction.
     pub wrap_s: Wrap,
     /// The wrap mode in the vertical direction.
@@ -55,8 +131,8 @@ impl TextureUse {
         Self {
             texture,
             image_from_uv: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
-            scale: [1.0; 3],
-            bias: [0.0; 3],
+            scale: [1.0; 4],
+            bias: [0.0; 4],
             wrap_s: Wrap::Repeat,
             wrap_t: Wrap::Repeat,
         }
@@ -77,7 +153,7 @@ pub enum Wrap {
     Black,
 }
 
-/// An image that is decoded only when colour is requested.
+/// An image that is decoded only when colour is requested, or when it is the mask of a surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Texture {
     /// The source of its pixels.

@@ -23,7 +23,7 @@ use super::{MeasuredUnitArgs, SensorArgs, ThreadArgs};
     - A folder in the layout of Replicator's BasicWriter with distance_to_image_plane and depth_sensor_distance.\n\
     - A CSV file of errors with the columns distance_m and depth_error_percent. Only bias, pixel locking and focal length, \
     or bias and wiggling, are fitted.\n\n\
-    Depth is along the optical axis, as NPY in metres or as 16-bit PNG, EXR or PFM. Record without post filters, several \
+    Depth is along the optical axis, as NPY or NPZ in metres or as 16-bit PNG, TIFF, EXR or PFM. Record without post filters, several \
     frames at each distance. Choose distances that cover all phases of a pixel of disparity, or for time of flight, of \
     the wiggling error, which repeats about every 0.4 m.\n\n\
     PARAMS.toml is read by --params of sense, accuracy and render.\n\n\

@@ -50,6 +50,10 @@ pub(crate) struct GenerateArgs {
     )]
     pub(crate) formats: Vec<String>,
 
+    /// Also write each arrangement as a USD scene, scenes/NUMBER.usda
+    #[arg(long)]
+    pub(crate) save_scenes: bool,
+
     /// The seed of all random numbers [default: the recipe's]
     #[arg(long, value_name = "N")]
     pub(crate) seed: Option<u64>,

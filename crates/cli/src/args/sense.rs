@@ -15,8 +15,8 @@ use super::{AlignArgs, OutputArgs, SensorArgs, ThreadArgs, UnitArgs};
         let help = "More outputs of the sensor, comma-separated";
         arg.help(help).long_help(format!("{help}:\n\n{}", sensor_outputs()))
     }),
-    after_help = "DEPTH is NPY (float16, 32 or 64 in metres, uint16 in --depth-scale; (H, W), (H, W, 1) or batches (N, H, W)), \
-    16-bit grey PNG, EXR, PFM, a folder in the layout of Replicator's BasicWriter, or - for standard input. Values that are \
+    after_help = "DEPTH is NPY or NPZ (floats in metres, integers in units of --depth-scale; (H, W), (H, W, 1) or batches (N, H, W)), \
+    TIFF of one channel, 16-bit grey PNG, EXR, PFM, a folder in the layout of Replicator's BasicWriter, or - for standard input. Values that are \
     not finite and above 0 are invalid. The number at the end of a file name is the frame: each has its own noise, and \
     files whose names differ only in this number are a sequence.\n\n\
     The output is depth_sensor_distance as NPY, float32 metres, 0 where nothing was measured; a batch stays a batch. For a \

@@ -43,6 +43,7 @@ pub(crate) fn run(context: &Context, args: &GenerateArgs) -> Result<Exit> {
     if !args.formats.is_empty() {
         file.recipe.output.formats = Texts(args.formats.clone());
     }
+    file.recipe.output.scenes |= args.save_scenes;
     file.recipe.seed = args.seed.unwrap_or(file.recipe.seed);
     let generator = Generator::open(file, &context.catalog)?;
     if let Some(frame) = args.explain {

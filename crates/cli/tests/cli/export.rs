@@ -4,7 +4,7 @@ use oaktwin::catalog::Catalog;
 
 use crate::program::Program;
 
-const FORMATS: [&str; 5] = ["urdf", "sdf", "mjcf", "webots", "blender"];
+const FORMATS: [&str; 6] = ["urdf", "sdf", "drake", "mjcf", "webots", "blender"];
 
 #[test]
 fn exhaustive_formats_of_models() {

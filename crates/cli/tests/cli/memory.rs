@@ -80,7 +80,7 @@ fn large_textures_are_left_out() {
     arguments.extend(["--memory-limit", "120M"]);
     let ended = program.run(&arguments);
     assert_eq!(ended.code, 0, "{}", ended.stderr);
-    let message = "warning[texture-missing]: large.png: a plain colour is used instead of the texture: PNG: header: 6000 × 6000 \
+    let message = "warning[texture-missing]: large.png: the texture cannot be read (PNG: header: 6000 × 6000 \
                    pixels: ";
     assert!(ended.stderr.contains(message), "{}", ended.stderr);
     assert!(ended.stderr.contains("raise --memory-limit"), "{}", ended.stderr);

@@ -99,6 +99,14 @@ fn a_euroc_sequence_has_cameras_poses_and_samples() {
     run(&program, &[imu, "--writer", "euroc", "-o", "seq"]);
     let rows = |name: &str| csv(&program, name).lines().count() - 1;
     assert_eq!(rows(imu), 101);
+    // The samples begin with the images.
+    assert!(
+        csv(&program, imu)
+            .lines()
+            .nth(1)
+            .unwrap()
+            .starts_with("1500000010500000000,")
+    );
     for name in ["cam0/data.csv", "state_groundtruth_estimate0/data.csv"] {
         let name = format!("seq/000000/mav0/{name}");
         assert_eq!(rows(&name), 2);
@@ -107,12 +115,16 @@ fn a_euroc_sequence_has_cameras_poses_and_samples() {
             .skip(1)
             .map(|line| line.split(',').next().unwrap().to_owned())
             .collect();
-        assert_eq!(times, ["10500000000", "10750000000"], "{name}");
+        assert_eq!(times, ["1500000010500000000", "1500000010750000000"], "{name}");
     }
-    assert!(program.path("seq/000000/mav0/cam0/data/10750000000.png").exists());
     assert!(
         program
-            .path("seq/000000/mav0/depth0/data/10750000000.png")
+            .path("seq/000000/mav0/cam0/data/1500000010750000000.png")
+            .exists()
+    );
+    assert!(
+        program
+            .path("seq/000000/mav0/depth0/data/1500000010750000000.png")
             .exists()
     );
     assert!(csv(&program, "seq/000000/mav0/cam0/sensor.yaml").ends_with("rate_hz: 4.000000\n"));

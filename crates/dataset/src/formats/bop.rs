@@ -5,13 +5,14 @@ use std::sync::{Arc, Mutex, PoisonError};
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::RigidTransform;
 use oaktwin_files::OutputFiles;
-use oaktwin_image::{Image, png};
+use oaktwin_image::{CodecError, Image, png};
 use serde_json::{Map, Value, json};
 
 use super::common::{
     self, DepthSummary, Depths, FrameFiles, camera_matrix, missing, number, pinhole, rows, text,
 };
-use super::rle;
+use super::{bop_model, rle};
+use crate::file::Fault;
 use crate::{Format, Model, Object, Records, Shot, WriteError, json as files};
 
 /// Depth in millimetres.
@@ -21,7 +22,7 @@ const NAME: &str = "bop";
 const MIN_VISIBLE: f64 = 0.1;
 
 /// The scenewise layout of the BOP benchmark: `train/000000/{rgb,depth,mask,mask_visib}`, `scene_gt.json` and so on, and models in
-/// millimetres.
+/// millimetres with their textures or colours.
 ///
 /// A sequence is a scene, and an image has the number of its frame. `mask_visib` is exact: the pixels in which the object is rendered,
 /// and not those in which measured depth is within 15 mm of its surface. `px_count_all` counts pixels up to one image size beyond the
@@ -44,13 +45,18 @@ impl Bop {
         if let Some(info) = known {
             return Ok(info);
         }
-        let path = PathBuf::from(format!("models/obj_{:06}.ply", model.id));
-        if !output.root().join(&path).exists() {
-            output.write(&path, &ply(model))?;
-            // The file belongs to the whole data set, and not to this frame.
-            output.forget(&path);
+        let info = bop_model::info(model);
+        if bop_model::paths(model.id.into(), &info)
+            .iter()
+            .any(|path| !output.root().join(path).exists())
+        {
+            let fault = |error: CodecError| Fault::from(error).at("models".as_ref());
+            for (path, bytes) in bop_model::files(model).map_err(fault)? {
+                output.write(&path, &bytes)?;
+                // The file belongs to the whole data set, and not to this frame.
+                output.forget(&path);
+            }
         }
-        let info = info(model);
         let mut models = self.models.lock().unwrap_or_else(PoisonError::into_inner);
         Ok(models.entry(model.id).or_insert(info).clone())
     }
@@ -156,8 +162,10 @@ impl Format for Bop {
         for (folder, scene) in scenes {
             scene.write(&folder, output)?;
         }
-        for id in models.keys() {
-            output.list(&PathBuf::from(format!("models/obj_{id:06}.ply")))?;
+        for (id, model) in &models {
+            for path in bop_model::paths(*id, model) {
+                output.list(&path)?;
+            }
         }
         let infos: Map<String, Value> = (models.iter())
             .map(|(id, model)| (id.to_string(), model["info"].clone()))
@@ -290,68 +298,4 @@ fn visibility(object: &Object, depth: &Image<f32>) -> Value {
 /// Returns a box as the benchmark's tools define it: its size is the difference between the first and the last pixel.
 fn narrowed([x, y, width, height]: [i64; 4]) -> [i64; 4] {
     [x, y, width - 1, height - 1]
-}
-
-/// Describes a model: its size in millimetres, its name and its class.
-fn info(model: &Model) -> Value {
-    let points: Vec<[f64; 3]> = model
-        .positions
-        .iter()
-        .map(|p| p.map(|x| 1000.0 * f64::from(x)))
-        .collect();
-    let reduce =
-        |axis: usize, f: fn(f64, f64) -> f64| points.iter().map(|p| p[axis]).reduce(f).unwrap_or_default();
-    let low = [0, 1, 2].map(|axis| reduce(axis, f64::min));
-    let high = [0, 1, 2].map(|axis| reduce(axis, f64::max));
-    json!({
-        "name": model.name,
-        "label": model.label,
-        "info": {
-            "diameter": diameter(&points),
-            "min_x": low[0], "min_y": low[1], "min_z": low[2],
-            "size_x": high[0] - low[0], "size_y": high[1] - low[1], "size_z": high[2] - low[2],
-        },
-    })
-}
-
-/// Returns the largest distance between two points.
-///
-/// Points are compared from the outermost inwards, so that most pairs cannot be further apart than one that is known.
-fn diameter(points: &[[f64; 3]]) -> f64 {
-    let distance = |a: &[f64; 3], b: &[f64; 3]| {
-        let [x, y, z] = [0, 1, 2].map(|axis| a[axis] - b[axis]);
-        (x * x + y * y + z * z).sqrt()
-    };
-    #[expect(clippy::cast_precision_loss, reason = "a number of points")]
-    let mean = [0, 1, 2].map(|axis| points.iter().map(|p| p[axis]).sum::<f64>() / points.len().max(1) as f64);
-    let mut outermost: Vec<(f64, &[f64; 3])> = points.iter().map(|p| (distance(p, &mean), p)).collect();
-    outermost.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut largest: f64 = 0.0;
-    for (at, (radius, point)) in outermost.iter().enumerate() {
-        for (other_radius, other) in &outermost[..at] {
-            if radius + other_radius <= largest {
-                break;
-            }
-            largest = largest.max(distance(point, other));
-        }
-    }
-    largest
-}
-
-/// A model in millimetres as binary PLY.
-fn ply(model: &Model) -> Vec<u8> {
-    let (vertices, faces) = (model.positions.len(), model.triangles.len());
-    let mut bytes = format!(
-        "ply\nformat binary_little_endian 1.0\nelement vertex {vertices}\nproperty float x\nproperty float y\n\
-         property float z\nelement face {faces}\nproperty list uchar int vertex_indices\nend_header\n"
-    )
-    .into_bytes();
-    for position in &model.positions {
-        bytes.extend(position.iter().flat_map(|x| (x * 1000.0).to_le_bytes()));
-    }
-    for triangle in &model.triangles {
-        bytes.push(3);
-        bytes.extend(triangle.iter().flat_map(|index| index.to_le_bytes()));
-    }
-    bytes
 }

@@ -2,23 +2,28 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use oaktwin_base::diagnostic::Finding;
-use oaktwin_camera::Usd;
+use oaktwin_camera::{PixelPoint, Usd};
 use oaktwin_files::OutputFiles;
+use oaktwin_image::Image;
 use serde_json::{Value, json};
 
-use super::common::{FrameFiles, by_folder, in_product, pinhole, quaternion, rgb, text};
-use crate::{Format, Records, Shot, WriteError};
+use super::common::{FrameFiles, by_folder, in_product, quaternion, rgb, text};
+use super::lens::{Lens, lens};
+use crate::{Format, Records, Shot, View, WriteError};
 
 const NAME: &str = "colmap";
+/// The maximum number of points of an image.
+const MAX_POINTS: f64 = 1000.0;
 
 /// COLMAP's text model with known poses, one folder for each sequence: `images/` and `sparse/0/{cameras,images,points3D,rigs,frames}.txt`.
-/// The cameras of a frame form a rig whose reference is the first camera. The centre of the first pixel is at 0.5.
+/// The cameras of a frame form a rig whose reference is the first camera. The centre of the first pixel is at 0.5. `points3D.txt` has points of the
+/// exact depth, each seen in the image that it comes from.
 #[derive(Debug, Default)]
 pub(super) struct Colmap;
 
 impl Format for Colmap {
     fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
-        let view = pinhole(NAME, shot)?;
+        let (view, lens) = lens(NAME, shot, 6)?;
         let rgb = rgb(NAME, shot)?;
         let folder = PathBuf::from(format!("{:06}", shot.sequence));
         let name = in_product(shot, format!("{:06}.png", shot.number));
@@ -27,6 +32,8 @@ impl Format for Colmap {
         frame.write(output)?;
         let intrinsics = &view.camera.intrinsics;
         let center = intrinsics.principal_point::<Usd>();
+        let (model, terms) = model(lens);
+        let distortion: String = terms.iter().map(|term| format!(" {term:.15}")).collect();
         let pose = |transform: oaktwin_camera::RigidTransform| {
             let [x, y, z, w] = quaternion(&transform.rotation);
             let [tx, ty, tz] = transform.translation.to_array();
@@ -38,9 +45,10 @@ impl Format for Colmap {
             "camera": shot.camera + 1,
             "name": name,
             "camera_line": format!(
-                "PINHOLE {} {} {:.12} {:.12} {:.12} {:.12}",
+                "{model} {} {} {:.12} {:.12} {:.12} {:.12}{distortion}",
                 intrinsics.size.width, intrinsics.size.height, intrinsics.fx, intrinsics.fy, center.x, center.y
             ),
+            "points": points(shot, view, rgb),
             "camera_from_world": pose(view.world_from_camera.inverse()),
             "sensor_from_mount": pose(view.world_from_camera.inverse() * shot.world_from_mount),
         }))
@@ -62,12 +70,60 @@ impl Format for Colmap {
     }
 }
 
+/// The model of a lens and its terms.
+fn model(lens: Lens) -> (&'static str, Vec<f64>) {
+    match lens {
+        Lens::Pinhole => ("PINHOLE", Vec::new()),
+        Lens::Fisheye(k) => ("OPENCV_FISHEYE", k.to_vec()),
+        Lens::Radial { k, p } if k[2..] == [0.0; 4] => ("OPENCV", vec![k[0], k[1], p[0], p[1]]),
+        Lens::Radial { k, p } => (
+            "FULL_OPENCV",
+            vec![k[0], k[1], p[0], p[1], k[2], k[3], k[4], k[5]],
+        ),
+    }
+}
+
+/// Returns points of the exact depth on a grid of pixels: the place in the image, in the world, and the colour.
+fn points(shot: &Shot, view: &View, rgb: &Image<[u8; 4]>) -> Vec<String> {
+    let Some(depth) = &shot.frame.distance_to_image_plane else {
+        return Vec::new();
+    };
+    let (width, height) = (depth.0.width(), depth.0.height());
+    let pixels = f64::from(width) * f64::from(height);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a small number"
+    )]
+    let step = (pixels / MAX_POINTS).sqrt().ceil().max(1.0) as u32;
+    let places = (step / 2..height)
+        .step_by(step as usize)
+        .flat_map(|y| (step / 2..width).step_by(step as usize).map(move |x| (x, y)));
+    let point = |(x, y): (u32, u32)| {
+        let z = f64::from(*depth.0.get(x, y)?);
+        let at = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        let ray = view.camera.unproject(at).filter(|ray| ray.z > 0.0)?;
+        if !z.is_finite() {
+            return None;
+        }
+        let place = view.world_from_camera.apply(ray * (z / ray.z));
+        let [r, g, b, _] = *rgb.get(x, y)?;
+        Some(format!(
+            "{} {} {:.6} {:.6} {:.6} {r} {g} {b}",
+            at.x, at.y, place.x, place.y, place.z
+        ))
+    };
+    places.filter_map(point).collect()
+}
+
 /// The text model of a sequence. Intrinsics may differ between frames, in which case each has its own cameras and rig.
 #[derive(Default)]
 struct Model {
     /// The cameras by their description and their place in the rig.
     cameras: Vec<(u64, String)>,
     images: String,
+    points: String,
+    point_count: usize,
     frames: BTreeMap<u64, Vec<(usize, usize, String, String)>>,
     count: usize,
 }
@@ -84,13 +140,29 @@ impl Model {
             self.cameras.len() - 1
         }) + 1;
         self.count += 1;
-        let line = format!(
-            "{} {} {camera} {}\n\n",
+        let mut seen = Vec::new();
+        let points = record["points"].as_array().into_iter().flatten();
+        for (index, point) in points.filter_map(Value::as_str).enumerate() {
+            let words: Vec<&str> = point.split(' ').collect();
+            let [x, y, place @ ..] = words.as_slice() else {
+                continue;
+            };
+            self.point_count += 1;
+            seen.push(format!("{x} {y} {}", self.point_count));
+            self.points += &format!(
+                "{} {} 0 {} {index}\n",
+                self.point_count,
+                place.join(" "),
+                self.count
+            );
+        }
+        self.images += &format!(
+            "{} {} {camera} {}\n{}\n",
             self.count,
             text(record, "camera_from_world"),
-            text(record, "name")
+            text(record, "name"),
+            seen.join(" ")
         );
-        self.images += &line;
         self.frames
             .entry(record["frame"].as_u64().unwrap_or_default())
             .or_default()
@@ -140,7 +212,10 @@ impl Model {
             }
             frames += &format!("{line}\n");
         }
-        let points = "# POINT3D_ID, X, Y, Z, R, G, B, ERROR, TRACK[] as (IMAGE_ID, POINT2D_IDX)\n".to_owned();
+        let points = format!(
+            "# POINT3D_ID, X, Y, Z, R, G, B, ERROR, TRACK[] as (IMAGE_ID, POINT2D_IDX)\n{}",
+            self.points
+        );
         [
             ("cameras.txt", cameras),
             ("images.txt", images),

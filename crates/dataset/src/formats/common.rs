@@ -296,6 +296,11 @@ pub(super) fn camera_matrix(intrinsics: &Intrinsics) -> [f64; 9] {
     [intrinsics.fx, 0.0, cx, 0.0, intrinsics.fy, cy, 0.0, 0.0, 1.0]
 }
 
+/// The model of a lens, as OpenCV's functions for it or `pinhole`, and its coefficients in the model's order.
+pub(super) fn distortion(lens: &LensModel) -> Value {
+    json!({"model": lens.names().report, "coefficients": lens.coefficients()})
+}
+
 /// The nine numbers of a rotation, row by row.
 pub(super) fn rows(rotation: &DMat3) -> [f64; 9] {
     rotation.transpose().to_cols_array()

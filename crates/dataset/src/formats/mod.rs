@@ -1,10 +1,12 @@
 //! The formats of data sets.
 
 mod bop;
+mod bop_model;
 mod coco;
 mod colmap;
 mod common;
 mod euroc;
+mod lens;
 mod nerfstudio;
 mod rle;
 mod stereo;

@@ -6,20 +6,21 @@ use oaktwin_camera::{RigidTransform, Usd};
 use oaktwin_files::OutputFiles;
 use serde_json::{Value, json};
 
-use super::common::{Depths, FrameFiles, by_folder, matrix, pinhole, rgb, sequence_folder};
+use super::common::{Depths, FrameFiles, by_folder, matrix, rgb, sequence_folder};
+use super::lens::{Lens, lens};
 use crate::{Format, Records, Shot, WriteError, json as files};
 
 const NAME: &str = "nerfstudio";
 const PER_METRE: f32 = 1000.0;
 
 /// nerfstudio's `transforms.json`, one folder for each sequence, with `images/` and `depth/` in millimetres. Cameras have OpenGL's axes, and the
-/// centre of the first pixel is at 0.5.
+/// centre of the first pixel is at 0.5. Each frame has the terms of its lens.
 #[derive(Debug, Default)]
 pub(super) struct Nerfstudio;
 
 impl Format for Nerfstudio {
     fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
-        let view = pinhole(NAME, shot)?;
+        let (view, lens) = lens(NAME, shot, 3)?;
         let rgb = rgb(NAME, shot)?;
         let depths = Depths::of(shot);
         let (folder, number) = (sequence_folder(shot), shot.number);
@@ -46,9 +47,17 @@ impl Format for Nerfstudio {
         ] {
             record[name] = value.into();
         }
+        let (model, terms) = match lens {
+            Lens::Pinhole => ("OPENCV", [0.0; 6]),
+            Lens::Radial { k, p } => ("OPENCV", [k[0], k[1], k[2], 0.0, p[0], p[1]]),
+            Lens::Fisheye([k1, k2, k3, k4]) => ("OPENCV_FISHEYE", [k1, k2, k3, k4, 0.0, 0.0]),
+        };
+        for (name, term) in ["k1", "k2", "k3", "k4", "p1", "p2"].into_iter().zip(terms) {
+            record[name] = term.into();
+        }
         record["w"] = intrinsics.size.width.into();
         record["h"] = intrinsics.size.height.into();
-        let mut record = json!({"folder": folder.to_string_lossy(), "frame": record});
+        let mut record = json!({"folder": folder.to_string_lossy(), "model": model, "frame": record});
         depths.add_losses(PER_METRE, &mut record);
         Ok(record)
     }
@@ -58,12 +67,14 @@ impl Format for Nerfstudio {
         records: &mut Records<'_>,
         output: &mut OutputFiles,
     ) -> Result<Vec<Finding>, WriteError> {
-        let add = |frames: &mut Vec<Value>, record: &Value| frames.push(record["frame"].clone());
+        let add = |(model, frames): &mut (Value, Vec<Value>), record: &Value| {
+            record["model"].clone_into(model);
+            frames.push(record["frame"].clone());
+        };
         let (sequences, summary) = by_folder(records, add)?;
-        for (folder, frames) in sequences {
+        for (folder, (model, frames)) in sequences {
             let transforms = json!({
-                "camera_model": "OPENCV",
-                "k1": 0.0, "k2": 0.0, "p1": 0.0, "p2": 0.0,
+                "camera_model": model,
                 "depth_unit_scale_factor": 0.001,
                 "frames": frames,
             });

@@ -1,7 +1,8 @@
 //! Stereo pairs with exact disparity in the layouts of Middlebury, KITTI and Scene Flow.
 
 use oaktwin_base::diagnostic::Finding;
-use oaktwin_camera::OpenCv;
+use oaktwin_camera::math::DMat3;
+use oaktwin_camera::{Intrinsics, OpenCv};
 use oaktwin_files::OutputFiles;
 use oaktwin_image::{Image, pfm, png};
 use serde_json::{Value, json};
@@ -48,7 +49,7 @@ impl Format for Middlebury {
     }
 }
 
-/// KITTI 2015: `training/image_2` and `image_3`, `disp_noc_0` and `disp_occ_0` in 1/256 px, `calib_cam_to_cam` with `P2` and `P3`, and `depth`
+/// KITTI 2015: `training/image_2` and `image_3`, `disp_noc_0` and `disp_occ_0` in 1/256 px, `calib_cam_to_cam` with `P_rect_02` and `P_rect_03`, and `depth`
 /// as in the depth benchmark in 1/256 m, which is measured if `depth_exact` is there.
 #[derive(Debug, Default)]
 pub(super) struct Kitti;
@@ -199,7 +200,7 @@ fn grey(image: &Image<u8>) -> Image<[u8; 3]> {
 
 fn calibration(stereo: &StereoImages) -> String {
     let [left, right] = stereo.cameras.map(|camera| camera.intrinsics);
-    let matrix = |camera: &oaktwin_camera::Intrinsics| {
+    let matrix = |camera: &Intrinsics| {
         let [cx, cy] = center(camera);
         format!("[{:.6} 0 {cx:.6}; 0 {:.6} {cy:.6}; 0 0 1]", camera.fx, camera.fy)
     };
@@ -228,17 +229,35 @@ fn calibration(stereo: &StereoImages) -> String {
     )
 }
 
+/// The lines of both cameras as in KITTI's files; the images are rectified, so that their size and their matrix are the same before and after.
 fn projections(stereo: &StereoImages) -> String {
     let mut text = String::new();
-    for (index, (camera, shift)) in [
-        (2, (stereo.cameras[0], 0.0)),
-        (3, (stereo.cameras[1], stereo.baseline_m)),
+    let numbers = |values: &[f64]| {
+        let words: Vec<String> = values.iter().map(|value| format!("{value:.9e}")).collect();
+        words.join(" ")
+    };
+    let identity = numbers(&DMat3::IDENTITY.to_cols_array());
+    for (index, camera, x) in [
+        (2, &stereo.cameras[0], 0.0),
+        (3, &stereo.cameras[1], -stereo.baseline_m),
     ] {
-        let intrinsics = camera.intrinsics;
-        let [cx, cy] = center(&intrinsics);
-        let (fx, fy) = (intrinsics.fx, intrinsics.fy);
-        let offset = if shift > 0.0 { -fx * shift } else { 0.0 };
-        text += &format!("P{index}: {fx:.9e} 0 {cx:.9e} {offset:.9e} 0 {fy:.9e} {cy:.9e} 0 0 0 1 0\n");
+        let Intrinsics { fx, fy, size, .. } = camera.intrinsics;
+        let [cx, cy] = center(&camera.intrinsics);
+        let size = numbers(&[size.width.into(), size.height.into()]);
+        let matrix = numbers(&[fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0]);
+        let projection = numbers(&[fx, 0.0, cx, fx * x, 0.0, fy, cy, 0.0, 0.0, 0.0, 1.0, 0.0]);
+        for (name, value) in [
+            ("S", &size),
+            ("K", &matrix),
+            ("D", &numbers(&[0.0; 5])),
+            ("R", &identity),
+            ("T", &numbers(&[x, 0.0, 0.0])),
+            ("S_rect", &size),
+            ("R_rect", &identity),
+            ("P_rect", &projection),
+        ] {
+            text += &format!("{name}_{index:02}: {value}\n");
+        }
     }
     text
 }

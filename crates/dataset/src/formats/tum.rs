@@ -5,7 +5,7 @@ use oaktwin_files::OutputFiles;
 use serde_json::{Value, json};
 
 use super::common::{
-    Depths, FrameFiles, by_folder, camera_matrix, missing, pinhole, quaternion, seconds, sequence_folder,
+    Depths, FrameFiles, by_folder, camera_matrix, distortion, missing, quaternion, seconds, sequence_folder,
     text,
 };
 use crate::{Format, Records, Shot, WriteError, json as files};
@@ -14,13 +14,17 @@ const NAME: &str = "tum";
 const PER_METRE: f32 = 5000.0;
 
 /// The layout of TUM's RGB-D benchmark, one folder for each sequence: `rgb/TIME.png`, `depth/TIME.png` in 1/5000 m, `rgb.txt`, `depth.txt`,
-/// `associations.txt` and `groundtruth.txt`; the intrinsics, for which the benchmark has no file, are in `camera.json`.
+/// `associations.txt` and `groundtruth.txt`; the intrinsics and the lens, for which the benchmark has no file, are in
+/// `camera.json`.
 #[derive(Debug, Default)]
 pub(super) struct Tum;
 
 impl Format for Tum {
     fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {
-        let view = pinhole(NAME, shot)?;
+        let view = shot
+            .view
+            .as_ref()
+            .ok_or_else(|| missing(NAME, "the camera of each frame"))?;
         let depths = Depths::of(shot);
         depths.main.ok_or_else(|| missing(NAME, "depth"))?;
         let (folder, time) = (sequence_folder(shot), seconds(shot.time_ns));
@@ -42,7 +46,7 @@ impl Format for Tum {
             "pose": format!("{time} {x:.9} {y:.9} {z:.9} {qx:.12} {qy:.12} {qz:.12} {qw:.12}"),
             "camera": {
                 "width": size.width, "height": size.height, "camera_matrix": camera_matrix(&view.camera.intrinsics),
-                "depth_per_metre": PER_METRE,
+                "distortion": distortion(&view.camera.lens), "depth_per_metre": PER_METRE,
             },
         });
         depths.add_losses(PER_METRE, &mut record);

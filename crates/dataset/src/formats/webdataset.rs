@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use serde_json::{Value, json};
 use tar::{Builder, EntryType, Header};
 
-use super::common::{camera_matrix, matrix, number, text};
+use super::common::{camera_matrix, distortion, matrix, number, text};
 use crate::basic_writer::folder;
 use crate::file::DatasetFile;
 use crate::listing::list;
@@ -19,7 +19,7 @@ const END: usize = 1024;
 
 /// The layout of `WebDataset`: shards `shard-000000.tar` of a fixed number of consecutive frames. A sample has the files of
 /// [`BasicWriter`](crate::BasicWriter), named `KEY.NAME.EXTENSION`, and `KEY.json` with the camera matrix (the first pixel's centre is at
-/// 0) and the pose. The key is the frame's number, and the camera's name if there are several.
+/// 0), the distortion and the pose. The key is the frame's number, and the camera's name if there are several.
 ///
 /// A frame has its own archive in `samples/` until its shard is complete.
 #[derive(Debug)]
@@ -149,6 +149,7 @@ fn described(shot: &Shot) -> Value {
         described["width"] = size.width.into();
         described["height"] = size.height.into();
         described["camera_matrix"] = json!(camera_matrix(&view.camera.intrinsics));
+        described["distortion"] = distortion(&view.camera.lens);
         described["world_from_camera"] = json!(matrix(&view.world_from_camera));
     }
     described

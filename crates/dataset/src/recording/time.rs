@@ -61,6 +61,12 @@ impl Time {
         Ok(Self { nanoseconds })
     }
 
+    /// Returns the time this number of nanoseconds after the epoch of the clock.
+    #[must_use]
+    pub const fn from_nanoseconds(nanoseconds: u64) -> Self {
+        Self { nanoseconds }
+    }
+
     /// Returns the nanoseconds since the epoch of the clock.
     #[must_use]
     pub fn nanoseconds(self) -> u64 {

@@ -17,7 +17,7 @@ use oaktwin_pipeline::sense::InputKind;
 pub const TABLE: &str = "distances.csv";
 
 const SENSED: &str = "depth_sensor_distance";
-const EXTENSIONS: [&str; 4] = ["npy", "png", "exr", "pfm"];
+const EXTENSIONS: [&str; 7] = ["npy", "npz", "png", "exr", "pfm", "tif", "tiff"];
 
 /// The content of the inputs.
 pub(super) enum Recording {
@@ -215,7 +215,9 @@ fn nothing(path: &Path) -> FileError {
     FileError::new(
         path,
         "contains no depth images",
-        format!("give NPY, 16-bit PNG, EXR or PFM files, and a {TABLE} of file,distance_m beside them"),
+        format!(
+            "give NPY, NPZ, 16-bit PNG, TIFF, EXR or PFM files, and a {TABLE} of file,distance_m beside them"
+        ),
     )
 }
 

@@ -7,7 +7,6 @@ use oaktwin_camera::math::{DAffine3, DVec3};
 use oaktwin_render::Renderer;
 use oaktwin_scene::{
     ColorSpace, Instance, Label, Light, LightKind, Material, MicroTexture, Scene, Texture, TextureSource,
-    TextureUse,
 };
 
 use super::{Arrangement, DrawnLight, DrawnLook, Placed};
@@ -127,7 +126,11 @@ impl Stage {
         let count = self.own.materials.len();
         // A copy for each material of the base scene, so that the offset is the same for all of its meshes.
         let offset = index(materials.len());
-        materials.extend(std::iter::repeat_n(material, count.max(1)));
+        // What is invisible stays so.
+        materials.extend((0..count.max(1)).map(|own| Material {
+            opacity: self.own.materials.get(own).and_then(|own| own.opacity),
+            ..material.clone()
+        }));
         for (at, instance) in (0..).zip(instances) {
             if base.is_below(at, prims) {
                 instance.material_offset = offset;
@@ -140,19 +143,21 @@ impl Stage {
         let [mesh, texture] = self.geometry(object);
         let own = &object.asset.scene;
         let offset = index(materials.len());
+        let moved = own
+            .materials
+            .iter()
+            .map(|material| material.clone().after_textures(texture));
         match &object.look {
             Some(look) => {
-                let texture = look.texture.clone().map(|image| self.image(image));
-                let material = look.material(texture);
-                materials.extend(std::iter::repeat_n(material, own.materials.len()));
+                let image = look.texture.clone().map(|image| self.image(image));
+                let drawn = look.material(image);
+                // What is invisible stays so.
+                materials.extend(moved.map(|material| Material {
+                    opacity: material.opacity,
+                    ..drawn.clone()
+                }));
             }
-            None => materials.extend(own.materials.iter().map(|material| Material {
-                base_color_texture: material.base_color_texture.map(|used| TextureUse {
-                    texture: used.texture + texture,
-                    ..used
-                }),
-                ..material.clone()
-            })),
+            None => materials.extend(moved),
         }
         let pose = &object.world_from_object;
         let world_from_object = DAffine3::from_mat3_translation(pose.rotation, pose.translation)

@@ -25,7 +25,7 @@ pub struct CameraRule {
     /// pose; after the last pose the trajectory begins again.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub trajectory: Option<String>,
-    /// The inertial sensor, for the format `euroc` with a trajectory. It has the frames' times: `output.interval_s` between poses.
+    /// The inertial sensor, for the format `euroc` with a trajectory. Its samples have the times of the frames.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub imu: Option<ImuRule>,
     /// The target of the camera: `objects`, `scene`, the path of a prim or a point [x, y, z]. `objects` is one of the objects, and

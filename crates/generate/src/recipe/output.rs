@@ -54,23 +54,15 @@ pub struct OutputRule {
     pub annotators: Texts,
     /// The formats. With several, each has its own folder.
     pub formats: Texts,
-    /// The time between the frames of an arrangement, seconds, in formats with times.
-    pub interval_s: f64,
+    /// The time between the frames of an arrangement, seconds, in formats with times. By default the times of the trajectory's file, or
+    /// 1/30 s if it has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub interval_s: Option<f64>,
+    /// Whether each arrangement is written as a USD scene, `scenes/NUMBER.usda`, with its images.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub scenes: bool,
     /// The number of consecutive frames in a shard of the format `webdataset`.
     pub shard_frames: NonZeroU64,
-}
-
-impl OutputRule {
-    /// Returns the time of a frame of an arrangement, nanoseconds.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        clippy::cast_precision_loss,
-        reason = "nanoseconds of a data set"
-    )]
-    pub(crate) fn time_ns(&self, index: u64) -> u64 {
-        (index as f64 * self.interval_s * 1e9).round() as u64
-    }
 }
 
 impl Default for OutputRule {
@@ -89,7 +81,8 @@ impl Default for OutputRule {
                 .into(),
             ),
             formats: Texts(vec!["basic".to_owned()]),
-            interval_s: 1.0 / 30.0,
+            interval_s: None,
+            scenes: false,
             shard_frames: SHARD_FRAMES,
         }
     }

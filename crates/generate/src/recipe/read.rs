@@ -81,7 +81,8 @@ impl Recipe {
         check_camera(&self.camera)?;
         check_unit(&self.unit)?;
         // Formats name files by their time in nanoseconds.
-        if !(1e-6..=1e5).contains(&self.output.interval_s) {
+        let interval_s = self.output.interval_s;
+        if interval_s.is_some_and(|interval_s| !(1e-6..=1e5).contains(&interval_s)) {
             return Err(wrong(
                 "output.interval_s",
                 "is not a time from 1e-6 to 1e5",

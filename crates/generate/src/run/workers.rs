@@ -154,6 +154,11 @@ impl<'a> Job<'a> {
             record.formats.push(records);
             record.files.extend(self.store.describe(&output.take_files())?);
         }
+        let mut scenes = OutputFiles::in_folder(&self.store.root)?;
+        for (path, bytes) in maker.scene_files(frame)? {
+            scenes.write(&path, &bytes)?;
+        }
+        record.files.extend(self.store.describe(scenes.files())?);
         self.store.add(&record)?;
         let mut findings = self.findings.lock().unwrap_or_else(PoisonError::into_inner);
         add_new(&mut findings, record.findings);

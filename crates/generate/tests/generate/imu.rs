@@ -24,7 +24,7 @@ annotators = ['rgb', 'distance_to_image_plane']
 formats = ['euroc', 'tum']
 ";
 
-/// Poses that turn to the left by 0.5 rad/s and move forwards. Their own times do not count.
+/// Poses that turn to the left by 0.5 rad/s and move forwards. Their own times do not count, because the recipe has an interval.
 fn case(recipe: &str) -> Case {
     let case = Case::new(recipe);
     let line = |index: u32| {
@@ -68,9 +68,9 @@ fn each_sequence_has_its_samples() {
     });
     // Three frames, 0.1 s apart.
     assert_eq!(first.len(), 41);
-    assert_eq!((first[0][0], first[40][0]), (0.0, 2e8));
+    assert_eq!(first[40][0] - first[0][0], 2e8);
     let frames = read(&case, "set/euroc/000000/mav0/cam0/data.csv");
-    assert!(frames.lines().last().unwrap().starts_with("200000000,"));
+    assert!(frames.lines().last().unwrap().starts_with("1500000000200000000,"));
     // The same motion with other noise.
     let times = |samples: &[[f64; 7]]| samples.iter().map(|sample| sample[0]).collect::<Vec<_>>();
     assert_eq!(times(&first), times(&second));
@@ -94,6 +94,25 @@ fn each_sequence_has_its_samples() {
     ] {
         assert!(sensor.contains(key), "{key}: {sensor}");
     }
+    // The state at the second frame has the bias of its sample.
+    let state = read(
+        &case,
+        "set/euroc/000000/mav0/state_groundtruth_estimate0/data.csv",
+    );
+    let state: Vec<f64> = (state
+        .lines()
+        .nth(2)
+        .unwrap()
+        .split(',')
+        .map(|word| word.parse().unwrap()))
+    .collect();
+    assert_eq!(state.len(), 17);
+    assert!(
+        state[11..].iter().all(|bias| *bias != 0.0 && bias.abs() < 0.02),
+        "{state:?}"
+    );
+    let speed = state[8..11].iter().map(|x| x * x).sum::<f64>().sqrt();
+    assert!((speed - 0.3).abs() < 1e-6, "{state:?}");
     assert!(!case.folder.path().join("set/tum/000000/mav0").exists());
     let manifest = read(&case, "set/manifest.json");
     assert!(manifest.contains("euroc/000001/mav0/imu0/data.csv"));
@@ -157,4 +176,35 @@ fn recipes_without_samples_are_rejected() {
         let error = refused(from, to);
         assert!(error.contains(expected), "{error}");
     }
+}
+
+#[test]
+fn frames_have_the_times_of_the_trajectory() {
+    let recipe = RECIPE
+        .replace("interval_s = 0.1\n", "")
+        .replace("imu = { rate_hz = 200 }\n", "");
+    let case = case(&recipe.replace("frames_per_scene = 3", "frames_per_scene = 6"));
+    case.generate("set", &GenerateOptions::default()).unwrap();
+    let poses = read(&case, "set/tum/000000/groundtruth.txt");
+    let times: Vec<&str> = (poses.lines().skip(1))
+        .map(|line| line.split(' ').next().unwrap())
+        .collect();
+    // Four poses, 7 s apart; then they begin again.
+    let expected = [0, 7, 14, 21, 28, 35].map(|second| format!("{second}.000000000"));
+    assert_eq!(times, expected);
+}
+
+#[test]
+fn times_must_increase() {
+    let case = case(&RECIPE.replace("interval_s = 0.1\n", ""));
+    let poses = "5 0 0 1.2 0 0 0 1\n5 0.1 0 1.2 0 0 0 1\n6 0.2 0 1.2 0 0 0 1\n";
+    fs::write(case.folder.path().join("poses.tum"), poses).unwrap();
+    let error = case
+        .generate("set", &GenerateOptions::default())
+        .unwrap_err()
+        .to_string();
+    assert!(
+        error.contains("the times of the poses 0 and 1 are negative or do not increase"),
+        "{error}"
+    );
 }

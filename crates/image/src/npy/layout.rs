@@ -41,6 +41,8 @@ enum Kind {
     U16,
     I16,
     I32,
+    U32,
+    I64,
     F16,
     F32,
     F64,
@@ -53,7 +55,7 @@ impl Layout {
     /// Parses the start of a file.
     ///
     /// # Errors
-    /// Returns an error if it is not an array of `uint8`, `uint16`, `int16`, `int32`, `float16`, `float32` or `float64`.
+    /// Returns an error if it is not an array of integers of at most 64 bits or floats; `int8` and `uint64` are not supported.
     pub fn parse(beginning: &[u8]) -> Result<Self, CodecError> {
         let header = header::decode(beginning)?;
         let number = Number::parse(&header.descr).ok_or_else(|| {
@@ -61,7 +63,7 @@ impl Layout {
                 FORMAT,
                 "descr",
                 format!(
-                    "'{}' is not one of uint8, uint16, int16, int32, float16, float32 and float64",
+                    "'{}' is not one of uint8, uint16, uint32, int16, int32, int64, float16, float32 and float64",
                     header.descr
                 ),
                 "convert it with a.astype(numpy.float32)",
@@ -108,6 +110,8 @@ impl Number {
             "u2" => Kind::U16,
             "i2" => Kind::I16,
             "i4" => Kind::I32,
+            "u4" => Kind::U32,
+            "i8" => Kind::I64,
             "f2" => Kind::F16,
             "f4" => Kind::F32,
             "f8" => Kind::F64,
@@ -128,12 +132,12 @@ impl Number {
         match self.kind {
             Kind::U8 => 1,
             Kind::U16 | Kind::I16 | Kind::F16 => 2,
-            Kind::I32 | Kind::F32 => 4,
-            Kind::F64 => 8,
+            Kind::I32 | Kind::U32 | Kind::F32 => 4,
+            Kind::I64 | Kind::F64 => 8,
         }
     }
 
-    /// Reads all complete numbers in `bytes`. `float16` becomes `float32`, and `int16` `int32`, which represent all of their values.
+    /// Reads all complete numbers in `bytes`. `float16` becomes `float32`, `int16` `int32`, and `uint32` `int64`, which represent all of their values.
     #[must_use]
     pub fn values(self, bytes: &[u8]) -> Values {
         fn get<T: Scalar>(bytes: &[u8], is_big_endian: bool) -> Vec<T> {
@@ -151,6 +155,11 @@ impl Number {
                 Values::I32(shorts.into_iter().map(|bits| bits.cast_signed().into()).collect())
             }
             Kind::I32 => Values::I32(get(bytes, self.is_big_endian)),
+            Kind::U32 => {
+                let words: Vec<u32> = get(bytes, self.is_big_endian);
+                Values::I64(words.into_iter().map(i64::from).collect())
+            }
+            Kind::I64 => Values::I64(get(bytes, self.is_big_endian)),
             Kind::F16 => {
                 let halves: Vec<u16> = get(bytes, self.is_big_endian);
                 Values::F32(

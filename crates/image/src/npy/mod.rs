@@ -5,15 +5,18 @@
 
 mod header;
 mod layout;
+mod npz;
 mod read;
 mod values;
 mod write;
 
 pub use layout::{Layout, Number};
+pub use npz::only_array;
 pub use read::{Array, decode};
 pub use values::Values;
 pub use write::{Element, Field, begin, encode, encode_records, write};
 
 const FORMAT: &str = "NPY";
 
-const MAGIC: &[u8] = b"\x93NUMPY";
+/// The first bytes of a file.
+pub const MAGIC: &[u8] = b"\x93NUMPY";

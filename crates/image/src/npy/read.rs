@@ -12,8 +12,7 @@ pub struct Array {
     pub values: Values,
 }
 
-/// Decodes an array of `uint8`, `uint16`, `float16`, `float32` or `float64` with two to four axes, in any byte order and either
-/// order of axes.
+/// Decodes an array of any type of [`Values`] with two to four axes, in any byte order and either order of axes.
 ///
 /// # Errors
 /// Returns an error if the bytes are not such an array, or their length does not match its shape.
@@ -61,7 +60,7 @@ impl Array {
         let pixels = match self.values {
             Values::F32(values) => values,
             Values::F64(values) => values.iter().map(|&value| value as f32).collect(),
-            Values::U8(_) | Values::U16(_) | Values::I32(_) => {
+            Values::U8(_) | Values::U16(_) | Values::I32(_) | Values::I64(_) => {
                 return Err(CodecError::new(
                     FORMAT,
                     "descr",

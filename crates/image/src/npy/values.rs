@@ -7,6 +7,8 @@ pub enum Values {
     U16(Vec<u16>),
     /// `int32`, or `int16`
     I32(Vec<i32>),
+    /// `int64`, or `uint32`
+    I64(Vec<i64>),
     /// `float32`, or `float16`
     F32(Vec<f32>),
     /// `float64`
@@ -20,6 +22,7 @@ impl Values {
             Self::U8(values) => Self::U8(to_c_order(shape, values)),
             Self::U16(values) => Self::U16(to_c_order(shape, values)),
             Self::I32(values) => Self::I32(to_c_order(shape, values)),
+            Self::I64(values) => Self::I64(to_c_order(shape, values)),
             Self::F32(values) => Self::F32(to_c_order(shape, values)),
             Self::F64(values) => Self::F64(to_c_order(shape, values)),
         }

@@ -25,7 +25,7 @@ macro_rules! elements {
     )+};
 }
 
-elements!(u8 => "|u1", u16 => "<u2", u32 => "<u4", i32 => "<i4", f32 => "<f4", f64 => "<f8");
+elements!(u8 => "|u1", u16 => "<u2", u32 => "<u4", i32 => "<i4", i64 => "<i8", f32 => "<f4", f64 => "<f8");
 
 /// Encodes an array of `shape` from its values in C order (the last axis is contiguous).
 ///

@@ -1,7 +1,7 @@
 //! Depth files, read image by image with the memory of one image.
 
 use std::fs::File;
-use std::io::{BufReader, Read};
+use std::io::{BufReader, Cursor, Read};
 use std::path::{Path, PathBuf};
 
 use crate::limits::check_size;
@@ -9,7 +9,7 @@ use oaktwin_base::diagnostic::{message, opt};
 use oaktwin_camera::ImageSize;
 use oaktwin_files::FileError;
 use oaktwin_image::npy::{self, Layout, Number, Values};
-use oaktwin_image::{CodecError, Image, exr, pfm, png};
+use oaktwin_image::{CodecError, Image, exr, pfm, png, tiff};
 
 /// The maximum size of files that are read as a whole.
 const MAX_BYTES: u64 = 4 << 30;
@@ -82,7 +82,7 @@ impl Source {
     ) -> Result<Self, FileError> {
         let mut beginning = Vec::new();
         take(path, &mut reader, 12, &mut beginning)?;
-        if beginning.starts_with(b"\x93NUMPY") {
+        if beginning.starts_with(npy::MAGIC) {
             return Self::numpy(path, reader, beginning, length, scale);
         }
         let mut bytes = beginning;
@@ -96,6 +96,20 @@ impl Source {
             ));
         }
         let codec = |error: CodecError| error.in_file(path);
+        if bytes.starts_with(b"PK\x03\x04") {
+            let array = npy::only_array(&bytes).map_err(codec)?;
+            let length = array.len() as u64;
+            return Self::numpy(
+                path,
+                Box::new(Cursor::new(array)),
+                Vec::new(),
+                Some(length),
+                scale,
+            );
+        }
+        if bytes.starts_with(b"II*\0") || bytes.starts_with(b"MM\0*") {
+            return Self::tiff(path, tiff::decode(&bytes).map_err(codec)?, scale);
+        }
         let image = if bytes.starts_with(b"\x89PNG") {
             let image = png::decode::<u16>(&bytes).map_err(|mut error| {
                 if error.remedy == png::CONVERT {
@@ -114,7 +128,11 @@ impl Source {
             } else {
                 "unknown depth image format"
             };
-            return Err(FileError::new(path, message, "give an NPY, PNG, EXR or PFM file"));
+            return Err(FileError::new(
+                path,
+                message,
+                "give an NPY, NPZ, PNG, TIFF, EXR or PFM file",
+            ));
         };
         let size = ImageSize::new(image.width(), image.height());
         check(path, size)?;
@@ -123,6 +141,41 @@ impl Source {
             batch: None,
             size,
             data: Data::Images(vec![image].into_iter()),
+        })
+    }
+
+    /// Several pages are a batch.
+    fn tiff(path: &Path, pages: Vec<tiff::Page>, scale: f64) -> Result<Self, FileError> {
+        let count = pages.len();
+        let first = (pages.first()).map_or(ImageSize::new(0, 0), |page| {
+            ImageSize::new(page.width, page.height)
+        });
+        check(path, first)?;
+        let mut images = Vec::with_capacity(count);
+        for (at, page) in pages.into_iter().enumerate() {
+            let wrong = |message: &str, remedy: &str| {
+                FileError::new(path, format!("TIFF: page {at}: {message}"), remedy)
+            };
+            if ImageSize::new(page.width, page.height) != first {
+                return Err(wrong(
+                    "has another size than the first page",
+                    "save pages of one size",
+                ));
+            }
+            let pixels = in_metres(page.values, scale).ok_or_else(|| {
+                wrong(
+                    "unsupported pixels of 8 bits",
+                    "save float32 metres or 16-bit integers",
+                )
+            })?;
+            let image = Image::new(first.width, first.height, pixels);
+            images.push(image.ok_or_else(|| wrong("is not a valid image", "save it again"))?);
+        }
+        Ok(Self {
+            path: path.to_owned(),
+            batch: (count > 1).then_some(count),
+            size: first,
+            data: Data::Images(images.into_iter()),
         })
     }
 
@@ -166,7 +219,7 @@ impl Source {
             return Err(FileError::new(
                 path,
                 "NPY: descr: unsupported dtype uint8",
-                message!["give float metres, or uint16 or int32 with ", opt("depth-scale")],
+                message!["give float metres, or wider integers with ", opt("depth-scale")],
             ));
         }
         let given = length.map(|length| length.saturating_sub(layout.data_offset as u64));
@@ -254,40 +307,34 @@ fn fortran(
     take(path, reader, missing as u64, &mut bytes)?;
     let array = npy::decode(&bytes).map_err(|error| error.in_file(path))?;
     let pixels = size.width as usize * size.height as usize;
-    let images = match array.values {
-        Values::F32(values) => split(&values, pixels, |&z| z),
-        Values::F64(values) => split(&values, pixels, |&z| single(z)),
-        Values::U16(values) => split(&values, pixels, |&unit| metres(unit, scale)),
-        Values::I32(values) => split(&values, pixels, |&unit| metres(unit.max(0), scale)),
-        Values::U8(_) => Vec::new(),
-    };
-    let images = images
-        .into_iter()
-        .map(|pixels| Image::new(size.width, size.height, pixels));
-    let images: Option<Vec<_>> = images.collect();
+    let images = in_metres(array.values, scale).unwrap_or_default();
+    let images = images.chunks_exact(pixels).map(<[f32]>::to_vec);
+    let images: Option<Vec<_>> = images
+        .map(|pixels| Image::new(size.width, size.height, pixels))
+        .collect();
     images.ok_or_else(|| FileError::new(path, "is not a valid image", "save it again"))
 }
 
-fn split<T>(values: &[T], pixels: usize, of: impl Fn(&T) -> f32) -> Vec<Vec<f32>> {
-    values
-        .chunks_exact(pixels)
-        .map(|chunk| chunk.iter().map(&of).collect())
-        .collect()
+fn image(number: Number, bytes: &[u8], size: ImageSize, scale: f64) -> Option<Image<f32>> {
+    Image::new(size.width, size.height, in_metres(number.values(bytes), scale)?)
 }
 
-fn image(number: Number, bytes: &[u8], size: ImageSize, scale: f64) -> Option<Image<f32>> {
-    let pixels = match number.values(bytes) {
+/// Converts pixels to metres; integers are in units of `scale`. `None` for pixels of 8 bits, which are too few for depth.
+fn in_metres(values: Values, scale: f64) -> Option<Vec<f32>> {
+    Some(match values {
         Values::F32(values) => values,
         Values::F64(values) => values.into_iter().map(single).collect(),
         Values::U16(values) => values.into_iter().map(|unit| metres(unit, scale)).collect(),
         // Negative numbers mean that there is no depth.
-        Values::I32(values) => values
-            .into_iter()
+        Values::I32(values) => (values.into_iter())
             .map(|unit| metres(unit.max(0), scale))
             .collect(),
+        #[expect(clippy::cast_precision_loss, reason = "depth is single precision")]
+        Values::I64(values) => (values.into_iter())
+            .map(|unit| metres(unit.max(0) as f64, scale))
+            .collect(),
         Values::U8(_) => return None,
-    };
-    Image::new(size.width, size.height, pixels)
+    })
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "depth is single precision")]
@@ -321,8 +368,6 @@ fn take(path: &Path, reader: &mut dyn Read, max: u64, bytes: &mut Vec<u8>) -> Re
 
 #[cfg(test)]
 mod tests {
-    use std::io::Cursor;
-
     use super::*;
 
     #[test]

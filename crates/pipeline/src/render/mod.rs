@@ -61,11 +61,11 @@ pub use depth_sensor::{
 pub use frames::{FrameOptions, FramesError, Outputs, Written, render_shot, write_frames};
 pub use names::folder_names;
 pub use oak::{OakOptions, check_lens, oak_cameras};
-pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Ray, Renderer, View};
+pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Ray, Renderer, View, texture_pixels};
 pub use pair::put_pair;
 pub use pose::{PoseError, look_at, pose};
 pub use recorder::{FrameRecorder, record_annotators};
-pub use save::{check_saved_name, save_usd};
+pub use save::{check_saved_name, save_usd, usd_files};
 pub use scene_camera::{SceneCameraOptions, scene_cameras};
 pub use scene_file::{OpenOptions, SceneFile, SceneFileError};
 pub use sweep::{Axis, MAX_VALUES, Sweep, SweepError, SweptSensors};

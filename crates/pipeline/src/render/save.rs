@@ -1,4 +1,4 @@
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use oaktwin_files::{self as files, FileError};
 use oaktwin_scene::Scene;
@@ -31,15 +31,29 @@ pub fn check_saved_name(path: &Path) -> Result<(), FileError> {
 /// written.
 pub fn save_usd(scene: &Scene, path: &Path) -> Result<(), FileError> {
     check_saved_name(path)?;
-    let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    let saved = scene_file(scene, &format!("{name}_textures")).map_err(|error| error.in_file(path))?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    for (image, bytes) in &saved.images {
-        let image = folder.join(image.trim_start_matches("./"));
-        if let Some(parent) = image.parent() {
+    for (file, bytes) in usd_files(scene, path)? {
+        let file = folder.join(file);
+        if let Some(parent) = file.parent() {
             files::make_folder(parent)?;
         }
-        files::write(&image, bytes)?;
+        files::write(&file, &bytes)?;
     }
-    files::write(path, saved.layer.text().as_bytes())
+    Ok(())
+}
+
+/// Returns the files of [`save_usd`] relative to the folder of `path`, the USD file last.
+///
+/// # Errors
+/// Returns an error for a texture that cannot be decoded.
+pub fn usd_files(scene: &Scene, path: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>, FileError> {
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    let saved = scene_file(scene, &format!("{name}_textures")).map_err(|error| error.in_file(path))?;
+    let images = saved.images.into_iter();
+    let mut files: Vec<(PathBuf, Vec<u8>)> = images
+        .map(|(image, bytes)| (image.trim_start_matches("./").into(), bytes))
+        .collect();
+    let own = path.file_name().unwrap_or_default().into();
+    files.push((own, saved.layer.text().into_bytes()));
+    Ok(files)
 }

@@ -18,6 +18,7 @@ def generate(
     resume: bool = False,
     formats: Sequence[str] | None = None,
     seed: int | None = None,
+    save_scenes: bool = False,
     catalog: str | PathLike[str] | None = None,
     workers: int | None = None,
     only_frames: bool = False,
@@ -31,6 +32,7 @@ def generate(
     resume: whether an existing data set is completed or extended.
     formats: the names of formats instead of the recipe's, such as ["bop", "coco"].
     seed: the seed instead of the recipe's.
+    save_scenes: whether each arrangement is also written as a USD scene, scenes/NUMBER.usda.
     catalog: a folder of TOML files with additional devices and sensors.
     workers: the number of frames to make at once; by default one per processor, or fewer if memory is short.
     only_frames: whether files that span frames are left to another call with resume=True. Several processes, also on several
@@ -45,5 +47,5 @@ def generate(
     Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an invalid recipe or an impossible placement, and ImportError without
     Ray: `pip install oaktwin[ray]`; what is complete remains and can be resumed, also after Ctrl-C.
     """
-    opened = Recipe(recipe, formats=formats, seed=seed, catalog=catalog)
+    opened = Recipe(recipe, formats=formats, seed=seed, save_scenes=save_scenes, catalog=catalog)
     return opened.generate(output, frames=frames, resume=resume, workers=workers, only_frames=only_frames, ray=ray)

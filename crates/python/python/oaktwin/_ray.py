@@ -35,7 +35,8 @@ def opened(job: dict[str, Any]) -> Recipe:
     key = repr(job)
     if key not in last:
         last.clear()
-        last[key] = Recipe(job["recipe"], formats=job["formats"], seed=job["seed"], catalog=job["catalog"])
+        options = {name: job[name] for name in ("formats", "seed", "save_scenes", "catalog")}
+        last[key] = Recipe(job["recipe"], **options)
     return last[key]
 
 
@@ -95,7 +96,7 @@ def frames(
     """Makes batches of frames, and yields each that is complete.
 
     batches: the first frame and the frame after the last one of each.
-    job: the paths "recipe" and "output", which all machines can open, and "formats", "seed" and "catalog" or None.
+    job: the paths "recipe" and "output", which all machines can open, and the options "formats", "seed", "save_scenes" and "catalog" of a recipe.
     address: of the cluster: "auto", "host:port", "ray://host:port" or "local"; by default RAY_ADDRESS, else this machine.
     workers: the maximum number of batches that are made at the same time; by default the number of processors.
     task: what a worker does.

@@ -292,6 +292,7 @@ class Recipe:
     path: the TOML file.
     formats: the names of formats instead of the recipe's, such as ["bop", "coco"].
     seed: the seed instead of the recipe's.
+    save_scenes: whether each arrangement is also written as a USD scene, scenes/NUMBER.usda.
     catalog: a folder of TOML files with additional devices and sensors.
 
     A frame depends only on the recipe, the seed and its number: it has the same bytes on every machine, whichever frames are made
@@ -306,6 +307,7 @@ class Recipe:
         *,
         formats: Sequence[str] | None = None,
         seed: int | None = None,
+        save_scenes: bool = False,
         catalog: str | PathLike[str] | None = None,
     ) -> Recipe: ...
     def __getnewargs_ex__(self) -> tuple[tuple[str], dict[str, object]]: ...

@@ -56,7 +56,7 @@ _Preset = Literal[
     "tof-mid-range",
 ]
 _Rectify = Literal["auto", "homography", "mesh", "full"]
-_Robot = Literal["urdf", "sdf", "mjcf", "webots", "blender"]
+_Robot = Literal["urdf", "sdf", "drake", "mjcf", "webots", "blender"]
 _Role = Literal["rgb", "left", "right", "tof"]
 _Sensor = Literal["stereo", "tof"]
 _Target = Literal["isaac", "ovrtx"]

@@ -8,8 +8,7 @@ use rayon::prelude::*;
 use super::coverage::Coverage;
 use super::semantics::{Entity, Semantics};
 use super::stencil::{Extent, Stencil};
-use crate::rays::Rays;
-use crate::{Hit, View};
+use crate::Hit;
 
 /// The 2D bounding boxes of a view.
 pub(super) struct Boxes {
@@ -24,12 +23,10 @@ pub(super) struct Boxes {
 pub(super) fn boxes(
     scene: &Scene,
     semantics: &Semantics,
-    view: &View,
-    rays: &Rays,
+    coverage: &Coverage<'_>,
     hits: &Image<Hit>,
 ) -> Boxes {
     let seen = seen_extents(scene, hits);
-    let coverage = Coverage::new(view, rays);
     let found: Vec<(&Entity, Extent, Extent)> = semantics
         .entities
         .par_iter()

@@ -5,8 +5,9 @@ use oaktwin_camera::{LensModel, Usd};
 use oaktwin_scene::Scene;
 
 use super::stencil::Stencil;
-use crate::View;
+use crate::cutout::Cutouts;
 use crate::rays::Rays;
+use crate::{Hit, View};
 
 /// The angle in radians below which an edge counts as straight in the image of a lens.
 const FLAT: f64 = 0.05;
@@ -17,22 +18,33 @@ const MAX_SUBDIVISIONS: u32 = 10;
 pub(super) struct Coverage<'a> {
     view: &'a View,
     rays: &'a Rays<'a>,
+    cutouts: Option<&'a Cutouts>,
     camera_from_world: DAffine3,
 }
 
 /// A triangle in the camera frame.
-struct Triangle {
+struct Triangle<'a> {
     corners: [DVec3; 3],
     /// The normals of the planes through the origin and each edge.
     sides: [DVec3; 3],
     normal: DVec3,
+    /// Decides which parts are invisible, if any may be.
+    hole: Option<Hole<'a>>,
+}
+
+/// A triangle of a scene with a mask.
+struct Hole<'a> {
+    cutouts: &'a Cutouts,
+    scene: &'a Scene,
+    hit: Hit,
 }
 
 impl<'a> Coverage<'a> {
-    pub(super) fn new(view: &'a View, rays: &'a Rays<'a>) -> Self {
+    pub(super) fn new(view: &'a View, rays: &'a Rays<'a>, cutouts: Option<&'a Cutouts>) -> Self {
         Self {
             view,
             rays,
+            cutouts,
             camera_from_world: view.camera_from_world(),
         }
     }
@@ -46,16 +58,22 @@ impl<'a> Coverage<'a> {
             return;
         };
         let camera_from_mesh = self.camera_from_world * placed.world_from_mesh;
-        for triangle in 0..mesh.triangles.len() {
-            if let Some(corners) = mesh.corners(triangle) {
+        let cutouts = (self.cutouts).filter(|cutouts| cutouts.cut_instance(scene, instance));
+        for (index, triangle) in (0..mesh.triangles.len()).zip(0_u32..) {
+            if let Some(corners) = mesh.corners(index) {
                 let corners =
                     corners.map(|p| camera_from_mesh.transform_point3(DVec3::from(p.map(f64::from))));
-                self.add_triangle(corners, stencil);
+                let hole = cutouts.map(|cutouts| Hole {
+                    cutouts,
+                    scene,
+                    hit: Hit { instance, triangle },
+                });
+                self.add_triangle(corners, hole, stencil);
             }
         }
     }
 
-    fn add_triangle(&self, corners: [DVec3; 3], stencil: &mut Stencil) {
+    fn add_triangle(&self, corners: [DVec3; 3], hole: Option<Hole<'_>>, stencil: &mut Stencil) {
         let [a, b, c] = corners;
         let along_axis = self.rays.are_along_axis();
         let distance = |p: DVec3| if along_axis { p.z } else { p.length() };
@@ -74,6 +92,7 @@ impl<'a> Coverage<'a> {
             corners,
             sides: [(a, b), (b, c), (c, a)].map(|(p, q)| (p + q).cross(q - p)),
             normal: (b - a).cross(c - a),
+            hole,
         };
         if self.view.camera.lens == LensModel::Pinhole {
             let clipped = in_front(corners, near);
@@ -85,7 +104,13 @@ impl<'a> Coverage<'a> {
     }
 
     /// Subdivides a triangle until its edges are nearly straight in the image.
-    fn add_piece(&self, triangle: &Triangle, piece: [DVec3; 3], subdivisions: u32, stencil: &mut Stencil) {
+    fn add_piece(
+        &self,
+        triangle: &Triangle<'_>,
+        piece: [DVec3; 3],
+        subdivisions: u32,
+        stencil: &mut Stencil,
+    ) {
         let [a, b, c] = piece;
         let is_small = [(a, b), (b, c), (c, a)]
             .iter()
@@ -105,7 +130,7 @@ impl<'a> Coverage<'a> {
     /// Tests each pixel in the bounding box of image points, enlarged by `margin` pixels.
     fn add_box(
         &self,
-        triangle: &Triangle,
+        triangle: &Triangle<'_>,
         points: impl Iterator<Item = [f64; 2]>,
         margin: f64,
         stencil: &mut Stencil,
@@ -130,7 +155,7 @@ impl<'a> Coverage<'a> {
         }
     }
 
-    fn is_seen(&self, triangle: &Triangle, x: u32, y: u32) -> bool {
+    fn is_seen(&self, triangle: &Triangle<'_>, x: u32, y: u32) -> bool {
         let Some(ray) = self.rays.centre(x, y) else {
             return false;
         };
@@ -140,6 +165,11 @@ impl<'a> Coverage<'a> {
         }
         let t = triangle.corners[0].dot(triangle.normal) / ray.dot(triangle.normal);
         (self.view.clip.near_m..=self.view.clip.far_m).contains(&t)
+            && triangle.hole.as_ref().is_none_or(|hole| {
+                let pose = &self.view.world_from_camera;
+                let Hole { cutouts, scene, hit } = *hole;
+                cutouts.shows(scene, hit, pose.translation, pose.rotation * ray)
+            })
     }
 
     fn project(&self, point: DVec3) -> Option<[f64; 2]> {

@@ -70,10 +70,11 @@ impl Renderer {
                 }
                 frame.distance_to_image_plane = wants(Annotator::DistanceToImagePlane).then_some(z);
             }
-            return (frame, Vec::new());
+            return (frame, self.unread_masks());
         }
         let seen = self.visibility(view, backend);
-        let findings = self.annotate_seen(view, &seen, &wants, backend, *options, &mut frame);
+        let mut findings = self.annotate_seen(view, &seen, &wants, backend, *options, &mut frame);
+        findings.extend(self.unread_masks());
         let spare = self.spare_visibility(view, backend);
         let Visibility { z, hits } = seen;
         if wants(Annotator::DistanceToImagePlane) {
@@ -89,7 +90,7 @@ impl Renderer {
     #[must_use]
     pub fn silhouettes(&self, view: &View, groups: &[Vec<u32>]) -> Vec<Vec<[u32; 2]>> {
         let rays = self.rays(view);
-        let coverage = Coverage::new(view, &rays);
+        let coverage = Coverage::new(view, &rays, self.cutouts());
         let size = view.camera.intrinsics.size;
         groups
             .par_iter()
@@ -149,7 +150,8 @@ impl Renderer {
             wants(Annotator::BoundingBox2dLoose),
         );
         if tight || loose {
-            let boxes = boxes::boxes(scene, self.semantics(), view, rays, &seen.hits);
+            let coverage = Coverage::new(view, rays, self.cutouts());
+            let boxes = boxes::boxes(scene, self.semantics(), &coverage, &seen.hits);
             frame.bounding_box_2d_tight = tight.then_some(boxes.tight);
             frame.bounding_box_2d_loose = loose.then_some(boxes.loose);
         }

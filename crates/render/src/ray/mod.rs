@@ -29,6 +29,7 @@ use self::tile::RayTables;
 pub(crate) use self::tile::{RayTable, ray_through};
 pub(crate) use self::vector::Vector;
 use crate::blocks::Blocks;
+use crate::cutout::Cutouts;
 use crate::visibility::SpareVisibility;
 use crate::{Hit, View, Visibility};
 
@@ -52,6 +53,7 @@ pub(crate) struct RayCaster {
     instances: Instances,
     level: Level,
     tables: RayTables,
+    cutouts: Option<Cutouts>,
     pub(crate) spare: SpareVisibility,
 }
 
@@ -100,6 +102,7 @@ impl RayCaster {
             instances,
             level: Level::detect(),
             tables: RayTables::default(),
+            cutouts: Cutouts::new(scene, None),
             spare: SpareVisibility::default(),
         }
     }
@@ -113,6 +116,7 @@ impl RayCaster {
     /// Places the instances of a scene with the same meshes.
     pub(crate) fn place(&mut self, scene: &Scene) {
         self.instances = Instances::new(scene, &self.trees);
+        self.cutouts = Cutouts::new(scene, self.cutouts.take());
     }
 
     fn prepared<'a>(&'a self, scene: &'a Scene) -> Prepared<'a> {
@@ -147,6 +151,11 @@ impl RayCaster {
         Visibility { z: ZDepth(z), hits }
     }
 
+    /// Returns the masks of the surfaces that are not solid everywhere.
+    pub(crate) fn cutouts(&self) -> Option<&Cutouts> {
+        self.cutouts.as_ref()
+    }
+
     /// Returns the rays of a view.
     pub(crate) fn table(&self, view: &View) -> Arc<RayTable> {
         self.tables.get(&view.camera, view.clips_along_axis())
@@ -166,6 +175,7 @@ impl RayCaster {
     fn search(&self, scene: &Scene, ray: Ray, until: Until, stack: &mut Stack) -> Option<(f64, Hit)> {
         let kernel = Cast {
             scene: &self.prepared(scene),
+            cutouts: self.cutouts.as_ref(),
             ray,
             until,
             stack,

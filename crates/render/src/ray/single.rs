@@ -1,7 +1,7 @@
 //! Single rays, tested against eight boxes or eight triangles at once.
 
 use oaktwin_camera::math::{DAffine3, DVec3};
-use oaktwin_scene::Mesh;
+use oaktwin_scene::{Mesh, Scene};
 use oaktwin_simd::{I32Lanes, LaneKernel, Lanes};
 
 use super::bvh::{Bounds, Node};
@@ -12,11 +12,14 @@ use super::stack::{Entry, Stack, push_children};
 use super::vector::Vector;
 use super::{Prepared, Ray};
 use crate::Hit;
+use crate::cutout::Cutouts;
 
 /// The state of a search along a ray.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Search {
-    near: f64,
+pub(crate) struct Search<'a> {
+    scene: &'a Scene,
+    cutouts: Option<&'a Cutouts>,
+    ray: &'a Ray,
     /// The nearest crossing so far, or the end of the ray.
     far: f64,
     hit: Hit,
@@ -47,31 +50,38 @@ pub(crate) enum Until {
     Any,
 }
 
-impl Search {
+impl Search<'_> {
     /// Considers a crossing and returns whether the search is over.
     fn offer(&mut self, t: f64, hit: Hit) -> bool {
-        match self.until {
-            Until::Any => {
-                let found = t > self.near && t < self.far;
-                if found {
-                    self.hit = hit;
-                }
-                found
-            }
-            Until::Nearest => {
-                let is_first = (hit.instance, hit.triangle) < (self.hit.instance, self.hit.triangle);
-                if t >= self.near && (t < self.far || (t == self.far && is_first)) {
-                    (self.far, self.hit) = (t, hit);
-                }
-                false
-            }
+        let near = self.ray.near;
+        let is_wanted = match self.until {
+            Until::Any => t > near && t < self.far,
+            Until::Nearest => t >= near && (t < self.far || (t == self.far && hit < self.hit)),
+        };
+        if !is_wanted || !self.shows(hit) {
+            return false;
         }
+        self.hit = hit;
+        if self.until == Until::Nearest {
+            self.far = t;
+        }
+        self.until == Until::Any
+    }
+
+    #[inline]
+    fn shows(&self, hit: Hit) -> bool {
+        let Ray {
+            origin, direction, ..
+        } = *self.ray;
+        self.cutouts
+            .is_none_or(|cutouts| cutouts.shows(self.scene, hit, origin, direction))
     }
 }
 
 /// Casts a ray through the scene.
 pub(crate) struct Cast<'a> {
     pub(crate) scene: &'a Prepared<'a>,
+    pub(crate) cutouts: Option<&'a Cutouts>,
     pub(crate) ray: Ray,
     pub(crate) until: Until,
     pub(crate) stack: &'a mut Stack,
@@ -85,8 +95,8 @@ impl LaneKernel for Cast<'_> {
         let Ray {
             origin,
             direction,
-            near,
             far,
+            ..
         } = self.ray;
         let top = self.scene.instances;
         let path = Path::new(DAffine3::IDENTITY, origin, direction, &top.bounds)?;
@@ -94,7 +104,9 @@ impl LaneKernel for Cast<'_> {
         let mut sides = Sides::Mixed;
         loop {
             let mut search = Search {
-                near,
+                scene: self.scene.scene,
+                cutouts: self.cutouts,
+                ray: &self.ray,
                 far,
                 hit: Hit::MISS,
                 until: self.until,
@@ -117,7 +129,7 @@ impl LaneKernel for Cast<'_> {
 /// The handling of leaves.
 trait Visit {
     /// Tests the items of a leaf and returns whether the search is over.
-    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search, stack: &mut Stack) -> bool;
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search<'_>, stack: &mut Stack) -> bool;
 }
 
 struct VisitInstances<'a> {
@@ -127,7 +139,7 @@ struct VisitInstances<'a> {
 
 impl Visit for VisitInstances<'_> {
     #[inline(always)]
-    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search, stack: &mut Stack) -> bool {
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search<'_>, stack: &mut Stack) -> bool {
         for &instance in &self.scene.instances.order[first as usize..][..count as usize] {
             let Some((mesh, tree, mesh_from_world)) = self.scene.instance(instance) else {
                 continue;
@@ -157,7 +169,7 @@ struct VisitTriangles<'a> {
 
 impl Visit for VisitTriangles<'_> {
     #[inline(always)]
-    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search, _: &mut Stack) -> bool {
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search<'_>, _: &mut Stack) -> bool {
         let triangles = &self.tree.triangles[first as usize..][..count as usize];
         let mut candidates = match search.sides {
             Sides::Exact => (1 << triangles.len()) - 1,
@@ -175,7 +187,7 @@ impl Visit for VisitTriangles<'_> {
 }
 
 impl VisitTriangles<'_> {
-    fn is_over_at(&self, [a, b, c, triangle]: [u32; 4], search: &mut Search) -> bool {
+    fn is_over_at(&self, [a, b, c, triangle]: [u32; 4], search: &mut Search<'_>) -> bool {
         let corners = [a, b, c].map(|index| self.mesh.positions[index as usize]);
         let Path {
             origin, direction, ..
@@ -283,13 +295,13 @@ pub(super) fn power_of_two_near(x: f64) -> f64 {
 fn walk<L: Lanes>(
     nodes: &[Node],
     path: &Path,
-    search: &mut Search,
+    search: &mut Search<'_>,
     stack: &mut Stack,
     visit: &mut impl Visit,
 ) -> bool {
     let base = stack.len();
     stack.push(Entry::ROOT);
-    let near = L::splat(loosened(path.lengths(search.near), -1e-5));
+    let near = L::splat(loosened(path.lengths(search.ray.near), -1e-5));
     let inverse = Vector::<L>::splat(path.inverse);
     let to_first = Vector::<L>::splat(path.origin_to_first);
     let to_last = Vector::<L>::splat(path.origin_to_last);
@@ -332,7 +344,7 @@ fn loosened(t: f32, part: f32) -> f32 {
 
 /// Returns the triangles that the ray may cross, in single precision with a margin, as bits.
 #[inline(always)]
-fn crossings<L: Lanes>(mesh: &Mesh, triangles: &[[u32; 4]], path: &Path, search: &Search) -> u32 {
+fn crossings<L: Lanes>(mesh: &Mesh, triangles: &[[u32; 4]], path: &Path, search: &Search<'_>) -> u32 {
     let scale = L::splat(path.scale);
     let coarse = Vector::splat(path.coarse);
     let fine = Vector::splat(path.fine);
@@ -348,7 +360,7 @@ fn crossings<L: Lanes>(mesh: &Mesh, triangles: &[[u32; 4]], path: &Path, search:
     let t = a.dot(normal) / direction.dot(normal);
     let zero = L::splat(0.0);
     let is_inside = zero.le(ab.min(bc).min(ca)).signs() | ab.max(bc).max(ca).le(zero).signs();
-    let near = loosened(path.lengths(search.near) * path.scale, -1e-4);
+    let near = loosened(path.lengths(search.ray.near) * path.scale, -1e-4);
     let far = loosened(path.lengths(search.far) * path.scale, 1e-4);
     let in_range = L::splat(near).le(t) & t.le(L::splat(far));
     is_inside & in_range.signs() & ((1u32 << triangles.len()) - 1)

@@ -7,7 +7,7 @@ use oaktwin_image::Image;
 use oaktwin_scene::Texture;
 
 use super::harmonics::Harmonics;
-use super::textures::linear;
+use crate::texture_file::linear;
 
 /// The columns and rows of the reduced image from which spherical harmonics are computed.
 const COARSE: [u32; 2] = [64, 32];

@@ -131,7 +131,7 @@ impl<'a> Paint<'a> {
             .texture
             .as_ref()
             .map_or((Vec3::ONE, Vec3::ZERO), |(used, _)| {
-                (Vec3::from(used.scale), Vec3::from(used.bias))
+                (rgb(used.scale), rgb(used.bias))
             });
         sane((read * scale + bias) * self.base_color.unwrap_or(Vec3::ONE))
     }
@@ -237,6 +237,11 @@ fn footprint(used: &TextureUse, [a, b, c]: [[f32; 2]; 3], spot: &Spot) -> [[f32;
         turned(along(spot.across), 0.0),
         turned(along(spot.down), 0.0),
     ]
+}
+
+#[inline]
+fn rgb([r, g, b, _]: [f32; 4]) -> Vec3 {
+    Vec3::new(r, g, b)
 }
 
 #[inline]

@@ -49,6 +49,11 @@ impl Builder {
             .push(Finding::new(code, Level::Warning, place, message, ""));
     }
 
+    pub(super) fn note(&mut self, code: &'static str, place: impl Into<String>, message: impl Into<Message>) {
+        self.findings
+            .push(Finding::new(code, Level::Note, place, message, ""));
+    }
+
     /// Converts the file's unit to metres.
     pub(super) fn world_from_file(&self) -> DAffine3 {
         DAffine3::from_scale(DVec3::splat(self.scale))

@@ -15,6 +15,7 @@ mod gltf_extensions;
 mod gltf_skins;
 mod large_coordinates;
 mod obj;
+mod opacity;
 mod options;
 mod ply;
 mod stl;

@@ -174,6 +174,14 @@ fn material(material: &Material) -> Value {
         "emissive": material.emissive,
         "metallic": material.metallic,
         "roughness": material.roughness,
+        "opacity": material.opacity.map(|opacity| json!({
+            "value": opacity.value,
+            "threshold": opacity.threshold,
+            "mask": opacity.mask.as_ref().map(|mask| json!({
+                "texture": texture_use(&mask.texture),
+                "channel": mask.channel,
+            })),
+        })),
     })
 }
 

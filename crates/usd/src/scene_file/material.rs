@@ -1,9 +1,11 @@
 use oaktwin_files as files;
 use oaktwin_image::{CodecError, png, texture};
-use oaktwin_scene::{ColorSpace, Material, Scene, TextureSource, TextureUse, Wrap};
+use oaktwin_scene::{ColorSpace, Material, Opacity, Scene, TextureSource, TextureUse, Wrap};
 
 use crate::text::{Attribute, Prim, Value};
 
+/// The outputs of an image.
+const CHANNELS: [&str; 4] = ["r", "g", "b", "a"];
 const SCOPE: &str = "Looks";
 /// Replaced by the path of the root once it is known.
 const ROOT: &str = "/";
@@ -77,6 +79,28 @@ impl<'a> Materials<'a> {
         root.children.push(looks);
     }
 
+    /// Adds an opacity to a surface. Returns the nodes of its mask.
+    fn opacity(&self, opacity: &Opacity, surface: &mut Prim, path: &str) -> Vec<Prim> {
+        surface.set("inputs:opacityThreshold", Value::Float(opacity.threshold));
+        let image = opacity
+            .mask
+            .and_then(|mask| Some((mask, self.image(mask.texture.texture)?)));
+        let Some((mask, file)) = image else {
+            surface.set("inputs:opacity", Value::Float(opacity.value));
+            return Vec::new();
+        };
+        let mut used = mask.texture;
+        let channel = usize::from(mask.channel & 3);
+        used.scale[channel] *= opacity.value;
+        used.bias[channel] *= opacity.value;
+        let mut input = Attribute::without_value("inputs:opacity", "float");
+        input.connections = vec![format!("{path}/Mask.outputs:{}", CHANNELS[channel])];
+        surface.add(input);
+        let space = self.scene.textures[used.texture as usize].color_space;
+        let names = ["Mask", "MaskCoordinates", "MaskTransform"];
+        texture_nodes(names, &used, file, space, None, path)
+    }
+
     fn prim(&self, material: &Material, name: String, path: &str) -> Prim {
         let mut surface = shader("Surface", "UsdPreviewSurface");
         let mut prim = Prim::def("Material", name);
@@ -96,7 +120,8 @@ impl<'a> Materials<'a> {
             input.connections = vec![format!("{path}/Texture.outputs:rgb")];
             surface.add(input);
             let space = self.scene.textures[texture.texture as usize].color_space;
-            nodes = texture_nodes(&texture, file, space, material.base_color, path);
+            let names = ["Texture", "Coordinates", "Transform"];
+            nodes = texture_nodes(names, &texture, file, space, material.base_color, path);
         } else if let Some(color) = material.base_color {
             surface.set("inputs:diffuseColor", Value::Color3f(color));
         } else {
@@ -108,21 +133,25 @@ impl<'a> Materials<'a> {
             reader.add(Attribute::without_value("outputs:result", "float3"));
             nodes.push(reader);
         }
+        if let Some(opacity) = &material.opacity {
+            nodes.extend(self.opacity(opacity, &mut surface, path));
+        }
         prim.children.push(surface);
         prim.children.extend(nodes);
         prim
     }
 }
 
-/// The texture of the base colour, with the nodes that give its coordinates.
+/// A texture, with the nodes that give its coordinates.
 fn texture_nodes(
+    [image_name, reader_name, transform_name]: [&str; 3],
     used: &TextureUse,
     file: &str,
     space: ColorSpace,
     color: Option<[f32; 3]>,
     path: &str,
 ) -> Vec<Prim> {
-    let mut image = shader("Texture", "UsdUVTexture");
+    let mut image = shader(image_name, "UsdUVTexture");
     image.set("inputs:file", Value::Asset(file.to_owned()));
     let space = match space {
         ColorSpace::Auto => "auto",
@@ -140,16 +169,20 @@ fn texture_nodes(
         image.set(format!("inputs:{name}"), Value::token(wrap));
     }
     let factor = color.unwrap_or([1.0; 3]);
-    for (name, values, alpha) in [("scale", used.scale, 1.0), ("bias", used.bias, 0.0)] {
-        let [r, g, b]: [f32; 3] = std::array::from_fn(|i| values[i] * factor[i]);
-        image.set(format!("inputs:{name}"), Value::Float4([r, g, b, alpha]));
+    for (name, values) in [("scale", used.scale), ("bias", used.bias)] {
+        let [r, g, b, a] = values;
+        let [x, y, z] = factor;
+        image.set(format!("inputs:{name}"), Value::Float4([r * x, g * y, b * z, a]));
     }
     image.add(Attribute::without_value("outputs:rgb", "float3"));
-    let mut reader = shader("Coordinates", "UsdPrimvarReader_float2");
+    for channel in CHANNELS {
+        image.add(Attribute::without_value(format!("outputs:{channel}"), "float"));
+    }
+    let mut reader = shader(reader_name, "UsdPrimvarReader_float2");
     reader.set("inputs:varname", Value::string("st"));
     reader.add(Attribute::without_value("outputs:result", "float2"));
     let is_plain = used.image_from_uv == [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-    let node = if is_plain { "Coordinates" } else { "Transform" };
+    let node = if is_plain { reader_name } else { transform_name };
     let mut coordinates = Attribute::without_value("inputs:st", "float2");
     coordinates.connections = vec![format!("{path}/{node}.outputs:result")];
     image.add(coordinates);
@@ -158,7 +191,7 @@ fn texture_nodes(
     }
     let [[a, b, x], [c, d, y]] = used.image_from_uv;
     let scale = a.hypot(c);
-    let mut turn = shader("Transform", "UsdTransform2d");
+    let mut turn = shader(transform_name, "UsdTransform2d");
     turn.set(
         "inputs:scale",
         Value::Float2([scale, (a * d - b * c) / scale.max(f32::MIN_POSITIVE)]),
@@ -166,7 +199,7 @@ fn texture_nodes(
     turn.set("inputs:rotation", Value::Float(c.atan2(a).to_degrees()));
     turn.set("inputs:translation", Value::Float2([x, y]));
     let mut input = Attribute::without_value("inputs:in", "float2");
-    input.connections = vec![format!("{path}/Coordinates.outputs:result")];
+    input.connections = vec![format!("{path}/{reader_name}.outputs:result")];
     turn.add(input);
     turn.add(Attribute::without_value("outputs:result", "float2"));
     vec![image, turn, reader]

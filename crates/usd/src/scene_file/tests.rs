@@ -3,8 +3,8 @@ use std::sync::Arc;
 use oaktwin_camera::math::{DAffine3, DQuat, DVec3};
 use oaktwin_image::Image;
 use oaktwin_scene::{
-    Attribute, ColorSpace, Instance, Label, Light, LightKind, Material, MaterialSpan, Mesh, Scene, Texture,
-    TextureSource, TextureUse, Up, Wrap,
+    Attribute, ColorSpace, Instance, Label, Light, LightKind, Mask, Material, MaterialSpan, Mesh, Opacity,
+    Scene, Texture, TextureSource, TextureUse, Up, Wrap,
 };
 
 use super::*;
@@ -80,6 +80,14 @@ fn materials() -> Vec<Material> {
         },
         Material {
             base_color_texture: Some(textured),
+            opacity: Opacity::new(
+                1.0,
+                Some(Mask {
+                    texture: textured,
+                    channel: 3,
+                }),
+                0.25,
+            ),
             ..material("wood", Some([1.0; 3]))
         },
         material("own", None),
@@ -150,6 +158,7 @@ fn assert_same_mesh((scene, mesh): (&Scene, &Mesh), (other_scene, other): (&Scen
                 material.metallic,
                 material.roughness,
                 material.base_color_texture,
+                material.opacity,
             )
         };
         assert_eq!(look(scene, mesh), look(other_scene, other));

@@ -51,6 +51,17 @@ pub(super) fn color(value: &V) -> Option<[f32; 3]> {
     }
 }
 
+/// Converts a 4-vector to single precision.
+#[expect(clippy::cast_possible_truncation, reason = "single precision is intended")]
+pub(super) fn vec4(value: &V) -> Option<[f32; 4]> {
+    Some(match value {
+        V::Vec4f(v) => [v.x, v.y, v.z, v.w],
+        V::Vec4d(v) => [v.x, v.y, v.z, v.w].map(|x| x as f32),
+        V::Vec4h(v) => [v.x, v.y, v.z, v.w].map(f16::to_f32),
+        _ => return None,
+    })
+}
+
 /// Converts a 2-vector to single precision.
 #[expect(clippy::cast_possible_truncation, reason = "single precision is intended")]
 pub(super) fn vec2(value: &V) -> Option<[f32; 2]> {

@@ -3,5 +3,6 @@
 mod bad_input;
 mod check_fixtures;
 mod limits;
+mod opacity;
 mod own_assets;
 mod scene;

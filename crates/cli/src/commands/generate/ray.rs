@@ -54,6 +54,7 @@ pub(super) fn make(
             "output": args.output.as_deref().map(absolute).transpose()?,
             "formats": (!args.formats.is_empty()).then_some(&args.formats),
             "seed": args.seed,
+            "save_scenes": args.save_scenes,
             "catalog": context.catalog_folder.as_deref().map(absolute).transpose()?,
         },
         "address": address,

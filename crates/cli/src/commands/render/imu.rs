@@ -75,6 +75,14 @@ pub(super) fn write(
         samples.rate_hz(),
         samples.sample_count(),
     );
+    // The sequence's own stamps.
+    let samples = match args.writer.as_str() {
+        "euroc" => {
+            let first_ns = samples.first_ns();
+            samples.in_sequence(first_ns)
+        }
+        _ => samples,
+    };
     let written = progress::watched(|watch| imu::write_euroc(samples, path, watch))?;
     Ok(match written {
         Some(file) => ControlFlow::Continue(Some(ImuReport {

@@ -2,6 +2,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use ::gltf::json;
+use json::material::AlphaMode;
 use json::texture::WrappingMode;
 use json::validation::Checked;
 use oaktwin_base::diagnostic::{Message, message};
@@ -9,7 +10,7 @@ use oaktwin_base::diagnostic::{Message, message};
 use super::document::Document;
 use super::uri::{self, Target};
 use crate::import::builder::Builder;
-use crate::{ColorSpace, Material, Texture, TextureSource, TextureUse, Wrap};
+use crate::{ColorSpace, Mask, Material, Opacity, Texture, TextureSource, TextureUse, Wrap};
 
 /// The materials by their index in the file, with the properties that primitives need.
 pub(super) struct Materials {
@@ -32,7 +33,7 @@ impl Materials {
         let mut images = BTreeMap::new();
         let known = |(i, material): (usize, &json::Material)| {
             let pbr = &material.pbr_metallic_roughness;
-            let [r, g, b, _] = pbr.base_color_factor.0;
+            let [r, g, b, alpha] = pbr.base_color_factor.0;
             let factor = [r, g, b].map(finite);
             let name = material.name.clone().unwrap_or_else(|| format!("material_{i}"));
             let texture = pbr.base_color_texture.as_ref();
@@ -41,6 +42,7 @@ impl Materials {
                     Some(Some((texture, set))) => (Some(texture), Some(set)),
                     _ => (None, None),
                 };
+            let opacity = opacity(material, finite(alpha), base_color_texture, &name, builder);
             let number = builder.add_material(Material {
                 name,
                 base_color: Some(factor),
@@ -48,6 +50,7 @@ impl Materials {
                 emissive: material.emissive_factor.0.map(finite),
                 metallic: finite(pbr.metallic_factor.0).clamp(0.0, 1.0),
                 roughness: finite(pbr.roughness_factor.0).clamp(0.0, 1.0),
+                opacity,
             });
             MaterialInfo {
                 number,
@@ -64,6 +67,26 @@ impl Materials {
     pub(super) fn get(&self, index: usize) -> Option<MaterialInfo> {
         self.list.get(index).copied()
     }
+}
+
+/// Returns where a material is invisible. Solid ones ignore their opacity.
+fn opacity(
+    material: &json::Material,
+    factor: f32,
+    texture: Option<TextureUse>,
+    name: &str,
+    builder: &mut Builder,
+) -> Option<Opacity> {
+    let threshold = match material.alpha_mode {
+        Checked::Valid(AlphaMode::Mask) => material.alpha_cutoff.map_or(0.5, |cutoff| finite(cutoff.0)),
+        Checked::Valid(AlphaMode::Blend) => 0.0,
+        Checked::Valid(AlphaMode::Opaque) | Checked::Invalid => return None,
+    };
+    let mask = texture.map(|texture| Mask { texture, channel: 3 });
+    if Opacity::is_translucent(factor, mask, threshold) {
+        builder.note("translucent", name, Opacity::TRANSLUCENT);
+    }
+    Opacity::new(factor, mask, threshold)
 }
 
 fn finite(x: f32) -> f32 {

@@ -7,7 +7,12 @@ use super::{names, rest};
 use crate::import::MAX_BYTES;
 use crate::import::builder::Builder;
 use crate::import::text;
-use crate::{ColorSpace, Material, Texture, TextureSource, TextureUse, Wrap};
+use crate::{ColorSpace, Mask, Material, Opacity, Texture, TextureSource, TextureUse, Wrap};
+
+/// The format defines no threshold; images of cut-out surfaces are black and white.
+const MASK_THRESHOLD: f32 = 0.5;
+/// `d` and `Tr` are often written the wrong way round, so no surface disappears because of them.
+const SOLID: &str = "its `d` or `Tr` is not read: its surface is solid";
 
 /// The materials of the MTL files that an OBJ file refers to.
 ///
@@ -92,6 +97,18 @@ impl Library {
                 b"map_Kd" => {
                     material.base_color_texture = self.texture(&rest(line, 6), folder, builder);
                 }
+                b"map_d" => {
+                    let mask = self.texture(&rest(line, 5), folder, builder);
+                    material.opacity = mask.and_then(|texture| {
+                        Opacity::new(1.0, Some(Mask { texture, channel: 0 }), MASK_THRESHOLD)
+                    });
+                }
+                b"d" if fraction(words.next()).is_some_and(|opacity| opacity < 1.0) => {
+                    builder.note("translucent", &material.name, SOLID);
+                }
+                b"Tr" if fraction(words.next()).is_some_and(|transparency| transparency > 0.0) => {
+                    builder.note("translucent", &material.name, SOLID);
+                }
                 _ => {}
             }
         }
@@ -104,6 +121,16 @@ impl Library {
         };
         if material.base_color_texture.is_some() && material.base_color == Some([0.0; 3]) {
             material.base_color = Some([1.0; 3]);
+        }
+        // The opacity of the colours' image, or another image as a mask.
+        let colors = material.base_color_texture.map(|used| used.texture);
+        if let Some(mask) = material
+            .opacity
+            .as_mut()
+            .and_then(|opacity| opacity.mask.as_mut())
+            && colors == Some(mask.texture.texture)
+        {
+            mask.channel = 3;
         }
         // The first definition of a name takes precedence.
         if !self.materials.contains_key(&material.name) {

@@ -1,6 +1,7 @@
 //! Reads materials: base colour, roughness, metalness and emission of a shading network.
 
 mod network;
+mod opacity;
 mod surface;
 mod texture;
 mod uv;
@@ -146,9 +147,7 @@ impl Materials {
         }
         let surface = Rc::new(Surface {
             index: u32::try_from(scene.materials.len()).ok()?,
-            uv: material
-                .base_color_texture
-                .is_some()
+            uv: (material.base_color_texture.is_some() || has_mask(&material))
                 .then(|| uv.unwrap_or_else(|| "st".to_owned())),
             shows_mesh_colors: material.base_color.is_none() && material.base_color_texture.is_none(),
             understood,
@@ -156,6 +155,10 @@ impl Materials {
         scene.materials.push(material);
         Some(surface)
     }
+}
+
+fn has_mask(material: &Material) -> bool {
+    material.opacity.is_some_and(|opacity| opacity.mask.is_some())
 }
 
 /// Returns the identifier of a node of a shading network.

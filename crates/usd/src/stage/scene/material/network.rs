@@ -17,6 +17,8 @@ const SURFACES: [&str; 4] = [
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Node {
     pub(super) shader: Path,
+    /// The name of its output.
+    pub(super) output: String,
 }
 
 /// The source of an input.
@@ -54,11 +56,14 @@ pub(super) fn input(reader: &Reader, prim: &Path, name: &str) -> Option<Input> {
             ));
         };
         let (source_prim, source_name) = source.split_property()?;
-        let is_output = source_name.trim_start_matches('.').starts_with("outputs:");
-        if is_output {
+        if let Some(output) = source_name.trim_start_matches('.').strip_prefix("outputs:") {
             let kind = reader.stage.prim(source_prim.clone()).type_name().ok().flatten();
             if kind.is_some_and(|kind| kind.as_str() == "Shader") {
-                return Some(Input::Node(Node { shader: source_prim }));
+                let output = output.to_owned();
+                return Some(Input::Node(Node {
+                    shader: source_prim,
+                    output,
+                }));
             }
         }
         at = source;

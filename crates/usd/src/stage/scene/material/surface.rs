@@ -1,7 +1,7 @@
 use oaktwin_scene::{Material, Texture, TextureUse, Wrap};
 
 use super::super::super::reader::Reader;
-use super::super::super::value::{color, number, single, text};
+use super::super::super::value::{color, number, single, text, vec2, vec4};
 use super::super::findings::Findings;
 use super::network::{Input, Node, input};
 use super::texture::Textures;
@@ -12,7 +12,7 @@ pub(super) const GREY: [f32; 3] = [0.18; 3];
 /// `UsdPreviewSurface`'s fallback for the diffuse colour.
 const PREVIEW_DIFFUSE: [f32; 3] = [0.18; 3];
 /// The maximum number of pass-through nodes that are followed.
-const MAX_DEPTH: usize = 16;
+pub(super) const MAX_DEPTH: usize = 16;
 
 /// The state of reading one material.
 pub(super) struct Reading<'a> {
@@ -39,6 +39,8 @@ impl Reading<'_> {
                     material,
                     ["inputs:metallic", "inputs:roughness", "inputs:emissiveColor"],
                 );
+                let threshold = self.number(shader, "inputs:opacityThreshold").unwrap_or(0.0);
+                self.opacity(shader, "inputs:opacity", threshold, material);
                 true
             }
             "ND_standard_surface_surfaceshader" => {
@@ -52,6 +54,7 @@ impl Reading<'_> {
                     ["inputs:metalness", "inputs:specular_roughness", ""],
                 );
                 self.emission(shader, "inputs:emission", "inputs:emission_color", material);
+                self.opacity(shader, "inputs:opacity", 0.0, material);
                 true
             }
             "ND_open_pbr_surface_surfaceshader" => {
@@ -64,6 +67,7 @@ impl Reading<'_> {
                     material,
                     ["inputs:base_metalness", "inputs:specular_roughness", ""],
                 );
+                self.opacity(shader, "inputs:geometry_opacity", 0.0, material);
                 true
             }
             "ND_gltf_pbr_surfaceshader" => {
@@ -76,6 +80,7 @@ impl Reading<'_> {
                     material,
                     ["inputs:metallic", "inputs:roughness", "inputs:emissive"],
                 );
+                self.gltf_opacity(shader, material);
                 true
             }
             _ => {
@@ -132,10 +137,11 @@ impl Reading<'_> {
                 "",
             ],
         );
+        self.mdl_opacity(shader, material);
         true
     }
 
-    fn number(&self, shader: &Node, name: &str) -> Option<f32> {
+    pub(super) fn number(&self, shader: &Node, name: &str) -> Option<f32> {
         match input(self.reader, &shader.shader, name)? {
             Input::Value(value, _) => single(&value),
             Input::Node(_) => None,
@@ -212,7 +218,7 @@ impl Reading<'_> {
     }
 
     /// Returns the colour input of an arithmetic node.
-    fn passes_on(&self, node: &Node) -> Option<Input> {
+    pub(super) fn passes_on(&self, node: &Node) -> Option<Input> {
         const COLORS: [&str; 6] = [
             "inputs:in",
             "inputs:in1",
@@ -258,7 +264,7 @@ impl Reading<'_> {
         }
     }
 
-    fn token(&self, node: &Node, name: &str) -> Option<String> {
+    pub(super) fn token(&self, node: &Node, name: &str) -> Option<String> {
         match input(self.reader, &node.shader, name)? {
             Input::Value(value, _) => text(value),
             Input::Node(_) => None,
@@ -266,38 +272,59 @@ impl Reading<'_> {
     }
 
     fn preview_texture(&mut self, node: &Node, material: &mut Material) {
-        let fallback = self.color_input(node, "inputs:fallback").unwrap_or([0.0; 3]);
+        match self.preview_image(node) {
+            Some(texture) => self.paint(texture, material),
+            None => {
+                material.base_color = Some(self.color_input(node, "inputs:fallback").unwrap_or([0.0; 3]));
+            }
+        }
+    }
+
+    fn materialx_image(&mut self, node: &Node, material: &mut Material) {
+        match self.materialx_texture(node) {
+            Some(texture) => self.paint(texture, material),
+            None => {
+                material.base_color = Some(self.color_input(node, "inputs:default").unwrap_or([0.0; 3]));
+            }
+        }
+    }
+
+    fn paint(&mut self, (texture, uv): (TextureUse, Option<String>), material: &mut Material) {
+        material.base_color_texture = Some(texture);
+        material.base_color = Some([1.0; 3]);
+        self.uv = uv;
+    }
+
+    /// Returns the texture of a `UsdUVTexture`, and the primvar with its coordinates.
+    pub(super) fn preview_image(&mut self, node: &Node) -> Option<(TextureUse, Option<String>)> {
         let space = self.token(node, "inputs:sourceColorSpace");
-        let Some(texture) = self.image(node, "inputs:file", space.as_deref()) else {
-            material.base_color = Some(fallback);
-            return;
-        };
+        let texture = self.image(node, "inputs:file", space.as_deref())?;
         let wrap = |name| match self.token(node, name).as_deref() {
             Some("clamp") => Wrap::Clamp,
             Some("mirror") => Wrap::Mirror,
             Some("black") => Wrap::Black,
             _ => Wrap::Repeat,
         };
+        let four = |name| match input(self.reader, &node.shader, name)? {
+            Input::Value(value, _) => vec4(&value),
+            Input::Node(_) => None,
+        };
         let placed = uv::placement(self.reader, node, "inputs:st");
-        material.base_color_texture = Some(TextureUse {
+        let used = TextureUse {
             image_from_uv: placed.image_from_uv,
-            scale: self.color_input(node, "inputs:scale").unwrap_or([1.0; 3]),
-            bias: self.color_input(node, "inputs:bias").unwrap_or([0.0; 3]),
+            scale: four("inputs:scale").unwrap_or([1.0; 4]),
+            bias: four("inputs:bias").unwrap_or([0.0; 4]),
             wrap_s: wrap("inputs:wrapS"),
             wrap_t: wrap("inputs:wrapT"),
             ..TextureUse::new(texture)
-        });
-        material.base_color = Some([1.0; 3]);
-        self.uv = placed.primvar;
+        };
+        Some((used, placed.primvar))
     }
 
-    fn materialx_image(&mut self, node: &Node, material: &mut Material) {
-        let default = self.color_input(node, "inputs:default").unwrap_or([0.0; 3]);
+    /// Returns the texture of a MaterialX image, and the primvar with its coordinates.
+    pub(super) fn materialx_texture(&mut self, node: &Node) -> Option<(TextureUse, Option<String>)> {
         let space = self.token(node, "inputs:sourceColorSpace");
-        let Some(texture) = self.image(node, "inputs:file", space.as_deref()) else {
-            material.base_color = Some(default);
-            return;
-        };
+        let texture = self.image(node, "inputs:file", space.as_deref())?;
         let wrap = |name| match self.token(node, name).as_deref() {
             Some("clamp") => Wrap::Clamp,
             Some("mirror") => Wrap::Mirror,
@@ -306,18 +333,17 @@ impl Reading<'_> {
         };
         let mut placed = uv::placement(self.reader, node, "inputs:texcoord");
         if let Some(Input::Value(value, _)) = input(self.reader, &node.shader, "inputs:uvtiling")
-            && let Some(tiling) = super::super::super::value::vec2(&value)
+            && let Some(tiling) = vec2(&value)
         {
             placed = placed.tiled(tiling);
         }
-        material.base_color_texture = Some(TextureUse {
+        let used = TextureUse {
             image_from_uv: placed.image_from_uv,
             wrap_s: wrap("inputs:uaddressmode"),
             wrap_t: wrap("inputs:vaddressmode"),
             ..TextureUse::new(texture)
-        });
-        material.base_color = Some([1.0; 3]);
-        self.uv = placed.primvar;
+        };
+        Some((used, placed.primvar))
     }
 
     fn color_input(&self, node: &Node, name: &str) -> Option<[f32; 3]> {
@@ -332,7 +358,7 @@ impl Reading<'_> {
     }
 
     /// Returns the texture of a node's file input.
-    fn image(&mut self, node: &Node, name: &str, space: Option<&str>) -> Option<u32> {
+    pub(super) fn image(&mut self, node: &Node, name: &str, space: Option<&str>) -> Option<u32> {
         let Some(Input::Value(value, attribute)) = input(self.reader, &node.shader, name) else {
             self.findings.warn(
                 "missing-texture",

@@ -1,0 +1,156 @@
+//! Where surfaces of a stage are invisible. Rendered masks are compared with independent arithmetic in
+//! `tests/oracles/test_usd_opacity.py`.
+#![expect(clippy::unwrap_used, reason = "a test")]
+
+use oaktwin_scene::Opacity;
+use oaktwin_usd::stage::{SceneOptions, StageScene, open_scene};
+
+/// Reads a triangle whose material has a surface with these inputs.
+fn read(id: &str, inputs: &str) -> StageScene {
+    let text = format!(
+        r#"#usda 1.0
+def Mesh "M" {{
+    int[] faceVertexCounts = [3]
+    int[] faceVertexIndices = [0, 1, 2]
+    point3f[] points = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
+    texCoord2f[] primvars:st = [(0, 0), (1, 0), (0, 1)] (interpolation = "vertex")
+    texCoord2f[] primvars:cut = [(0, 0), (0.5, 0), (0, 1)] (interpolation = "vertex")
+    rel material:binding = </Look>
+}}
+def Material "Look" {{
+    token outputs:surface.connect = </Look/S.outputs:surface>
+    def Shader "S" {{
+        uniform token info:id = "{id}"
+        {inputs}
+        token outputs:surface
+    }}
+    def Shader "T" {{
+        uniform token info:id = "UsdUVTexture"
+        asset inputs:file = @mask.png@
+        float4 inputs:scale = (1, 2, 3, 4)
+        float2 inputs:st.connect = </Look/R.outputs:result>
+        float outputs:g
+        float outputs:a
+    }}
+    def Shader "R" {{
+        uniform token info:id = "UsdPrimvarReader_float2"
+        string inputs:varname = "cut"
+        float2 outputs:result
+    }}
+    def Shader "Image" {{
+        uniform token info:id = "ND_image_color4"
+        asset inputs:file = @mask.png@
+        color4f outputs:out
+    }}
+    def Shader "Blue" {{
+        uniform token info:id = "ND_separate4_color4"
+        color4f inputs:in.connect = </Look/Image.outputs:out>
+        float outputs:outb
+    }}
+    def Shader "Noise" {{
+        uniform token info:id = "ND_fractal3d_float"
+        float outputs:out
+    }}
+}}
+"#
+    );
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("mask.png"), b"not decoded here").unwrap();
+    let path = folder.path().join("a.usda");
+    std::fs::write(&path, text).unwrap();
+    open_scene(&path, &SceneOptions::default()).unwrap()
+}
+
+/// The opacity, and the codes of the findings.
+fn opacity(id: &str, inputs: &str) -> (Option<Opacity>, Vec<&'static str>) {
+    let read = read(id, inputs);
+    let codes = read.findings.iter().map(|finding| finding.code);
+    (read.scene.materials[0].opacity, codes.collect())
+}
+
+#[test]
+fn preview_surfaces() {
+    let preview = |inputs: &str| opacity("UsdPreviewSurface", inputs);
+    assert_eq!(preview("float inputs:opacity = 1"), (None, vec![]));
+    assert_eq!(preview("float inputs:opacity = 0.5"), (None, vec!["translucent"]));
+    assert_eq!(
+        preview("float inputs:opacity = 0.5 float inputs:opacityThreshold = 0.25"),
+        (None, vec![])
+    );
+    for invisible in [
+        "float inputs:opacity = 0",
+        "float inputs:opacity = 0.5 float inputs:opacityThreshold = 0.75",
+    ] {
+        let (opacity, codes) = preview(invisible);
+        assert!(!opacity.unwrap().shows(1.0) && codes.is_empty(), "{invisible}");
+    }
+    let (cut, codes) =
+        preview("float inputs:opacity.connect = </Look/T.outputs:g> float inputs:opacityThreshold = 0.5");
+    let (cut, mask) = (cut.unwrap(), cut.unwrap().mask.unwrap());
+    assert_eq!(
+        (mask.channel, mask.texture.scale, cut.threshold),
+        (1, [1.0, 2.0, 3.0, 4.0], 0.5)
+    );
+    assert!(codes.is_empty());
+    assert_eq!(
+        preview("float inputs:opacity.connect = </Look/T.outputs:a>").1,
+        ["translucent"]
+    );
+    let unknown = preview("float inputs:opacity.connect = </Look/Noise.outputs:out>");
+    assert_eq!(unknown, (None, vec!["unsupported-material"]));
+}
+
+#[test]
+fn masks_have_their_own_texture_coordinates() {
+    let read = read(
+        "UsdPreviewSurface",
+        "float inputs:opacity.connect = </Look/T.outputs:a> float inputs:opacityThreshold = 0.5",
+    );
+    let mesh = &read.scene.meshes[0];
+    let uvs = mesh.uvs.as_ref().unwrap().corners(0, [0, 1, 2]).unwrap();
+    assert_eq!(uvs[1], [0.5, 0.0]);
+}
+
+#[test]
+fn other_shaders() {
+    let channel = |id: &str, inputs: &str| opacity(id, inputs).0.unwrap().mask.unwrap().channel;
+    let blue = "color3f inputs:opacity.connect = </Look/Blue.outputs:outb>";
+    assert_eq!(channel("ND_standard_surface_surfaceshader", blue), 2);
+    let hidden = [
+        (
+            "ND_standard_surface_surfaceshader",
+            "color3f inputs:opacity = (0, 0, 0)",
+        ),
+        (
+            "ND_open_pbr_surface_surfaceshader",
+            "float inputs:geometry_opacity = 0",
+        ),
+        (
+            "ND_gltf_pbr_surfaceshader",
+            "float inputs:alpha = 0.25 int inputs:alpha_mode = 1",
+        ),
+        (
+            "OmniPBR",
+            "color3f inputs:diffuse_color_constant = (1, 1, 1) bool inputs:enable_opacity = 1 float inputs:opacity_constant = 0",
+        ),
+    ];
+    for (id, inputs) in hidden {
+        assert!(!opacity(id, inputs).0.unwrap().shows(1.0), "{id}");
+    }
+    let solid = [
+        (
+            "ND_gltf_pbr_surfaceshader",
+            "float inputs:alpha = 0 int inputs:alpha_mode = 0",
+        ),
+        (
+            "OmniPBR",
+            "color3f inputs:diffuse_color_constant = (1, 1, 1) float inputs:opacity_constant = 0",
+        ),
+    ];
+    for (id, inputs) in solid {
+        assert_eq!(opacity(id, inputs).0, None, "{id}");
+    }
+    let image = "color3f inputs:diffuse_color_constant = (1, 1, 1) bool inputs:enable_opacity = 1
+        bool inputs:enable_opacity_texture = 1 asset inputs:opacity_texture = @mask.png@ int inputs:opacity_mode = 0";
+    assert_eq!(channel("OmniPBR", image), 3);
+}
