@@ -25,6 +25,7 @@ NEEDS = {
     "test_filters.py": ("cv2", "depthai"),
     "test_generate.py": ("cv2", "evo", "pycocotools", "pycolmap", "trimesh", "webdataset"),
     "test_generate_annotations.py": ("cv2", "evo", "pycocotools", "pycolmap", "trimesh", "webdataset"),
+    "test_generate_files.py": ("cv2", "evo", "pycocotools", "pycolmap", "trimesh", "webdataset"),
     "test_imu.py": ("allantools", "rosbags", "scipy"),
     "test_importers.py": ("trimesh",),
     "test_population.py": ("depthai",),
@@ -34,6 +35,7 @@ NEEDS = {
     "test_stereo_matching.py": ("cv2",),
     "test_stereo_photographs.py": ("cv2",),
     "test_stereo_rendered.py": ("cv2",),
+    "test_usd_opacity.py": ("cv2",),
 }
 collect_ignore = [name for name, packages in NEEDS.items() if not all(map(find_spec, packages))]
 

@@ -21,7 +21,7 @@ WRAPS = {
 
 
 def depth(program: Path, stage: Path, out: Path, camera: str = "/Cam") -> tuple[np.ndarray, str]:
-    command = [program, "render", stage, "--camera", camera, "-o", out, "--writer", "flat"]
+    command = [program, "render", stage, "--camera", camera, "-o", out, "--resolution", f"{SIZE}x{SIZE}"]
     command += ["--annotators", "distance_to_image_plane"]
     done = subprocess.run(list(map(str, command)), capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
@@ -87,8 +87,9 @@ def card(path: Path, rng: np.random.Generator, channel: str, wrap: tuple[str, st
     return pixels
 
 
-@pytest.mark.parametrize("seed", range(12))
-def test_masks_cut_what_their_image_says(program, tmp_path, seed):
+def compare(program: Path, folder: Path, seed: int) -> tuple[int, int]:
+    """Returns the numbers of visible and of invisible pixels of a card."""
+    folder.mkdir()
     rng = np.random.default_rng(seed)
     wrap = tuple(rng.choice(list(WRAPS), 2))
     at = int(rng.integers(4))
@@ -98,8 +99,8 @@ def test_masks_cut_what_their_image_says(program, tmp_path, seed):
         "rotation": float(rng.uniform(-180, 180)),
         "translation": tuple(rng.uniform(-1, 1, 2).tolist()),
     }
-    pixels = card(tmp_path / "stage.usda", rng, "rgba"[at], wrap, placed, threshold)
-    seen, _ = depth(program, tmp_path / "stage.usda", tmp_path / "out")
+    pixels = card(folder / "stage.usda", rng, "rgba"[at], wrap, placed, threshold)
+    seen, _ = depth(program, folder / "stage.usda", folder / "out")
     height, width = seen.shape
     # The horizontal field of view is 53 degrees: 20 mm by 20 mm.
     x = (np.arange(width) + 0.5) / width - 0.5
@@ -115,12 +116,18 @@ def test_masks_cut_what_their_image_says(program, tmp_path, seed):
     on_card = (abs(x) < 1.5) & (abs(y) < 1.5)
     shown = on_card & (opacity > 0) & (opacity >= threshold)
     expected = np.where(shown, CARD_M, WALL_M)
-    decided = (abs(opacity - threshold) > 1e-3) & (abs(opacity) > 1e-3)
+    # Single precision decides near the threshold; the outside of an image is exactly 0.
+    decided = (abs(opacity - threshold) > 1e-3) | (value == 0)
     edge = (abs(abs(x) - 1.5) < 1e-3) | (abs(abs(y) - 1.5) < 1e-3)
     compared = (decided | ~on_card) & ~edge
     assert compared.mean() > 0.9
-    assert shown.any() and (on_card & ~shown).any()
     np.testing.assert_allclose(seen[compared], expected[compared], rtol=1e-6)
+    return shown.sum(), (on_card & ~shown).sum()
+
+
+def test_masks_cut_what_their_image_says(program, tmp_path):
+    counts = np.sum([compare(program, tmp_path / str(seed), seed) for seed in range(16)], axis=0)
+    assert (counts > 0.2 * counts.sum()).all(), counts
 
 
 def test_a_leaf_and_a_hidden_object(program, tmp_path):

@@ -11,6 +11,9 @@ use oaktwin_files::FileError;
 use oaktwin_image::npy::{self, Layout, Number, Values};
 use oaktwin_image::{CodecError, Image, exr, pfm, png, tiff};
 
+/// The number of bytes that tell formats apart, and that every NPY file has.
+const BEGINNING: u64 = 12;
+
 /// The maximum size of files that are read as a whole.
 const MAX_BYTES: u64 = 4 << 30;
 
@@ -81,7 +84,7 @@ impl Source {
         scale: f64,
     ) -> Result<Self, FileError> {
         let mut beginning = Vec::new();
-        take(path, &mut reader, 12, &mut beginning)?;
+        take(path, &mut reader, BEGINNING, &mut beginning)?;
         if beginning.starts_with(npy::MAGIC) {
             return Self::numpy(path, reader, beginning, length, scale);
         }
@@ -99,13 +102,9 @@ impl Source {
         if bytes.starts_with(b"PK\x03\x04") {
             let array = npy::only_array(&bytes).map_err(codec)?;
             let length = array.len() as u64;
-            return Self::numpy(
-                path,
-                Box::new(Cursor::new(array)),
-                Vec::new(),
-                Some(length),
-                scale,
-            );
+            let (mut reader, mut beginning) = (Cursor::new(array), Vec::new());
+            take(path, &mut reader, BEGINNING, &mut beginning)?;
+            return Self::numpy(path, Box::new(reader), beginning, Some(length), scale);
         }
         if bytes.starts_with(b"II*\0") || bytes.starts_with(b"MM\0*") {
             return Self::tiff(path, tiff::decode(&bytes).map_err(codec)?, scale);
