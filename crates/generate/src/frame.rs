@@ -129,6 +129,7 @@ impl<'a> FrameMaker<'a> {
             describes_pair: context.needs.stereo,
             strict: false,
         };
+        rig.findings.extend(arrangement.findings.iter().cloned());
         let recipe = &context.file.recipe;
         let mut shots = Vec::new();
         let number = usize::try_from(frame).unwrap_or(usize::MAX);

@@ -36,6 +36,7 @@ mod random;
 pub mod recipe;
 mod run;
 mod samples;
+mod settle;
 mod unit;
 mod units;
 mod view;
