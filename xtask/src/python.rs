@@ -56,7 +56,7 @@ pub(crate) const ENVIRONMENTS: [Environment; 4] = [
     Environment {
         name: "robot",
         versions: ((3, 11), Some((3, 13))),
-        tests: &["tests/oracles/test_robot.py"],
+        tests: &["tests/oracles/test_heaps.py", "tests/oracles/test_robot.py"],
     },
     Environment {
         name: "usd-24.5",

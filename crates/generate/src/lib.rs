@@ -32,6 +32,8 @@ mod error;
 mod frame;
 mod inertial;
 mod models;
+#[cfg(test)]
+mod probe;
 mod random;
 pub mod recipe;
 mod run;

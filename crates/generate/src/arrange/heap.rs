@@ -74,7 +74,7 @@ impl Heaps<'_> {
         let mut simulation = Simulation::new(base.shape(), base.up(), bodies);
         simulation.settle();
         let mut moving = Vec::new();
-        for (object, settled) in placed.iter_mut().zip(simulation.poses()) {
+        for (object, settled) in placed.iter_mut().zip(simulation.settled()) {
             object.move_to(settled.world_from_body);
             if !settled.is_at_rest {
                 moving.push(object.rule);

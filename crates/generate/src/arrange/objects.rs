@@ -24,11 +24,7 @@ struct NoPlace {
     rejected: Rejected,
 }
 
-pub(super) fn place_objects(
-    context: &Context,
-    base: usize,
-    number: u64,
-) -> Result<Objects, GenerateError> {
+pub(super) fn place_objects(context: &Context, base: usize, number: u64) -> Result<Objects, GenerateError> {
     let mut failure = None;
     for redraw in 0..REDRAWS {
         match try_place(context, base, number, redraw)? {

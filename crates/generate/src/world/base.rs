@@ -160,7 +160,14 @@ impl Base {
         reach: f64,
         gap: f64,
     ) -> Option<f64> {
-        fall((&Pose::identity(), &*self.mesh), hull, pose, direction, reach, gap)
+        fall(
+            (&Pose::identity(), &*self.mesh),
+            hull,
+            pose,
+            direction,
+            reach,
+            gap,
+        )
     }
 
     /// Returns the distance of a point from the nearest surface.

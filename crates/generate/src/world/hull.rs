@@ -179,7 +179,9 @@ impl Face {
         shape.faces().iter().map(|face| {
             let first = face.first_vertex_or_edge as usize;
             let ring = &shape.vertices_adj_to_face()[first..first + face.num_vertices_or_edges as usize];
-            let points = ring.iter().map(|vertex| from_parry(shape.points()[*vertex as usize]));
+            let points = ring
+                .iter()
+                .map(|vertex| from_parry(shape.points()[*vertex as usize]));
             Self {
                 normal: from_parry(face.normal),
                 ring: points.collect(),
@@ -244,7 +246,9 @@ mod tests {
             .collect();
         assert!(Hull::new(&flat).is_some());
         assert!(Hull::new(&[DVec3::ONE; 5]).is_none());
-        let sphere: Vec<DVec3> = (0..MAX_CORNERS * 4).map(|i| direction(i % MAX_CORNERS, MAX_CORNERS)).collect();
+        let sphere: Vec<DVec3> = (0..MAX_CORNERS * 4)
+            .map(|i| direction(i % MAX_CORNERS, MAX_CORNERS))
+            .collect();
         let dense = Hull::new(&sphere).unwrap();
         assert!(dense.corners().count() <= MAX_CORNERS);
         assert!(
