@@ -32,8 +32,6 @@ mod error;
 mod frame;
 mod inertial;
 mod models;
-#[cfg(test)]
-mod probe;
 mod random;
 pub mod recipe;
 mod run;

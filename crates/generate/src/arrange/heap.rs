@@ -1,7 +1,6 @@
 //! Heaps: objects that fall onto each other until they lie still.
 
 use oaktwin_base::diagnostic::{Finding, Level, Message};
-use oaktwin_camera::math::DVec3;
 
 use super::place::{Place, region_of};
 use super::placed::Placed;
@@ -83,17 +82,19 @@ impl Heaps<'_> {
         Ok(moving)
     }
 
-    /// Whether an object lies so far outside its region that it would not touch an object within, or below.
+    /// Whether an object lies so far beside its region that it would not touch an object within, or further below than the region is high.
     fn is_outside(&self, object: &Placed) -> Result<bool, GenerateError> {
         if !self.is_piled(object) {
             return Ok(false);
         }
         let region = region_of(self.context, self.base, object.rule)?;
         let up = self.context.bases[self.base].up();
-        let above = (object.center.dot(up) - region.max.dot(up)).max(0.0);
-        let center = object.center - up * above;
-        let reach = DVec3::splat(object.hull.size() / 2.0);
-        let is_inside = center.cmpge(region.min - reach).all() && center.cmple(region.max + reach).all();
+        let (bottom, top) = (region.min.dot(up), region.max.dot(up));
+        let height = object.center.dot(up);
+        let raised = object.center + up * (height.clamp(bottom, top) - height);
+        let reach = object.hull.size() / 2.0;
+        let nearby = raised.cmpge(region.min - reach).all() && raised.cmple(region.max + reach).all();
+        let is_inside = nearby && height >= bottom - (top - bottom) - reach;
         Ok(!is_inside)
     }
 

@@ -22,6 +22,18 @@ const MAX_PARTS: u32 = 64;
 /// The maximum number of corners of a part.
 const MAX_CORNERS: usize = 128;
 
+/// The corners of a cube.
+const CORNERS: [[f64; 3]; 8] = [
+    [-1.0, -1.0, -1.0],
+    [1.0, -1.0, -1.0],
+    [-1.0, 1.0, -1.0],
+    [1.0, 1.0, -1.0],
+    [-1.0, -1.0, 1.0],
+    [1.0, -1.0, 1.0],
+    [-1.0, 1.0, 1.0],
+    [1.0, 1.0, 1.0],
+];
+
 /// The maximum depth of a vertex of a convex object below its hull, relative to the object's size.
 const MAX_DEPTH: f64 = 0.01;
 
@@ -91,7 +103,7 @@ fn is_convex(object: &Triangles, hull: &Hull) -> bool {
     object.area() >= MIN_AREA * area && depths.all(|depth| depth <= limit)
 }
 
-/// Returns the hull of the surface within some voxels.
+/// Returns the hull of the surface within some voxels, and of the voxels inside the object.
 fn part(
     voxels: &VoxelSet,
     points: &[Vector],
@@ -108,7 +120,13 @@ fn part(
             .collect();
         ConvexPolyhedron::from_convex_hull(&points)
     };
-    let exact = hull_of(voxels.compute_primitive_intersections(points, corners));
+    let mut solid = voxels.compute_primitive_intersections(points, corners);
+    let inside = voxels.voxels().iter().filter(|voxel| !voxel.is_on_surface);
+    for voxel in inside {
+        let center = voxels.get_voxel_point(voxel);
+        solid.extend(CORNERS.map(|sign| center + Vector::from_array(sign) * (voxels.scale / 2.0)));
+    }
+    let exact = hull_of(solid);
     // A piece of a surface may be flat, but voxels never are.
     exact.or_else(|| hull_of(voxels.compute_convex_hull(1).0))
 }
