@@ -79,6 +79,13 @@ def write(path: Path, points: list, faces: list) -> None:
     path.write_text("\n".join(lines) + "\n")
 
 
+def write_files(folder: Path) -> None:
+    write(folder / "bin.obj", *box_faces(BIN))
+    write(folder / "block.obj", *box_faces([(BLOCK, (0, 0, 0))]))
+    write(folder / "can.obj", *turned(CAN))
+    write(folder / "cup.obj", *turned(CUP))
+
+
 # The objects as unions of convex parts. The wall of the cup is divided at its sides.
 WALL = [[point for radius, height in CUP[1:5] for point in around(radius, height, range(side, side + 2))] for side in range(SIDES)]
 BOTTOM = [point for radius, height in (CUP[1], CUP[4]) for point in around(radius, height, range(SIDES))]
@@ -92,10 +99,7 @@ PARTS = {
 @pytest.fixture(scope="module", params=[8, 30])
 def heap(request: pytest.FixtureRequest, program: Path, tmp_path_factory: pytest.TempPathFactory) -> list:
     folder = tmp_path_factory.mktemp("heap")
-    write(folder / "bin.obj", *box_faces(BIN))
-    write(folder / "block.obj", *box_faces([(BLOCK, (0, 0, 0))]))
-    write(folder / "can.obj", *turned(CAN))
-    write(folder / "cup.obj", *turned(CUP))
+    write_files(folder)
     (folder / "recipe.toml").write_text(RECIPE.format(frames=4, count=request.param))
     frames = []
     for frame in range(4):
