@@ -45,6 +45,13 @@ pub(crate) const CURRENT: Environment = Environment {
     tests: ORACLES,
 };
 
+/// The readers of robot descriptions, and MuJoCo.
+pub(crate) const ROBOT: Environment = Environment {
+    name: "robot",
+    versions: ((3, 11), Some((3, 13))),
+    tests: &["tests/oracles/test_heaps.py", "tests/oracles/test_robot.py"],
+};
+
 /// The newest OpenUSD, the generation of Isaac Sim 5.1, and the readers of data sets and of robot descriptions.
 pub(crate) const ENVIRONMENTS: [Environment; 4] = [
     CURRENT,
@@ -53,11 +60,7 @@ pub(crate) const ENVIRONMENTS: [Environment; 4] = [
         versions: ((3, 11), None),
         tests: &["tests/oracles/test_generate.py", "tests/oracles/test_imu.py"],
     },
-    Environment {
-        name: "robot",
-        versions: ((3, 11), Some((3, 13))),
-        tests: &["tests/oracles/test_robot.py"],
-    },
+    ROBOT,
     Environment {
         name: "usd-24.5",
         versions: ((3, 10), Some((3, 11))),

@@ -150,6 +150,7 @@ impl<'a> FrameMaker<'a> {
             describes_pair: context.needs.stereo,
             strict: false,
         };
+        rig.findings.extend(arrangement.findings.iter().cloned());
         let recipe = &context.file.recipe;
         let place = usize::try_from(frame % recipe.frames_per_scene).unwrap_or(usize::MAX);
         let mut shots = Vec::new();

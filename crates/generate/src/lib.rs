@@ -37,6 +37,7 @@ pub mod recipe;
 mod run;
 mod samples;
 mod saved;
+mod settle;
 mod times;
 mod unit;
 mod units;

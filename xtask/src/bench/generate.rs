@@ -1,8 +1,9 @@
-//! Data sets: the table-top recipe, compared with a script that uses Open3D and NumPy, and with the rendering of Blender and pyrender.
+//! Data sets: the table-top recipe, compared with a script that uses Open3D and NumPy, and with the rendering of Blender and pyrender;
+//! heaps, compared with MuJoCo.
 
 use std::process::Command;
 
-use crate::python::{BLENDER, PEERS};
+use crate::python::{BLENDER, PEERS, ROBOT};
 use crate::workspace::{self, check};
 
 #[derive(clap::Args)]
@@ -12,7 +13,7 @@ pub(crate) struct Args {
     frames: usize,
 }
 
-/// Runs the benchmark and prints both rates.
+/// Runs the benchmarks and prints their rates and times.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
     let program = workspace::build_program(
         "oaktwin",
@@ -25,12 +26,15 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
     let mut command = Command::new(&python);
     command
         .arg(script)
-        .arg(program)
+        .arg(&program)
         .arg(recipe)
         .arg(args.frames.to_string());
     match BLENDER.ready() {
         Ok(blender) => _ = command.arg(blender),
         Err(error) => println!("Blender and pyrender are skipped: {error}"),
     }
-    check(&mut command)
+    check(&mut command)?;
+    let robot = ROBOT.ready()?;
+    let script = root.join("tests/oracles/bench_heaps.py");
+    check(Command::new(&robot).arg(script).arg(&program))
 }

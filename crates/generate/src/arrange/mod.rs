@@ -1,18 +1,23 @@
 //! What a scene contains: everything that is drawn at random once for all frames of an arrangement.
 
+mod heap;
 mod light;
 mod look;
 mod objects;
+mod place;
+mod placed;
+mod pose;
 mod stage;
 
-use oaktwin_camera::RigidTransform;
+use oaktwin_base::diagnostic::Finding;
 use oaktwin_pipeline::pair::default_projector;
 use serde::Serialize;
 
 pub(crate) use light::{DrawnLight, direction};
 pub(crate) use look::DrawnLook;
-pub(crate) use objects::Placed;
 use objects::place_objects;
+pub(crate) use placed::Placed;
+pub(crate) use pose::serialize_pose;
 pub(crate) use stage::Stage;
 
 use crate::GenerateError;
@@ -35,6 +40,9 @@ pub(crate) struct Arrangement {
     pub(crate) lights: Vec<DrawnLight>,
     pub(crate) infrared_ambient: f64,
     pub(crate) projector: f64,
+    /// Findings about heaps.
+    #[serde(skip)]
+    pub(crate) findings: Vec<Finding>,
 }
 
 impl Arrangement {
@@ -51,7 +59,7 @@ impl Arrangement {
             .pick(&recipe.camera.model.0)
             .cloned()
             .unwrap_or_default();
-        let objects = place_objects(context, base, number)?;
+        let (objects, findings) = place_objects(context, base, number)?;
         let light = &recipe.light;
         // Models without a projector ignore it, because a recipe may have models of both kinds.
         let full = default_projector(context.units(&model).any());
@@ -75,6 +83,7 @@ impl Arrangement {
                 .infrared_ambient
                 .draw(&mut random.numbers("light.infrared_ambient", number)),
             projector,
+            findings,
         })
     }
 }
@@ -86,27 +95,4 @@ impl Context {
         let mut numbers = self.random.numbers("scene", number);
         numbers.pick(&bases).copied().unwrap_or_default()
     }
-}
-
-/// A pose in the output of `--explain`: a position in metres and a unit quaternion in the order x, y, z, w.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub(crate) struct ExplainedPose {
-    position: [f64; 3],
-    orientation: [f64; 4],
-}
-
-impl From<&RigidTransform> for ExplainedPose {
-    fn from(pose: &RigidTransform) -> Self {
-        Self {
-            position: pose.translation.to_array(),
-            orientation: oaktwin_camera::math::DQuat::from_mat3(&pose.rotation).to_array(),
-        }
-    }
-}
-
-pub(crate) fn serialize_pose<S: serde::Serializer>(
-    pose: &RigidTransform,
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
-    ExplainedPose::from(pose).serialize(serializer)
 }

@@ -12,7 +12,7 @@ choice! {
         Upright = "upright",
         /// On a horizontal surface on one of the faces on which they are stable, turned by any angle.
         Resting = "resting",
-        /// In any orientation, lowered until they touch something: heaps in bins. There is no physics, so some stay unsupported.
+        /// In any orientation, dropped so that they fall onto each other and come to rest: heaps in bins.
         Piled = "piled",
         /// Anywhere in the region, in any orientation.
         Floating = "floating",

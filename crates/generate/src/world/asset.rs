@@ -1,4 +1,5 @@
 use std::path::Path;
+use std::sync::OnceLock;
 
 use oaktwin_camera::math::DVec3;
 use oaktwin_files::memory;
@@ -6,6 +7,8 @@ use oaktwin_pipeline::render::{OpenOptions, SceneFile};
 use oaktwin_scene::{Material, MaterialSpan, Scene, Up};
 
 use super::hull::Hull;
+use super::parts::Parts;
+use super::triangles::Triangles;
 use crate::GenerateError;
 
 /// An object that can be placed.
@@ -14,6 +17,8 @@ pub(crate) struct Asset {
     /// The geometry in metres with the file's axes, and its materials, of which every triangle has one.
     pub(crate) scene: Scene,
     pub(crate) hull: Hull,
+    /// Its convex parts, which are found when they are first used.
+    parts: OnceLock<Parts>,
 }
 
 impl Asset {
@@ -42,7 +47,17 @@ impl Asset {
             shortage,
         })?;
         let hull = Hull::new(&points).ok_or_else(empty)?;
-        Ok(Self { scene, hull })
+        Ok(Self {
+            scene,
+            hull,
+            parts: OnceLock::new(),
+        })
+    }
+
+    /// Returns its convex parts.
+    pub(crate) fn parts(&self) -> &Parts {
+        self.parts
+            .get_or_init(|| Parts::new(&Triangles::of(&self.scene), &self.hull))
     }
 }
 

@@ -1,4 +1,5 @@
 use std::path::Path;
+use std::sync::Arc;
 
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DAffine3, DVec3};
@@ -6,10 +7,11 @@ use oaktwin_pipeline::render::{OpenOptions, SceneFile};
 use oaktwin_scene::{Bounds, Instance, Label, Material, MaterialSpan, Mesh, Scene};
 use parry3d_f64::math::Pose;
 use parry3d_f64::query::{self, PointQuery, Ray, RayCast, ShapeCastOptions};
-use parry3d_f64::shape::{FeatureId, Shape, TriMesh};
+use parry3d_f64::shape::{FeatureId, Shape, SharedShape, TriMesh};
 
 use super::asset::give_materials;
 use super::hull::{Hull, from_parry, pose_to_parry, to_parry};
+use super::triangles::Triangles;
 use crate::GenerateError;
 use crate::recipe::SceneRule;
 
@@ -24,7 +26,7 @@ pub(crate) struct Base {
     pub(crate) scene: Scene,
     pub(crate) bounds: Bounds,
     /// The triangles of all instances in the world.
-    mesh: TriMesh,
+    mesh: Arc<TriMesh>,
     /// The index of the first triangle of each instance, and their number.
     first: Vec<u32>,
 }
@@ -103,37 +105,26 @@ impl Base {
     }
 
     /// Returns `None` for a scene without triangles.
-    #[expect(clippy::cast_possible_truncation, reason = "a scene's indices are u32")]
     fn new(name: &str, scene: Scene) -> Option<Self> {
         let bounds = scene.bounds()?;
-        let (mut points, mut triangles) = (Vec::new(), Vec::new());
-        let mut first = Vec::with_capacity(scene.instances.len() + 1);
-        for instance in &scene.instances {
-            first.push(triangles.len() as u32);
-            let Some(mesh) = scene.meshes.get(instance.mesh as usize) else {
-                continue;
-            };
-            let start = points.len() as u32;
-            let place = |p: &[f32; 3]| {
-                instance
-                    .world_from_mesh
-                    .transform_point3(DVec3::from(p.map(f64::from)))
-            };
-            points.extend(mesh.positions.iter().map(|p| to_parry(place(p))));
-            triangles.extend(
-                mesh.triangles
-                    .iter()
-                    .map(|corners| corners.map(|index| start + index)),
-            );
-        }
-        first.push(triangles.len() as u32);
+        let Triangles {
+            points,
+            corners,
+            first,
+        } = Triangles::of(&scene);
+        let points = points.into_iter().map(to_parry).collect();
         Some(Self {
             name: name.to_owned(),
-            mesh: TriMesh::new(points, triangles).ok()?,
+            mesh: Arc::new(TriMesh::new(points, corners).ok()?),
             first,
             bounds,
             scene,
         })
+    }
+
+    /// Returns the triangles of all instances, in the world.
+    pub(crate) fn shape(&self) -> SharedShape {
+        SharedShape(Arc::clone(&self.mesh) as _)
     }
 
     pub(crate) fn up(&self) -> DVec3 {
@@ -156,7 +147,7 @@ impl Base {
 
     /// Whether a hull at a pose intersects a surface.
     pub(crate) fn intersects(&self, hull: &Hull, pose: &RigidTransform) -> bool {
-        query::intersection_test(&Pose::identity(), &self.mesh, &pose_to_parry(pose), &hull.shape)
+        query::intersection_test(&Pose::identity(), &*self.mesh, &pose_to_parry(pose), &hull.shape)
             .is_ok_and(|found| found.intersecting)
     }
 
@@ -169,7 +160,14 @@ impl Base {
         reach: f64,
         gap: f64,
     ) -> Option<f64> {
-        fall((&Pose::identity(), &self.mesh), hull, pose, direction, reach, gap)
+        fall(
+            (&Pose::identity(), &*self.mesh),
+            hull,
+            pose,
+            direction,
+            reach,
+            gap,
+        )
     }
 
     /// Returns the distance of a point from the nearest surface.

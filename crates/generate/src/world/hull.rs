@@ -1,5 +1,5 @@
 use oaktwin_camera::RigidTransform;
-use oaktwin_camera::math::{DQuat, DVec3};
+use oaktwin_camera::math::{DMat3, DQuat, DVec3};
 use oaktwin_scene::Bounds;
 use parry3d_f64::math::{Pose, Rotation, Vector};
 use parry3d_f64::query::PointQuery;
@@ -58,6 +58,24 @@ impl Hull {
         self.shape.distance_to_local_point(to_parry(point), true)
     }
 
+    /// Returns the length of the diagonal of its bounding box.
+    pub(crate) fn size(&self) -> f64 {
+        let bounds = self.corners().map(Bounds::of).reduce(Bounds::union);
+        bounds.map_or(0.0, |bounds| bounds.size().length())
+    }
+
+    /// Returns the area of its surface.
+    pub(super) fn area(&self) -> f64 {
+        Face::all(&self.shape).map(|face| face.area()).sum()
+    }
+
+    /// Returns the unit normals of its faces, outwards, and the heights of the faces along them.
+    pub(super) fn planes(&self) -> Vec<(DVec3, f64)> {
+        let faces = Face::all(&self.shape);
+        let plane = |face: Face| Some((face.normal, face.normal.dot(*face.ring.first()?)));
+        faces.filter_map(plane).collect()
+    }
+
     /// Returns the hull of the object at another scale.
     pub(crate) fn scaled(&self, scale: f64) -> Option<Self> {
         if scale == 1.0 {
@@ -84,24 +102,42 @@ pub(crate) fn pose_to_parry(pose: &RigidTransform) -> Pose {
     Pose::from_parts(to_parry(pose.translation), Rotation::from_xyzw(x, y, z, w))
 }
 
-/// The outermost points, as many as a hull may have.
+pub(crate) fn pose_from_parry(pose: &Pose) -> RigidTransform {
+    let [x, y, z, w] = pose.rotation.to_array();
+    let rotation = DMat3::from_quat(DQuat::from_xyzw(x, y, z, w).normalize());
+    RigidTransform::new(rotation, from_parry(pose.translation))
+}
+
+/// The corners of the hull of some points, as many as a hull may have.
 fn corners(points: &[DVec3], bounds: Bounds) -> Vec<Vector> {
-    if points.len() <= MAX_CORNERS {
-        return points.iter().copied().map(to_parry).collect();
+    let kept = outermost(points, bounds.center(), MAX_CORNERS);
+    // A sphere lies outside the hull of points on it by 1/cos of half the angle between neighbouring directions.
+    let enlarged = 1.0031;
+    let factor = if points.len() > MAX_CORNERS && kept.len() > MAX_CORNERS / 2 {
+        enlarged
+    } else {
+        1.0
+    };
+    let moved = |point: DVec3| bounds.center() + (point - bounds.center()) * factor;
+    kept.into_iter().map(|point| to_parry(moved(point))).collect()
+}
+
+/// Returns the points that are the outermost ones in `count` directions from a center, or all if there are no more than that.
+pub(super) fn outermost(points: &[DVec3], center: DVec3, count: usize) -> Vec<DVec3> {
+    if points.len() <= count {
+        return points.to_vec();
     }
-    let mut outermost = vec![(f64::NEG_INFINITY, DVec3::ZERO); MAX_CORNERS];
-    let directions: Vec<DVec3> = (0..MAX_CORNERS).map(direction).collect();
+    let mut outermost = vec![(f64::NEG_INFINITY, center); count];
+    let directions: Vec<DVec3> = (0..count).map(|index| direction(index, count)).collect();
     for point in points {
-        let from_center = *point - bounds.center();
+        let from_center = *point - center;
         for ((most, kept), direction) in outermost.iter_mut().zip(&directions) {
             let reach = from_center.dot(*direction);
             if reach > *most {
-                (*most, *kept) = (reach, from_center);
+                (*most, *kept) = (reach, *point);
             }
         }
     }
-    // A sphere lies outside the hull of points on it by 1/cos of half the angle between neighbouring directions.
-    let enlarged = 1.0031;
     let mut kept: Vec<DVec3> = outermost.into_iter().map(|(_, point)| point).collect();
     kept.sort_by(|a, b| {
         (a.x, a.y, a.z)
@@ -109,20 +145,13 @@ fn corners(points: &[DVec3], bounds: Bounds) -> Vec<Vector> {
             .unwrap_or(std::cmp::Ordering::Equal)
     });
     kept.dedup();
-    let factor = if kept.len() > MAX_CORNERS / 2 {
-        enlarged
-    } else {
-        1.0
-    };
-    kept.into_iter()
-        .map(|point| to_parry(bounds.center() + point * factor))
-        .collect()
+    kept
 }
 
-/// Directions that are spread evenly over the sphere, in a Fibonacci spiral.
+/// One of `count` directions that are spread evenly over the sphere, in a Fibonacci spiral.
 #[expect(clippy::cast_precision_loss, reason = "a small index")]
-fn direction(index: usize) -> DVec3 {
-    let z = 1.0 - (2.0 * index as f64 + 1.0) / MAX_CORNERS as f64;
+fn direction(index: usize, count: usize) -> DVec3 {
+    let z = 1.0 - (2.0 * index as f64 + 1.0) / count as f64;
     let angle = index as f64 * 2.399_963_229_728_653;
     let radius = libm::sqrt(1.0 - z * z);
     DVec3::new(radius * libm::cos(angle), radius * libm::sin(angle), z)
@@ -138,21 +167,51 @@ fn boxed(bounds: Bounds, size: f64) -> Vec<Vector> {
         .collect()
 }
 
+/// A face of a hull.
+struct Face {
+    /// The unit normal, outwards.
+    normal: DVec3,
+    ring: Vec<DVec3>,
+}
+
+impl Face {
+    fn all(shape: &ConvexPolyhedron) -> impl Iterator<Item = Self> {
+        shape.faces().iter().map(|face| {
+            let first = face.first_vertex_or_edge as usize;
+            let ring = &shape.vertices_adj_to_face()[first..first + face.num_vertices_or_edges as usize];
+            let points = ring
+                .iter()
+                .map(|vertex| from_parry(shape.points()[*vertex as usize]));
+            Self {
+                normal: from_parry(face.normal),
+                ring: points.collect(),
+            }
+        })
+    }
+
+    fn edges(&self) -> impl Iterator<Item = (DVec3, DVec3)> {
+        let next = self.ring.iter().cycle().skip(1);
+        self.ring.iter().zip(next).map(|(a, b)| (*a, *b))
+    }
+
+    fn area(&self) -> f64 {
+        let doubled = self.edges().map(|(a, b)| a.cross(b)).sum::<DVec3>();
+        0.5 * doubled.dot(self.normal).abs()
+    }
+}
+
 /// Finds the faces over which the centre of the box lies.
 fn rests(shape: &ConvexPolyhedron, center: DVec3) -> Vec<(DVec3, f64)> {
-    let points: Vec<DVec3> = shape.points().iter().map(|point| from_parry(*point)).collect();
     let mut rests: Vec<(DVec3, f64)> = Vec::new();
-    for face in shape.faces() {
-        let normal = from_parry(face.normal);
-        let first = face.first_vertex_or_edge as usize;
-        let ring = &shape.vertices_adj_to_face()[first..first + face.num_vertices_or_edges as usize];
-        let ring: Vec<DVec3> = ring.iter().map(|vertex| points[*vertex as usize]).collect();
-        let edges = || ring.iter().zip(ring.iter().cycle().skip(1));
-        let area = 0.5 * edges().map(|(a, b)| a.cross(*b)).sum::<DVec3>().dot(normal).abs();
-        let sides = || edges().map(|(a, b)| (*b - *a).cross(center - *a).dot(normal));
+    for face in Face::all(shape) {
+        let area = face.area();
+        let sides = || {
+            let edges = face.edges();
+            edges.map(|(a, b)| (b - a).cross(center - a).dot(face.normal))
+        };
         let is_above = sides().all(|side| side >= 0.0) || sides().all(|side| side <= 0.0);
         if is_above && area > 0.0 {
-            rests.push((normal, area));
+            rests.push((face.normal, area));
         }
     }
     rests
@@ -187,7 +246,9 @@ mod tests {
             .collect();
         assert!(Hull::new(&flat).is_some());
         assert!(Hull::new(&[DVec3::ONE; 5]).is_none());
-        let sphere: Vec<DVec3> = (0..MAX_CORNERS * 4).map(|i| direction(i % MAX_CORNERS)).collect();
+        let sphere: Vec<DVec3> = (0..MAX_CORNERS * 4)
+            .map(|i| direction(i % MAX_CORNERS, MAX_CORNERS))
+            .collect();
         let dense = Hull::new(&sphere).unwrap();
         assert!(dense.corners().count() <= MAX_CORNERS);
         assert!(

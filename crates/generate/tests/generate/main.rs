@@ -2,6 +2,7 @@
 
 mod case;
 mod generate;
+mod heaps;
 mod imu;
 mod recipes;
 mod resume;
