@@ -13,15 +13,18 @@ mod environment;
 mod error;
 mod event;
 mod filter;
+mod graph;
 mod mailbox;
 pub mod message;
 mod node;
 mod options;
+mod output;
 mod parameters;
 mod process;
 mod receive;
 mod run;
 mod statistics;
+mod unicast;
 mod watch;
 
 pub use environment::Network;

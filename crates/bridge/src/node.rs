@@ -5,15 +5,17 @@ use std::thread::{self, JoinHandle};
 
 use oaktwin::sense::SenseOptions;
 use oaktwin::sensor::SensorOptions;
-use ros2_client::{Context, MessageTypeName, Node, NodeName, NodeOptions, Publisher, Subscription};
+use ros2_client::{Context, MessageTypeName, Node, NodeName, NodeOptions, Subscription};
 use rustdds::policy::{Durability, History, Reliability, ResourceLimits};
 use rustdds::{DomainParticipantBuilder, Duration, QosPolicies, QosPolicyBuilder, Topic, TopicKind};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use crate::filter::{Filter, check};
+use crate::graph::{Endpoint, Graph};
 use crate::message::{CameraInfo, Image, PointCloud2};
 use crate::options::{BridgeOptions, Topics};
+use crate::output::Output;
 use crate::{BridgeError, Network, buffers, parameters};
 
 /// The options of the sensor that were last set on the node.
@@ -24,13 +26,35 @@ pub(crate) struct Subscriptions {
     pub(crate) depth: Subscription<Image>,
     pub(crate) info: Option<Subscription<CameraInfo>>,
     pub(crate) rgb: Option<Subscription<Image>>,
+    /// What other nodes see of them.
+    pub(crate) endpoints: Vec<Endpoint>,
 }
 
 /// The publishers.
 pub(crate) struct Publishers {
-    pub(crate) image: Publisher<Image>,
-    pub(crate) info: Publisher<CameraInfo>,
-    pub(crate) points: Option<Publisher<PointCloud2>>,
+    pub(crate) image: Output<Image>,
+    pub(crate) info: Output<CameraInfo>,
+    pub(crate) points: Option<Output<PointCloud2>>,
+}
+
+impl Publishers {
+    /// What other nodes see of them.
+    pub(crate) fn endpoints(&self) -> Vec<&Endpoint> {
+        let points = self.points.as_ref().map(Output::endpoint);
+        [self.image.endpoint(), self.info.endpoint()]
+            .into_iter()
+            .chain(points)
+            .collect()
+    }
+
+    /// Finds the subscribers.
+    pub(crate) fn look(&mut self, graph: &Graph) {
+        self.image.look(graph);
+        self.info.look(graph);
+        if let Some(points) = &mut self.points {
+            points.look(graph);
+        }
+    }
 }
 
 /// A node and the thread that answers its services.
@@ -87,33 +111,30 @@ impl RosNode {
         topics: &Topics,
         is_reliable: bool,
     ) -> Result<Subscriptions, BridgeError> {
-        let reliability = match is_reliable {
-            true => Reliability::Reliable {
-                max_blocking_time: Duration::ZERO,
-            },
-            false => Reliability::BestEffort,
-        };
-        let qos = sensor_data(reliability);
+        let qos = sensor_data(is_reliable);
+        let mut endpoints = Vec::new();
         Ok(Subscriptions {
-            depth: self.subscription(&topics.depth, "Image", &qos)?,
+            depth: self.subscription(&topics.depth, "Image", &qos, &mut endpoints)?,
             info: match &topics.info {
-                Some(topic) => Some(self.subscription(topic, "CameraInfo", &qos)?),
+                Some(topic) => Some(self.subscription(topic, "CameraInfo", &qos, &mut endpoints)?),
                 None => None,
             },
             rgb: match &topics.rgb {
-                Some(topic) => Some(self.subscription(topic, "Image", &qos)?),
+                Some(topic) => Some(self.subscription(topic, "Image", &qos, &mut endpoints)?),
                 None => None,
             },
+            endpoints,
         })
     }
 
     /// Creates the publishers of the outputs.
-    pub(crate) fn publish(&mut self, topics: &Topics) -> Result<Publishers, BridgeError> {
+    pub(crate) fn publish(&mut self, topics: &Topics, is_reliable: bool) -> Result<Publishers, BridgeError> {
+        let qos = sensor_data(is_reliable);
         Ok(Publishers {
-            image: self.publisher(&topics.image_out, "Image")?,
-            info: self.publisher(&topics.info_out, "CameraInfo")?,
+            image: self.publisher(&topics.image_out, "Image", &qos)?,
+            info: self.publisher(&topics.info_out, "CameraInfo", &qos)?,
             points: match &topics.points_out {
-                Some(topic) => Some(self.publisher(topic, "PointCloud2")?),
+                Some(topic) => Some(self.publisher(topic, "PointCloud2", &qos)?),
                 None => None,
             },
         })
@@ -121,26 +142,37 @@ impl RosNode {
 
     fn subscription<M: DeserializeOwned + 'static>(
         &mut self,
-        topic: &str,
+        name: &str,
         message: &str,
         qos: &QosPolicies,
+        endpoints: &mut Vec<Endpoint>,
     ) -> Result<Subscription<M>, BridgeError> {
-        let topic = self.topic(topic, message, qos)?;
+        let topic = self.topic(name, message, qos)?;
         let subscription = self.node.create_subscription(&topic, None);
-        subscription.map_err(|error| failed(&error))
+        let subscription = subscription.map_err(|error| failed(&error))?;
+        let (kind, guid) = (dds_type(message), subscription.guid().to_bytes());
+        endpoints.push(Endpoint::new(name, kind, qos.clone(), guid));
+        Ok(subscription)
     }
 
-    fn publisher<M: Serialize>(&mut self, topic: &str, message: &str) -> Result<Publisher<M>, BridgeError> {
-        let topic = self.topic(topic, message, &sensor_data(Reliability::BestEffort))?;
+    fn publisher<M: Serialize>(
+        &mut self,
+        name: &str,
+        message: &str,
+        qos: &QosPolicies,
+    ) -> Result<Output<M>, BridgeError> {
+        let topic = self.topic(name, message, qos)?;
         let publisher = self.node.create_publisher(&topic, None);
-        publisher.map_err(|error| failed(&error))
+        let publisher = publisher.map_err(|error| failed(&error))?;
+        let output = Output::new(name, dds_type(message), qos.clone(), publisher);
+        output.map_err(|error| failed(&error))
     }
 
     fn topic(&self, topic: &str, message: &str, qos: &QosPolicies) -> Result<Topic, BridgeError> {
         // The topics of the node have no limit of samples.
         let participant = self.context.domain_participant();
-        let message = MessageTypeName::new("sensor_msgs", message).dds_msg_type();
-        let topic = participant.create_topic(format!("rt{topic}"), message, qos, TopicKind::NoKey);
+        let kind = dds_type(message);
+        let topic = participant.create_topic(format!("rt{topic}"), kind, qos, TopicKind::NoKey);
         topic.map_err(|error| failed(&error))
     }
 
@@ -150,27 +182,9 @@ impl RosNode {
         self.node.set_parameter(name, value)
     }
 
-    /// The number of publishers of a topic.
-    pub(crate) fn publishers(&self, topic: &str) -> usize {
-        self.node.publisher_count(topic)
-    }
-
-    /// The number of subscriptions to a topic.
-    pub(crate) fn subscribers(&self, topic: &str) -> usize {
-        self.node.subscription_count(topic)
-    }
-
-    /// The names of the published topics with images, sorted.
-    pub(crate) fn image_topics(&self) -> Vec<String> {
-        let writers = self.context.domain_participant().discovered_writers();
-        let topics = writers.into_iter().map(|writer| writer.publication_topic_data);
-        let mut names: Vec<String> = topics
-            .filter(|topic| topic.type_name == "sensor_msgs::msg::dds_::Image_")
-            .filter_map(|topic| topic.topic_name.strip_prefix("rt").map(str::to_owned))
-            .collect();
-        names.sort();
-        names.dedup();
-        names
+    /// The endpoints of the network.
+    pub(crate) fn graph(&self) -> Graph {
+        Graph::new(&self.context.domain_participant())
     }
 }
 
@@ -186,8 +200,14 @@ impl Drop for RosNode {
 /// The number of messages of a topic that the DDS library keeps.
 const MAX_SAMPLES: i32 = 4;
 
-/// The profile of sensors: only the newest image, because late images are of no use, and few in memory.
-fn sensor_data(reliability: Reliability) -> QosPolicies {
+/// Returns the profile of sensors: only the newest image, because late images are of no use, and few in memory.
+fn sensor_data(is_reliable: bool) -> QosPolicies {
+    let reliability = match is_reliable {
+        true => Reliability::Reliable {
+            max_blocking_time: Duration::ZERO,
+        },
+        false => Reliability::BestEffort,
+    };
     QosPolicyBuilder::new()
         .reliability(reliability)
         .durability(Durability::Volatile)
@@ -198,6 +218,11 @@ fn sensor_data(reliability: Reliability) -> QosPolicies {
             max_samples_per_instance: MAX_SAMPLES,
         })
         .build()
+}
+
+/// Returns the name in DDS of a message of `sensor_msgs`.
+pub(crate) fn dds_type(message: &str) -> String {
+    MessageTypeName::new("sensor_msgs", message).dds_msg_type()
 }
 
 /// Declares the sensor's options as parameters. A value is checked before it is set.

@@ -4,6 +4,9 @@ use serde::Serialize;
 use crate::BridgeError;
 use crate::convert::Encoding;
 
+/// The topic of transforms that do not change, which all nodes share.
+pub(crate) const TF_STATIC: &str = "/tf_static";
+
 /// The options of a bridge.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BridgeOptions {
@@ -23,8 +26,10 @@ pub struct BridgeOptions {
     pub encoding: Encoding,
     /// Whether point clouds are published.
     pub points: bool,
-    /// Whether subscriptions require reliable delivery.
+    /// Whether reliable delivery is offered to subscribers.
     pub is_reliable: bool,
+    /// Whether subscriptions require reliable delivery.
+    pub is_input_reliable: bool,
 }
 
 /// The topics of a bridge, whole names.
@@ -108,6 +113,7 @@ mod tests {
             encoding: Encoding::default(),
             points: true,
             is_reliable: false,
+            is_input_reliable: false,
         }
     }
 

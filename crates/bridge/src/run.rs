@@ -9,8 +9,9 @@ use oaktwin::diagnostic::{Finding, Level};
 
 use crate::event::{Event, Started, Status};
 use crate::filter::Filter;
+use crate::graph::{Endpoint, Reports};
 use crate::mailbox::{Arrived, Mailbox};
-use crate::node::{Publishers, RosNode, Wanted, lock};
+use crate::node::{Publishers, RosNode, Wanted, dds_type, lock};
 use crate::options::{BridgeOptions, Topics};
 use crate::process::{Outgoing, Processor};
 use crate::receive::receive;
@@ -45,8 +46,8 @@ pub fn run(
     let topics = options.topics()?;
     let wanted: Wanted = Arc::new(Mutex::new(filter.options().sensor.clone()));
     let mut node = RosNode::new(options, network, &filter, &wanted)?;
-    let publishers = node.publish(&topics)?;
-    let subscriptions = node.subscribe(&topics, options.is_reliable)?;
+    let publishers = node.publish(&topics, options.is_reliable)?;
+    let subscriptions = node.subscribe(&topics, options.is_input_reliable)?;
     let mailbox = Mailbox::new(topics.info.is_some(), topics.rgb.is_some());
     let (lost, is_receiver_over) = (AtomicU64::new(0), AtomicBool::new(false));
     let mut reporter = Reporter {
@@ -64,13 +65,14 @@ pub fn run(
     let mut bridge = Bridge {
         processor: Processor::new(filter, options, topics.clone()),
         publishers,
+        inputs: subscriptions.endpoints.clone(),
+        reports: Reports::default(),
         node: &node,
         topics: &topics,
         mailbox: &mailbox,
         lost: &lost,
         latencies: Latencies::default(),
         status: Status::default(),
-        has_points_subscriber: false,
         watch: Watch::new(started),
         started,
     };
@@ -154,13 +156,14 @@ impl<R: FnMut(Event)> Reporter<R> {
 struct Bridge<'a> {
     processor: Processor,
     publishers: Publishers,
+    inputs: Vec<Endpoint>,
+    reports: Reports,
     node: &'a RosNode,
     topics: &'a Topics,
     mailbox: &'a Mailbox,
     lost: &'a AtomicU64,
     latencies: Latencies,
     status: Status,
-    has_points_subscriber: bool,
     watch: Watch,
     started: Instant,
 }
@@ -195,9 +198,9 @@ impl Bridge<'_> {
     fn frame(&mut self, arrived: Arrived, reporter: &mut Reporter<impl FnMut(Event)>) {
         let at = arrived.at;
         let mut findings = Vec::new();
-        let outgoing = self
-            .processor
-            .frame(arrived, self.has_points_subscriber, &mut findings);
+        let points = self.publishers.points.as_ref();
+        let wants_points = points.is_some_and(|points| points.subscribers() > 0);
+        let outgoing = self.processor.frame(arrived, wants_points, &mut findings);
         match outgoing {
             Some(outgoing) => match self.publish(outgoing) {
                 Ok(()) => {
@@ -221,27 +224,30 @@ impl Bridge<'_> {
         reporter.findings(findings);
     }
 
-    fn publish(&self, outgoing: Outgoing) -> Result<(), String> {
+    /// Publishes a frame; the image comes last, so that what belongs to it has arrived. What fails does not keep the rest back.
+    fn publish(&mut self, outgoing: Outgoing) -> Result<(), String> {
         let Outgoing { image, info, points } = outgoing;
-        let text = |error: &dyn std::fmt::Debug| format!("{error:?}").chars().take(200).collect::<String>();
-        self.publishers.info.publish(info).map_err(|error| text(&error))?;
-        self.publishers
-            .image
-            .publish(image)
-            .map_err(|error| text(&error))?;
-        if let (Some(publisher), Some(points)) = (&self.publishers.points, points) {
-            publisher.publish(points).map_err(|error| text(&error))?;
-        }
-        Ok(())
+        let publishers = &mut self.publishers;
+        let info = publishers.info.publish(info);
+        let points = match (&mut publishers.points, points) {
+            (Some(publisher), Some(points)) => publisher.publish(points),
+            _ => Ok(()),
+        };
+        publishers.image.publish(image).and(info).and(points)
     }
 
     /// Looks at the graph: who publishes, who subscribes, what is missing.
     fn look(&mut self, now: Instant, reporter: &mut Reporter<impl FnMut(Event)>) {
-        let points = self.topics.points_out.as_deref();
-        self.has_points_subscriber = points.is_some_and(|topic| self.node.subscribers(topic) > 0);
+        let graph = self.node.graph();
+        self.publishers.look(&graph);
+        let inputs: Vec<_> = self.inputs.iter().collect();
+        reporter.findings(self.reports.check(&graph, &self.publishers.endpoints(), &inputs));
         let last_depth = self.mailbox.last();
         let (publishers, images) = match last_depth {
-            None => (self.node.publishers(&self.topics.depth), self.node.image_topics()),
+            None => (
+                graph.publishers(&self.topics.depth),
+                graph.topics(&dds_type("Image")),
+            ),
             Some(_) => (1, Vec::new()),
         };
         // The bridge's own output must not be suggested as an input.
@@ -270,7 +276,7 @@ impl Bridge<'_> {
             lost: self.lost.load(Ordering::Relaxed),
             incomplete: count.incomplete,
             rejected: self.status.rejected + count.undecoded,
-            subscribers: self.node.subscribers(&self.topics.image_out) as u64,
+            subscribers: self.publishers.image.subscribers() as u64,
             latency_ms: self.latencies.percentiles(),
             ..self.status.clone()
         }

@@ -21,6 +21,7 @@ fn options() -> BridgeOptions {
         encoding: Encoding::Metres,
         points: true,
         is_reliable: false,
+        is_input_reliable: false,
     }
 }
 

@@ -70,9 +70,13 @@ pub(crate) struct BridgeArgs {
     #[arg(long, help_heading = "Outputs")]
     pub(crate) points: bool,
 
-    /// Accept only publishers with reliable delivery [default: best-effort ones too]
+    /// Offer reliable delivery, which reliable subscribers require [default: best-effort]
     #[arg(long, help_heading = "ROS 2")]
     pub(crate) reliable: bool,
+
+    /// Accept only publishers with reliable delivery [default: best-effort ones too]
+    #[arg(long, help_heading = "ROS 2")]
+    pub(crate) reliable_inputs: bool,
 
     /// The name of the node
     #[arg(

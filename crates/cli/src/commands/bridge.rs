@@ -35,6 +35,7 @@ pub(crate) fn run(context: &Context, args: &BridgeArgs) -> Result<Exit> {
         encoding: args.encoding,
         points: args.points,
         is_reliable: args.reliable,
+        is_input_reliable: args.reliable_inputs,
     };
     let prim = sensor.spec.prim.clone();
     let filter = Filter::new(twin, sense_options(args, prim)?)?;
