@@ -11,13 +11,13 @@ from dataclasses import dataclass, field
 
 from ros_network import DOMAIN
 
-# Discovery without multicast, and room for a burst of datagrams.
-os.environ["CYCLONEDDS_URI"] = """<CycloneDDS><Domain>
-<General><Interfaces><NetworkInterface address="127.0.0.1" multicast="false"/></Interfaces><AllowMulticast>false</AllowMulticast></General>
+# Discovery without multicast in one machine, Cyclone's own between machines, and room for a burst of datagrams.
+LOCAL = """<General><Interfaces><NetworkInterface address="127.0.0.1" multicast="false"/></Interfaces><AllowMulticast>false</AllowMulticast></General>
 <Discovery><ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>9</MaxAutoParticipantIndex>
-<Peers><Peer address="127.0.0.1"/></Peers></Discovery>
+<Peers><Peer address="127.0.0.1"/></Peers></Discovery>"""
+os.environ["CYCLONEDDS_URI"] = """<CycloneDDS><Domain>%s
 <Internal><SocketReceiveBufferSize min="%s"/></Internal>
-</Domain></CycloneDDS>""" % os.environ.get("OAKTWIN_PEER_BUFFER", "4MB")
+</Domain></CycloneDDS>""" % ("" if os.environ.get("ROS_LOCALHOST_ONLY") == "0" else LOCAL, os.environ.get("OAKTWIN_PEER_BUFFER", "4MB"))
 
 import numpy as np
 from cyclonedds._clayer import ddspy_take, ddspy_write

@@ -21,9 +21,11 @@ mod options;
 mod output;
 mod parameters;
 mod process;
+mod publishers;
 mod receive;
 mod run;
 mod statistics;
+mod transforms;
 mod unicast;
 mod watch;
 
@@ -34,3 +36,4 @@ pub use filter::{Filter, FilterInput, FilterOutput};
 pub use options::{BridgeOptions, Topics};
 pub use run::run;
 pub use statistics::Percentiles;
+pub use transforms::DeviceFrames;

@@ -13,9 +13,10 @@ use serde::de::DeserializeOwned;
 
 use crate::filter::{Filter, check};
 use crate::graph::{Endpoint, Graph};
-use crate::message::{CameraInfo, Image, PointCloud2};
+use crate::message::{CameraInfo, Image};
 use crate::options::{BridgeOptions, Topics};
 use crate::output::Output;
+use crate::publishers::Publishers;
 use crate::{BridgeError, Network, buffers, parameters};
 
 /// The options of the sensor that were last set on the node.
@@ -28,33 +29,6 @@ pub(crate) struct Subscriptions {
     pub(crate) rgb: Option<Subscription<Image>>,
     /// What other nodes see of them.
     pub(crate) endpoints: Vec<Endpoint>,
-}
-
-/// The publishers.
-pub(crate) struct Publishers {
-    pub(crate) image: Output<Image>,
-    pub(crate) info: Output<CameraInfo>,
-    pub(crate) points: Option<Output<PointCloud2>>,
-}
-
-impl Publishers {
-    /// What other nodes see of them.
-    pub(crate) fn endpoints(&self) -> Vec<&Endpoint> {
-        let points = self.points.as_ref().map(Output::endpoint);
-        [self.image.endpoint(), self.info.endpoint()]
-            .into_iter()
-            .chain(points)
-            .collect()
-    }
-
-    /// Finds the subscribers.
-    pub(crate) fn look(&mut self, graph: &Graph) {
-        self.image.look(graph);
-        self.info.look(graph);
-        if let Some(points) = &mut self.points {
-            points.look(graph);
-        }
-    }
 }
 
 /// A node and the thread that answers its services.
@@ -114,13 +88,13 @@ impl RosNode {
         let qos = sensor_data(is_reliable);
         let mut endpoints = Vec::new();
         Ok(Subscriptions {
-            depth: self.subscription(&topics.depth, "Image", &qos, &mut endpoints)?,
+            depth: self.subscription(&topics.depth, IMAGE, &qos, &mut endpoints)?,
             info: match &topics.info {
-                Some(topic) => Some(self.subscription(topic, "CameraInfo", &qos, &mut endpoints)?),
+                Some(topic) => Some(self.subscription(topic, CAMERA_INFO, &qos, &mut endpoints)?),
                 None => None,
             },
             rgb: match &topics.rgb {
-                Some(topic) => Some(self.subscription(topic, "Image", &qos, &mut endpoints)?),
+                Some(topic) => Some(self.subscription(topic, IMAGE, &qos, &mut endpoints)?),
                 None => None,
             },
             endpoints,
@@ -130,20 +104,22 @@ impl RosNode {
     /// Creates the publishers of the outputs.
     pub(crate) fn publish(&mut self, topics: &Topics, is_reliable: bool) -> Result<Publishers, BridgeError> {
         let qos = sensor_data(is_reliable);
+        let (info, compressed) = (&topics.rgb_info_out, &topics.compressed_out);
         Ok(Publishers {
-            image: self.publisher(&topics.image_out, "Image", &qos)?,
-            info: self.publisher(&topics.info_out, "CameraInfo", &qos)?,
-            points: match &topics.points_out {
-                Some(topic) => Some(self.publisher(topic, "PointCloud2", &qos)?),
-                None => None,
-            },
+            image: self.publisher(&topics.image_out, IMAGE, &qos)?,
+            info: self.publisher(&topics.info_out, CAMERA_INFO, &qos)?,
+            compressed: self.optional_publisher(compressed.as_ref(), COMPRESSED_IMAGE, &qos)?,
+            points: self.optional_publisher(topics.points_out.as_ref(), POINT_CLOUD, &qos)?,
+            rgb: self.optional_publisher(topics.rgb_out.as_ref(), IMAGE, &qos)?,
+            rgb_info: self.optional_publisher(info.as_ref(), CAMERA_INFO, &qos)?,
+            transforms: self.optional_publisher(topics.transforms_out.as_ref(), TF_MESSAGE, &latched())?,
         })
     }
 
     fn subscription<M: DeserializeOwned + 'static>(
         &mut self,
         name: &str,
-        message: &str,
+        message: RosType,
         qos: &QosPolicies,
         endpoints: &mut Vec<Endpoint>,
     ) -> Result<Subscription<M>, BridgeError> {
@@ -158,7 +134,7 @@ impl RosNode {
     fn publisher<M: Serialize>(
         &mut self,
         name: &str,
-        message: &str,
+        message: RosType,
         qos: &QosPolicies,
     ) -> Result<Output<M>, BridgeError> {
         let topic = self.topic(name, message, qos)?;
@@ -168,7 +144,16 @@ impl RosNode {
         output.map_err(|error| failed(&error))
     }
 
-    fn topic(&self, topic: &str, message: &str, qos: &QosPolicies) -> Result<Topic, BridgeError> {
+    fn optional_publisher<M: Serialize>(
+        &mut self,
+        name: Option<&String>,
+        message: RosType,
+        qos: &QosPolicies,
+    ) -> Result<Option<Output<M>>, BridgeError> {
+        name.map(|name| self.publisher(name, message, qos)).transpose()
+    }
+
+    fn topic(&self, topic: &str, message: RosType, qos: &QosPolicies) -> Result<Topic, BridgeError> {
         // The topics of the node have no limit of samples.
         let participant = self.context.domain_participant();
         let kind = dds_type(message);
@@ -220,9 +205,29 @@ fn sensor_data(is_reliable: bool) -> QosPolicies {
         .build()
 }
 
-/// Returns the name in DDS of a message of `sensor_msgs`.
-pub(crate) fn dds_type(message: &str) -> String {
-    MessageTypeName::new("sensor_msgs", message).dds_msg_type()
+/// Returns the profile of transforms that do not change: a late subscriber receives them, too.
+fn latched() -> QosPolicies {
+    QosPolicyBuilder::new()
+        .reliability(Reliability::Reliable {
+            max_blocking_time: Duration::ZERO,
+        })
+        .durability(Durability::TransientLocal)
+        .history(History::KeepLast { depth: 1 })
+        .build()
+}
+
+/// The package and the name of a message.
+pub(crate) type RosType = (&'static str, &'static str);
+
+pub(crate) const IMAGE: RosType = ("sensor_msgs", "Image");
+const CAMERA_INFO: RosType = ("sensor_msgs", "CameraInfo");
+const COMPRESSED_IMAGE: RosType = ("sensor_msgs", "CompressedImage");
+const POINT_CLOUD: RosType = ("sensor_msgs", "PointCloud2");
+const TF_MESSAGE: RosType = ("tf2_msgs", "TFMessage");
+
+/// Returns the name of a message in DDS.
+pub(crate) fn dds_type((package, name): RosType) -> String {
+    MessageTypeName::new(package, name).dds_msg_type()
 }
 
 /// Declares the sensor's options as parameters. A value is checked before it is set.

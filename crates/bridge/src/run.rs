@@ -11,11 +11,14 @@ use crate::event::{Event, Started, Status};
 use crate::filter::Filter;
 use crate::graph::{Endpoint, Reports};
 use crate::mailbox::{Arrived, Mailbox};
-use crate::node::{Publishers, RosNode, Wanted, dds_type, lock};
+use crate::message::Header;
+use crate::node::{IMAGE, RosNode, Wanted, dds_type, lock};
 use crate::options::{BridgeOptions, Topics};
-use crate::process::{Outgoing, Processor};
+use crate::process::Processor;
+use crate::publishers::Publishers;
 use crate::receive::receive;
 use crate::statistics::Latencies;
+use crate::transforms::DeviceFrames;
 use crate::watch::{Inputs, Watch};
 use crate::{BridgeError, Network, buffers};
 
@@ -75,6 +78,8 @@ pub fn run(
         status: Status::default(),
         watch: Watch::new(started),
         started,
+        frames: options.frames.as_ref(),
+        placed: None,
     };
     thread::scope(|scope| {
         let thread = thread::Builder::new().name("receiver".to_owned());
@@ -166,6 +171,9 @@ struct Bridge<'a> {
     status: Status,
     watch: Watch,
     started: Instant,
+    /// The frames of the device, and the frame of the images that carries them.
+    frames: Option<&'a DeviceFrames>,
+    placed: Option<String>,
 }
 
 impl Bridge<'_> {
@@ -198,42 +206,32 @@ impl Bridge<'_> {
     fn frame(&mut self, arrived: Arrived, reporter: &mut Reporter<impl FnMut(Event)>) {
         let at = arrived.at;
         let mut findings = Vec::new();
-        let points = self.publishers.points.as_ref();
-        let wants_points = points.is_some_and(|points| points.subscribers() > 0);
-        let outgoing = self.processor.frame(arrived, wants_points, &mut findings);
-        match outgoing {
-            Some(outgoing) => match self.publish(outgoing) {
-                Ok(()) => {
+        let header = arrived.depth.header.clone();
+        let requests = self.publishers.requests();
+        match self.processor.frame(arrived, requests, &mut findings) {
+            Some(outgoing) => {
+                self.place(&header, &mut findings);
+                if self.publishers.publish(outgoing, &mut findings) {
                     self.status.published += 1;
                     self.latencies.add(at.elapsed());
-                }
-                Err(error) => {
+                } else {
                     self.status.rejected += 1;
-                    let place = &self.topics.image_out;
-                    findings.push(Finding::new(
-                        "not-published",
-                        Level::Error,
-                        place,
-                        format!("an image could not be published ({error})"),
-                        "check the network",
-                    ));
                 }
-            },
+            }
             None => self.status.rejected += 1,
         }
         reporter.findings(findings);
     }
 
-    /// Publishes a frame; the image comes last, so that what belongs to it has arrived. What fails does not keep the rest back.
-    fn publish(&mut self, outgoing: Outgoing) -> Result<(), String> {
-        let Outgoing { image, info, points } = outgoing;
-        let publishers = &mut self.publishers;
-        let info = publishers.info.publish(info);
-        let points = match (&mut publishers.points, points) {
-            (Some(publisher), Some(points)) => publisher.publish(points),
-            _ => Ok(()),
-        };
-        publishers.image.publish(image).and(info).and(points)
+    /// Publishes the frames of the device, if they are not known to be carried by the frame of the images.
+    fn place(&mut self, header: &Header, findings: &mut Vec<Finding>) {
+        if let Some(frames) = self.frames
+            && self.placed.as_ref() != Some(&header.frame_id)
+        {
+            let message = frames.message(&header.frame_id, header.stamp);
+            self.publishers.publish_transforms(message, findings);
+            self.placed = Some(header.frame_id.clone());
+        }
     }
 
     /// Looks at the graph: who publishes, who subscribes, what is missing.
@@ -246,14 +244,14 @@ impl Bridge<'_> {
         let (publishers, images) = match last_depth {
             None => (
                 graph.publishers(&self.topics.depth),
-                graph.topics(&dds_type("Image")),
+                graph.topics(&dds_type(IMAGE)),
             ),
             Some(_) => (1, Vec::new()),
         };
         // The bridge's own output must not be suggested as an input.
         let images: Vec<String> = images
             .into_iter()
-            .filter(|name| *name != self.topics.image_out)
+            .filter(|name| !self.topics.published().any(|own| own == name))
             .collect();
         let inputs = Inputs {
             topics: self.topics,

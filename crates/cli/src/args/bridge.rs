@@ -1,4 +1,7 @@
+use std::num::NonZeroU32;
+
 use clap::Args;
+use oaktwin::camera::frame_names;
 use oaktwin::sense::InputKind;
 use oaktwin_bridge::convert::Encoding;
 
@@ -70,9 +73,21 @@ pub(crate) struct BridgeArgs {
     #[arg(long, help_heading = "Outputs")]
     pub(crate) points: bool,
 
+    /// Make a point of every Nth pixel of every Nth row
+    #[arg(long, value_name = "N", default_value = "1", requires = "points", help_heading = "Outputs")]
+    pub(crate) points_step: NonZeroU32,
+
+    /// Also publish the depth as PNG, which compressed_depth_image_transport reads
+    #[arg(long, help_heading = "Outputs")]
+    pub(crate) compressed: bool,
+
     /// Offer reliable delivery, which reliable subscribers require [default: best-effort]
     #[arg(long, help_heading = "ROS 2")]
     pub(crate) reliable: bool,
+
+    /// Publish the frames of the device on /tf_static, NAME and those that it carries [default NAME: oak]
+    #[arg(long, value_name = "NAME", num_args = 0..=1, default_missing_value = frame_names::DEVICE, help_heading = "Outputs")]
+    pub(crate) tf: Option<String>,
 
     /// Accept only publishers with reliable delivery [default: best-effort ones too]
     #[arg(long, help_heading = "ROS 2")]
