@@ -64,9 +64,7 @@ impl FilterOutput<'_> {
     /// Returns the points of every `step`th pixel of the measured depth in the frame of the input; see [`Points::message`].
     /// The step of the first call remains.
     pub fn point_cloud(&mut self, header: Header, step: NonZeroU32) -> PointCloud2 {
-        let points = self
-            .points
-            .get_or_insert_with(|| Points::new(self.camera, step));
+        let points = self.points.get_or_insert_with(|| Points::new(self.camera, step));
         points.message(header, &self.measured.distance, self.measured.colors.as_ref())
     }
 }

@@ -236,11 +236,7 @@ fn settings(offered: &QosPolicies, requested: &QosPolicies) -> Settings {
     }
     if requests.is_empty() {
         // ROS sets neither by default.
-        offers.push(format!(
-            "{:?} and {:?}",
-            offered.deadline(),
-            offered.liveliness()
-        ));
+        offers.push(format!("{:?} and {:?}", offered.deadline(), offered.liveliness()));
         requests.push(format!(
             "{:?} and {:?}",
             requested.deadline(),
@@ -313,7 +309,12 @@ mod tests {
     #[test]
     fn incompatible_settings_are_named_with_a_remedy() {
         let (volatile, late) = (Durability::Volatile, Durability::TransientLocal);
-        let found = text(qos(false, volatile), &qos(true, volatile), IMAGE, Side::Subscriber);
+        let found = text(
+            qos(false, volatile),
+            &qos(true, volatile),
+            IMAGE,
+            Side::Subscriber,
+        );
         assert_eq!(
             found.unwrap(),
             "warning[incompatible-qos]: /oak/stereo/image_raw: a subscriber requires reliable delivery, but the bridge offers \

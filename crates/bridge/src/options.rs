@@ -81,7 +81,10 @@ impl BridgeOptions {
             rgb: optional(&self.rgb)?,
             image_out: whole(&format!("{out}/{sensor}/image_raw"))?,
             info_out: whole(&format!("{out}/{sensor}/camera_info"))?,
-            compressed_out: given(self.compressed, format!("{out}/{sensor}/image_raw/compressedDepth"))?,
+            compressed_out: given(
+                self.compressed,
+                format!("{out}/{sensor}/image_raw/compressedDepth"),
+            )?,
             points_out: given(self.points, format!("{out}/points"))?,
             rgb_out: given(self.rgb.is_some(), format!("{out}/rgb/image_raw"))?,
             rgb_info_out: given(self.rgb.is_some(), format!("{out}/rgb/camera_info"))?,

@@ -29,10 +29,7 @@ impl Publishers {
             self.transforms.as_ref().map(Output::endpoint),
         ];
         let always = [self.image.endpoint(), self.info.endpoint()];
-        always
-            .into_iter()
-            .chain(optional.into_iter().flatten())
-            .collect()
+        always.into_iter().chain(optional.into_iter().flatten()).collect()
     }
 
     /// Finds the subscribers.

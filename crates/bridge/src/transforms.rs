@@ -22,14 +22,10 @@ impl DeviceFrames {
     /// its own or has no name.
     #[must_use]
     pub fn message(&self, input: &str, stamp: Time) -> TfMessage {
-        let own = self.frames.iter().map(|frame| {
-            transform(
-                &frame.parent,
-                &frame.name,
-                &frame.parent_from_frame,
-                stamp,
-            )
-        });
+        let own = self
+            .frames
+            .iter()
+            .map(|frame| transform(&frame.parent, &frame.name, &frame.parent_from_frame, stamp));
         let is_own = input == self.device || self.frames.iter().any(|frame| frame.name == input);
         let attached = (!is_own && !input.is_empty())
             .then(|| transform(input, &self.device, &self.body_from_depth.inverse(), stamp));
@@ -96,7 +92,10 @@ mod tests {
             ("oak", "oak_left_camera_frame"),
             ("oak_left_camera_frame", "oak_left_camera_optical_frame"),
             ("oak_rgb_camera_frame", "oak_rgb_camera_optical_frame"),
-            ("oak_stereo_depth_camera_frame", "oak_stereo_depth_camera_optical_frame"),
+            (
+                "oak_stereo_depth_camera_frame",
+                "oak_stereo_depth_camera_optical_frame",
+            ),
             ("oak", "oak_imu_frame"),
         ] {
             assert!(found.contains(&expected), "{expected:?} in {found:?}");

@@ -14,7 +14,10 @@ pub fn camera(device: &str, role: &str) -> String {
 /// `NAME_optical_frame` if the camera's frame has another name.
 #[must_use]
 pub fn optical(camera: &str) -> String {
-    format!("{}_optical_frame", camera.strip_suffix("_frame").unwrap_or(camera))
+    format!(
+        "{}_optical_frame",
+        camera.strip_suffix("_frame").unwrap_or(camera)
+    )
 }
 
 /// Returns the name of the inertial sensor's frame, such as `oak_imu_frame`.

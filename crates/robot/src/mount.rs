@@ -1,6 +1,6 @@
 use oaktwin_base::parameter::choice;
-use oaktwin_camera::{RigidTransform, frame_names};
 use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_camera::{RigidTransform, frame_names};
 use oaktwin_catalog::Body;
 
 use crate::RobotError;

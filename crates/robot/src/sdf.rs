@@ -4,8 +4,8 @@
 //! constant over distance, unlike a stereo camera's.
 
 use oaktwin_base::diagnostic::{Finding, Level};
-use oaktwin_camera::{RigidTransform, frame_names};
 use oaktwin_camera::math::DMat3;
+use oaktwin_camera::{RigidTransform, frame_names};
 use oaktwin_imu::ChannelNoise;
 
 use crate::description::{CameraFrame, DepthFrame, Description, IMU_RATE, ImuFrame, roll_pitch_yaw};

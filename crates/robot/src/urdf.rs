@@ -106,7 +106,12 @@ fn camera_links(camera: &CameraFrame, device: &str) -> [Element; 4] {
 fn link(joint_name: &str, frame: &Frame) -> [Element; 2] {
     [
         Element::new("link").set("name", &frame.name),
-        joint(joint_name, &frame.parent, &frame.name, origin(&frame.parent_from_frame)),
+        joint(
+            joint_name,
+            &frame.parent,
+            &frame.name,
+            origin(&frame.parent_from_frame),
+        ),
     ]
 }
 

@@ -238,7 +238,11 @@ fn a_new_size_is_reported() {
     narrow.width = 32;
     let mut findings = Vec::new();
     let outgoing = processor
-        .frame(arrived(narrow, Some(info(32))), Requests::default(), &mut findings)
+        .frame(
+            arrived(narrow, Some(info(32))),
+            Requests::default(),
+            &mut findings,
+        )
         .unwrap();
     assert_eq!((outgoing.image.width, outgoing.image.height), (32, HEIGHT));
     assert!(
@@ -256,7 +260,11 @@ fn millimetres_that_are_metres_are_reported() {
         .collect();
     let mut findings = Vec::new();
     processor
-        .frame(arrived(wrong, Some(info(WIDTH))), Requests::default(), &mut findings)
+        .frame(
+            arrived(wrong, Some(info(WIDTH))),
+            Requests::default(),
+            &mut findings,
+        )
         .unwrap();
     let codes: Vec<&str> = findings.iter().map(|finding| finding.code).collect();
     assert!(

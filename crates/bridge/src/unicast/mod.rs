@@ -57,10 +57,7 @@ impl UnicastSender {
         });
         let announced: BTreeSet<_> = announced.collect();
         if announced != self.announced {
-            self.routes = announced
-                .iter()
-                .filter_map(|one| route(one, &System))
-                .collect();
+            self.routes = announced.iter().filter_map(|one| route(one, &System)).collect();
             self.announced = announced;
         }
     }

@@ -173,7 +173,10 @@ mod tests {
         assert_eq!((datagram[32], datagram[33]), (DATA, 5));
         assert_eq!(usize::from(u16_at(datagram, 34)), datagram.len() - 36);
         // The data begins 16 bytes after the field with the distance.
-        assert_eq!((u16_at(datagram, 38), datagram[40 + 16..].to_vec()), (16, payload));
+        assert_eq!(
+            (u16_at(datagram, 38), datagram[40 + 16..].to_vec()),
+            (16, payload)
+        );
         assert_eq!(datagram[44..48], [12, 13, 14, 15]);
         assert_eq!((u32_at(datagram, 48), u32_at(datagram, 52)), (1, 7));
     }

@@ -1,3 +1,4 @@
+use std::net::Ipv4Addr;
 use std::num::NonZeroU32;
 
 use clap::Args;
@@ -74,7 +75,13 @@ pub(crate) struct BridgeArgs {
     pub(crate) points: bool,
 
     /// Make a point of every Nth pixel of every Nth row
-    #[arg(long, value_name = "N", default_value = "1", requires = "points", help_heading = "Outputs")]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value = "1",
+        requires = "points",
+        help_heading = "Outputs"
+    )]
     pub(crate) points_step: NonZeroU32,
 
     /// Also publish the depth as PNG, which compressed_depth_image_transport reads
@@ -92,6 +99,10 @@ pub(crate) struct BridgeArgs {
     /// Accept only publishers with reliable delivery [default: best-effort ones too]
     #[arg(long, help_heading = "ROS 2")]
     pub(crate) reliable_inputs: bool,
+
+    /// The IPv4 address of the only network interface to use beside loopback [default: all]
+    #[arg(long, value_name = "ADDRESS", help_heading = "ROS 2")]
+    pub(crate) interface: Option<Ipv4Addr>,
 
     /// The name of the node
     #[arg(

@@ -19,7 +19,10 @@ const MAX_LINE: u64 = 1 << 16;
 
 pub(crate) fn run(context: &Context, args: &BridgeArgs) -> Result<Exit> {
     args.threads.apply();
-    let (network, findings) = Network::from_environment()?;
+    let (mut network, findings) = Network::from_environment()?;
+    if let Some(address) = args.interface {
+        network = network.on(address)?;
+    }
     for finding in findings {
         output::say(&finding.to_string());
     }

@@ -184,6 +184,7 @@ fn recorded(placed: &PlacedCamera, sensor: Option<&Sensor>) -> RecordedCamera {
     let is_carried = placed.mount_from_camera != RigidTransform::IDENTITY;
     RecordedCamera {
         name: placed.folder.clone(),
+        frame: placed.frame.clone(),
         camera: placed.camera,
         measured,
         body: is_carried.then(|| Body {
