@@ -56,9 +56,9 @@ def measure_network(network: Lan, program: Path, arguments: argparse.Namespace, 
     published = result(publisher, seconds + 60)["published"]
     image = result(images)
     counts = result(sniffer)
-    bridge.stop()
+    state, _ = bridge.stop()
     return (
-        f"| {'the other' if is_far else 'the same'} | {published} | {100 * image['received'] / published:.2f} % "
+        f"| {'the other' if is_far else 'the same'} | {published} | {100 * state['published'] / published:.2f} % | {100 * image['received'] / published:.2f} % "
         f"| {image.get('median_ms', float('nan')):.1f} ms | {counts['multicast_data']} | {counts['unicast']} | {counts['discovery']} |"
     )
 
@@ -69,8 +69,8 @@ def network_table(program: Path, arguments: argparse.Namespace) -> None:
         if network is None:
             print("skipped: network namespaces are not permitted")
             return
-        print("| subscriber on machine | published | delivered | from stamp to subscriber | multicast datagrams of data | unicast | discovery |")
-        print("|---|---:|---:|---:|---:|---:|---:|")
+        print("| subscriber on machine | published | filtered | delivered | from stamp to subscriber | multicast datagrams of data | unicast | discovery |")
+        print("|---|---:|---:|---:|---:|---:|---:|---:|")
         for is_far in (False, True):
             print(measure_network(network, program, arguments, is_far), flush=True)
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use oaktwin::diagnostic::{Finding, Level, Message, message, opt};
-use rustdds::discovery::{DiscoveredReaderData, DiscoveredWriterData};
+use rustdds::discovery::{DiscoveredReaderData, DiscoveredWriterData, ReaderProxy};
 use rustdds::policy::{Durability, Reliability};
 use rustdds::{DomainParticipant, QosPolicies};
 
@@ -109,7 +109,8 @@ impl Reports {
                 let about = &reader.subscription_topic_data;
                 if own.is_on(about.topic_name()) {
                     let guid = reader.reader_proxy.remote_reader_guid.to_bytes();
-                    let found = mismatch(own, about.type_name(), &about.qos(), Side::Subscriber);
+                    let found = mismatch(own, about.type_name(), &about.qos(), Side::Subscriber)
+                        .or_else(|| multicast(own, &reader.reader_proxy));
                     self.add(guid, found, &mut findings);
                 }
             }
@@ -248,6 +249,33 @@ fn settings(offered: &QosPolicies, requested: &QosPolicies) -> Settings {
         requested: requests.join(" and "),
         is_reliability,
     }
+}
+
+/// Reports a subscriber to which the DDS library sends by multicast. The library prefers the multicast address of a reader to all but a
+/// loopback address, and it sends what is reliable; best-effort messages are sent by [`crate::unicast`].
+fn multicast(own: &Endpoint, reader: &ReaderProxy) -> Option<Finding> {
+    let is_large = own.topic != crate::options::TF_STATIC;
+    let has_loopback = reader
+        .unicast_locator_list
+        .iter()
+        .any(|locator| locator.is_loopback());
+    let is_multicast = reader
+        .multicast_locator_list
+        .iter()
+        .any(|locator| locator.is_udp());
+    (own.qos.is_reliable() && is_large && is_multicast && !has_loopback).then(|| {
+        Finding::new(
+            "multicast",
+            Level::Warning,
+            &own.topic,
+            "reliable messages go to a subscriber's multicast address: every machine in the network receives them",
+            message![
+                "leave out ",
+                opt("reliable"),
+                ", or let the subscriber announce no multicast address (Cyclone DDS: AllowMulticast spdp)"
+            ],
+        )
+    })
 }
 
 fn other_publisher(own: &Endpoint) -> Finding {
