@@ -4,8 +4,8 @@
 //! * [`Filter`] measures a frame with the engines, presets and filters of `oaktwin sense`;
 //! * [`run`] connects both to topics, and reports what is missing, late or wrong.
 //!
-//! Images are published best-effort, as sensor data: a subscription that requires reliable delivery does not match. A newer
-//! frame replaces the one that waits for the filter, so the bridge is never behind by more than one frame.
+//! Messages are published best-effort by default, as sensor data: a subscription that requires reliable delivery does not match, which is
+//! reported. A newer frame replaces the one that waits for the filter, so the bridge is never behind by more than one frame.
 
 mod buffers;
 pub mod convert;

@@ -14,9 +14,12 @@ use super::{SensorArgs, ThreadArgs, UnitArgs};
     next_line_help = true,
     after_help = "The bridge subscribes to a simulator's exact depth (sensor_msgs/Image, 32FC1 in metres or 16UC1 in millimetres) and \
     publishes what the OAK would report, with the stamps and frame ids of the input, as sensor data (best-effort): \
-    OUT/stereo/image_raw and OUT/stereo/camera_info (OUT/tof/… for a time-of-flight sensor) and, with --points, OUT/points. \
+    OUT/stereo/image_raw and OUT/stereo/camera_info (OUT/tof/… for a time-of-flight sensor), with --points OUT/points, with --compressed \
+    OUT/stereo/image_raw/compressedDepth, with --rgb OUT/rgb/image_raw and OUT/rgb/camera_info, with --tf /tf_static. \
     The options of the depth sensor are parameters of the node: `ros2 param set /oaktwin_bridge preset robotics`, or lines on standard \
     input with --stdin.\n\n\
+    Best-effort messages are sent to each subscriber alone. --reliable suits small images: every image arrives, but one subscriber that hangs \
+    holds up all others until its lease ends, and subscribers that announce a multicast address are sent to by multicast.\n\n\
     It reads ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY and ROS_AUTOMATIC_DISCOVERY_RANGE, and runs until Ctrl-C."
 )]
 pub(crate) struct BridgeArgs {
