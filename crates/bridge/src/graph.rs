@@ -286,7 +286,8 @@ fn other_publisher(own: &Endpoint) -> Finding {
         "another node publishes to this topic, too: subscribers receive the messages of both",
         message![
             "stop the other node, or choose another namespace with ",
-            opt("out")
+            opt("out"),
+            "; a node that crashed counts until its lease ends"
         ],
     )
 }
@@ -297,7 +298,7 @@ fn several_publishers(own: &Endpoint) -> Finding {
         Level::Warning,
         &own.topic,
         "several nodes publish to this topic: the bridge takes their messages for one stream",
-        "stop all but one",
+        "stop all but one; a node that crashed counts until its lease ends",
     )
 }
 

@@ -5,7 +5,7 @@ use std::thread;
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::catalog::Twin;
-use oaktwin::robot::{Attachment, Description};
+use oaktwin::robot::{Attachment, Description, RobotError};
 use oaktwin::sense::{FieldOfView, SenseOptions};
 use oaktwin::sensor::depth_sensor;
 use oaktwin_bridge::{BridgeOptions, DeviceFrames, Event, Filter, Network, Started, Status, run as bridge};
@@ -100,7 +100,14 @@ fn frames(context: &Context, args: &BridgeArgs, twin: &Twin, depth: &str) -> Res
         name: name.clone(),
         ..Attachment::default()
     };
-    let description = Description::new(&context.catalog, twin, &attachment)?;
+    let description = Description::new(&context.catalog, twin, &attachment).map_err(|error| match error {
+        RobotError::Name { name, problem, .. } => RobotError::Name {
+            option: "tf",
+            name,
+            problem,
+        },
+        other => other,
+    })?;
     let sensor = twin.depth_sensors.iter().find(|sensor| sensor.spec.prim == depth);
     let camera = sensor.and_then(|sensor| twin.depth_camera(sensor));
     Ok(Some(DeviceFrames {
