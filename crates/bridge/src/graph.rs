@@ -1,6 +1,7 @@
 //! The endpoints of the network, and why some of them are not connected.
 
 use std::collections::BTreeSet;
+use std::net::SocketAddr;
 
 use oaktwin::diagnostic::{Finding, Level, Message, message, opt};
 use rustdds::discovery::{DiscoveredReaderData, DiscoveredWriterData, ReaderProxy};
@@ -255,15 +256,11 @@ fn settings(offered: &QosPolicies, requested: &QosPolicies) -> Settings {
 /// loopback address, and it sends what is reliable; best-effort messages are sent by [`crate::unicast`].
 fn multicast(own: &Endpoint, reader: &ReaderProxy) -> Option<Finding> {
     let is_large = own.topic != crate::options::TF_STATIC;
-    let has_loopback = reader
-        .unicast_locator_list
-        .iter()
-        .any(|locator| locator.is_loopback());
-    let is_multicast = reader
-        .multicast_locator_list
-        .iter()
-        .any(|locator| locator.is_udp());
-    (own.qos.is_reliable() && is_large && is_multicast && !has_loopback).then(|| {
+    let is_loopback = |address: SocketAddr| address.ip().is_loopback();
+    let is_multicast = |address: SocketAddr| address.ip().is_multicast();
+    let has_loopback = (reader.unicast_locator_list.iter()).any(|one| is_loopback((*one).into()));
+    let has_multicast = (reader.multicast_locator_list.iter()).any(|one| is_multicast((*one).into()));
+    (own.qos.is_reliable() && is_large && has_multicast && !has_loopback).then(|| {
         Finding::new(
             "multicast",
             Level::Warning,

@@ -2,7 +2,7 @@
 
 /// The version of the protocol, which all implementations in use understand.
 const VERSION: [u8; 2] = [2, 3];
-/// The vendor of the DDS library, which announces the writer (OMG's list of vendor identifiers: RustDDS).
+/// The vendor of the DDS library, which announces the writer (OMG's list of vendor identifiers: `RustDDS`).
 const VENDOR: [u8; 2] = [0x01, 0x12];
 /// The entity that stands for all matched readers of a participant.
 const ALL_READERS: [u8; 4] = [0; 4];
@@ -19,7 +19,7 @@ const HAS_DATA: u8 = 0x04;
 #[cfg(test)]
 const ENCAPSULATION: usize = 4;
 /// The bytes of a datagram beside the data.
-pub(super) const OVERHEAD: usize = 20 + 12 + 36;
+pub(super) const OVERHEAD: u16 = 20 + 12 + 36;
 
 /// A sample of a writer.
 #[derive(Clone, Copy, Debug)]
@@ -42,8 +42,7 @@ pub(super) fn payload<E>(serialize: impl FnOnce(&mut Vec<u8>) -> Result<(), E>) 
     serialize(&mut payload)?;
     let padding = payload.len().next_multiple_of(4) - payload.len();
     payload.resize(payload.len() + padding, 0);
-    // At most 3.
-    payload[3] = padding as u8;
+    payload[3] = u8::try_from(padding).unwrap_or(0);
     Ok(payload)
 }
 
@@ -54,7 +53,7 @@ impl Sample<'_> {
         fragment: u16,
         mut send: impl FnMut(&[u8]) -> Result<(), E>,
     ) -> Result<(), E> {
-        let mut datagram = Vec::with_capacity(OVERHEAD + usize::from(fragment));
+        let mut datagram = Vec::with_capacity(usize::from(OVERHEAD) + usize::from(fragment));
         if self.payload.len() <= usize::from(fragment) {
             self.begin(&mut datagram);
             self.data(&mut datagram);
@@ -76,8 +75,7 @@ impl Sample<'_> {
         to.extend(VENDOR);
         to.extend(&self.writer[..12]);
         submessage(INFO_TIMESTAMP, LITTLE_ENDIAN, 8, to);
-        to.extend(((self.time >> 32) as u32).to_le_bytes());
-        to.extend((self.time as u32).to_le_bytes());
+        words(self.time, to);
     }
 
     /// The whole sample.
@@ -94,7 +92,12 @@ impl Sample<'_> {
         to.extend(number.to_le_bytes());
         to.extend(1u16.to_le_bytes());
         to.extend(size.to_le_bytes());
-        to.extend((self.payload.len() as u32).to_le_bytes());
+        // Messages of ROS have less than 4 GiB.
+        to.extend(
+            u32::try_from(self.payload.len())
+                .unwrap_or(u32::MAX)
+                .to_le_bytes(),
+        );
         to.extend(part);
     }
 
@@ -104,9 +107,14 @@ impl Sample<'_> {
         to.extend(distance.to_le_bytes());
         to.extend(ALL_READERS);
         to.extend(&self.writer[12..]);
-        to.extend(((self.number >> 32) as u32).to_le_bytes());
-        to.extend((self.number as u32).to_le_bytes());
+        words(self.number, to);
     }
+}
+
+/// A number in two words, the high one first, each of which begins with its lowest byte.
+fn words(number: u64, to: &mut Vec<u8>) {
+    // Rotation by half swaps the words.
+    to.extend(number.rotate_left(32).to_le_bytes());
 }
 
 /// The header of a submessage with `bytes` after it.
@@ -194,7 +202,7 @@ mod tests {
             assert_eq!(u32_at(datagram, 56), i as u32 + 1);
             assert_eq!((u16_at(datagram, 60), u16_at(datagram, 62)), (1, 64));
             assert_eq!(u32_at(datagram, 64), 200);
-            assert!(datagram.len() <= OVERHEAD + 64);
+            assert!(datagram.len() <= usize::from(OVERHEAD) + 64);
             whole.extend(&datagram[40 + 28..]);
         }
         assert_eq!(whole, payload);

@@ -68,7 +68,7 @@ pub(super) fn route(announced: &[SocketAddrV4], host: &impl Host) -> Option<Rout
     let (_, address) = reachable.max_by_key(|(near, one)| (*near, std::cmp::Reverse(*one)))?;
     Some(Route {
         address,
-        fragment: (ETHERNET - OVERHEAD as u16) & !3,
+        fragment: (ETHERNET - OVERHEAD) & !3,
     })
 }
 
@@ -136,7 +136,7 @@ mod tests {
         for (address, limit) in [(LAN, 65_507), (Ipv4Addr::new(192, 168, 1, 20), 1472)] {
             let fragment = fragment(address);
             assert_eq!(fragment % 4, 0);
-            assert!(usize::from(fragment) + OVERHEAD <= limit && fragment > 1000);
+            assert!(fragment + OVERHEAD <= limit && fragment > 1000);
         }
     }
 }

@@ -18,8 +18,9 @@ use super::{SensorArgs, ThreadArgs, UnitArgs};
     OUT/stereo/image_raw/compressedDepth, with --rgb OUT/rgb/image_raw and OUT/rgb/camera_info, with --tf /tf_static. \
     The options of the depth sensor are parameters of the node: `ros2 param set /oaktwin_bridge preset robotics`, or lines on standard \
     input with --stdin.\n\n\
-    Best-effort messages are sent to each subscriber alone. --reliable suits small images: every image arrives, but one subscriber that hangs \
-    holds up all others until its lease ends, and subscribers that announce a multicast address are sent to by multicast.\n\n\
+    Best-effort messages are sent to each subscriber alone. With --reliable, lost parts are sent again, but the bridge keeps the images of 6 s \
+    in memory, one subscriber that hangs holds up all others until its lease ends, and subscribers that announce a multicast address are \
+    sent to by multicast.\n\n\
     It reads ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY and ROS_AUTOMATIC_DISCOVERY_RANGE, and runs until Ctrl-C."
 )]
 pub(crate) struct BridgeArgs {
