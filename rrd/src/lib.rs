@@ -296,6 +296,7 @@ mod tests {
         let mut recorder = Rrd::new(output, true)?;
         let id = recorder.add_camera(&RecordedCamera {
             name: "left".to_owned(),
+            frame: None,
             camera: Camera::new(
                 Intrinsics::from_hfov(ImageSize::new(4, 3), 1.2),
                 LensModel::Pinhole,

@@ -1,11 +1,11 @@
-"""Delivery, latency and memory of `oaktwin bridge` over the loopback interface; run by `cargo xtask bench bridge`."""
+"""Delivery, latency and memory of `oaktwin bridge`, and its load on a network; run by `cargo xtask bench bridge`."""
 
 import argparse
 import os
 import subprocess
 from pathlib import Path
 
-from ros_network import Bridge, isolated, result, start_peer
+from ros_network import IN_NETWORK, Bridge, Lan, isolated, lan, result, start_peer, wait_for_peer
 
 # Images, the encoding of both sides, and whether point clouds are published, too.
 CASES = [("16UC1", False), ("32FC1", False), ("16UC1", True)]
@@ -42,6 +42,39 @@ def measure(start: list[str], program: Path, arguments: argparse.Namespace, enco
     )
 
 
+def measure_network(network: Lan, program: Path, arguments: argparse.Namespace, is_far: bool) -> str:
+    """What reaches the other machine of a network while a publisher and a bridge run on this one."""
+    bridge = Bridge(network.here, program, environment=IN_NETWORK)
+    start = network.there if is_far else network.here
+    images = start_peer(start, "subscribe", environment=IN_NETWORK)
+    sniffer = start_peer(network.there, script="ros_sniffer.py", environment=IN_NETWORK)
+    wait_for_peer(sniffer)
+    seconds = min(arguments.seconds, 10)
+    publisher = start_peer(
+        network.here, "publish", "--size", arguments.size, "--seconds", str(seconds), "--wait", "3", environment=IN_NETWORK
+    )
+    published = result(publisher, seconds + 60)["published"]
+    image = result(images)
+    counts = result(sniffer)
+    state, _ = bridge.stop()
+    return (
+        f"| {'the other' if is_far else 'the same'} | {published} | {100 * state['published'] / published:.2f} % | {100 * image['received'] / published:.2f} % "
+        f"| {image.get('median_ms', float('nan')):.1f} ms | {counts['multicast_data']} | {counts['unicast']} | {counts['discovery']} |"
+    )
+
+
+def network_table(program: Path, arguments: argparse.Namespace) -> None:
+    print("\nTwo machines (network namespaces), publisher and bridge on one, nodes found in the whole network:\n")
+    with lan() as network:
+        if network is None:
+            print("skipped: network namespaces are not permitted")
+            return
+        print("| subscriber on machine | published | filtered | delivered | from stamp to subscriber | multicast datagrams of data | unicast | discovery |")
+        print("|---|---:|---:|---:|---:|---:|---:|---:|")
+        for is_far in (False, True):
+            print(measure_network(network, program, arguments, is_far), flush=True)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", type=Path)
@@ -55,6 +88,7 @@ def main() -> None:
     with isolated() as start:
         for encoding, points in CASES:
             print(measure(start, arguments.program, arguments, encoding, points), flush=True)
+    network_table(arguments.program, arguments)
     print(f"\nLatencies are medians and 95th percentiles. Load at the end: {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores.")
 
 

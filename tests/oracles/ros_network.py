@@ -9,11 +9,14 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 
 # Tests that run at the same time on one network do not hear each other; the peers have the domain of who starts them.
 DOMAIN = int(os.environ.setdefault("ROS_DOMAIN_ID", str(1 + os.getpid() % 100)))
 ENVIRONMENT = os.environ | {"ROS_LOCALHOST_ONLY": "1"}
+# Nodes find each other in the whole network, as ROS does by default.
+IN_NETWORK = os.environ | {"ROS_LOCALHOST_ONLY": "0"}
 # Seconds in which everything happens, however busy the machine is.
 PATIENCE_S = 300
 MODEL = "OAK-D-Pro-PoE"
@@ -38,14 +41,54 @@ def isolated() -> Iterator[list[str]]:
         holder.wait()
 
 
+@dataclass
+class Lan:
+    """Two machines in a network."""
+
+    # The starts of commands on each.
+    here: list[str]
+    there: list[str]
+
+
+def enter(holder: subprocess.Popen) -> list[str]:
+    return ["nsenter", f"--net=/proc/{holder.pid}/ns/net"]
+
+
+@contextmanager
+def lan() -> Iterator[Lan | None]:
+    """Two network namespaces that are connected by a cable, or nothing where that is not permitted."""
+    if not all(map(shutil.which, ["unshare", "nsenter", "ip"])):
+        yield None
+        return
+    hold = "ip link set lo up && echo up && exec sleep 3600"
+    holders = [
+        subprocess.Popen(["unshare", "--net", "sh", "-c", hold], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) for _ in range(2)
+    ]
+    try:
+        is_up = all([holder.stdout.readline() == b"up\n" for holder in holders])
+        here, there = holders
+        cable = f"ip link add eth0 type veth peer name eth0 netns {there.pid}"
+        plugs = [
+            (holder, f"ip address add 10.77.0.{number}/24 dev eth0 && ip link set eth0 up && ip route add default dev eth0")
+            for number, holder in ((1, here), (2, there))
+        ]
+        for holder, command in [(here, cable), *plugs]:
+            is_up = is_up and subprocess.run([*enter(holder), "sh", "-c", command], stderr=subprocess.DEVNULL).returncode == 0
+        yield Lan(enter(here), enter(there)) if is_up else None
+    finally:
+        for holder in holders:
+            holder.kill()
+            holder.wait()
+
+
 class Bridge:
     """A running bridge."""
 
-    def __init__(self, start: list[str], program: Path, *options: str) -> None:
+    def __init__(self, start: list[str], program: Path, *options: str, environment: dict[str, str] = ENVIRONMENT) -> None:
         topics = ["--depth", "/camera/depth/image_raw", "--info", "/camera/camera_info"]
         self.process = subprocess.Popen(
             [*start, program, "bridge", "--model", MODEL, *topics, "--json", *options],
-            env=ENVIRONMENT,
+            env=environment,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,
@@ -90,11 +133,13 @@ class Bridge:
         return self.events[-1], [event for event in self.events if event["event"] == "finding"]
 
 
-def start_peer(start: list[str], *arguments: str, script: str = "ros_peer.py") -> subprocess.Popen:
+def start_peer(
+    start: list[str], *arguments: str, script: str = "ros_peer.py", environment: dict[str, str] = ENVIRONMENT
+) -> subprocess.Popen:
     """Starts a publisher, a subscriber or another script."""
     command = [*start, sys.executable, Path(__file__).with_name(script), *arguments]
     pipe = subprocess.PIPE
-    return subprocess.Popen(command, env=ENVIRONMENT, stdin=pipe, stdout=pipe, stderr=subprocess.DEVNULL, text=True)
+    return subprocess.Popen(command, env=environment, stdin=pipe, stdout=pipe, stderr=subprocess.DEVNULL, text=True)
 
 
 def wait_for_peer(peer: subprocess.Popen) -> None:

@@ -8,16 +8,17 @@ import sys
 import threading
 import time
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from ros_network import DOMAIN
 
-# Discovery without multicast, and room for a burst of datagrams.
-os.environ["CYCLONEDDS_URI"] = """<CycloneDDS><Domain>
-<General><Interfaces><NetworkInterface address="127.0.0.1" multicast="false"/></Interfaces><AllowMulticast>false</AllowMulticast></General>
+# Discovery without multicast in one machine, Cyclone's own between machines, and room for a burst of datagrams.
+LOCAL = """<General><Interfaces><NetworkInterface address="127.0.0.1" multicast="false"/></Interfaces><AllowMulticast>false</AllowMulticast></General>
 <Discovery><ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>9</MaxAutoParticipantIndex>
-<Peers><Peer address="127.0.0.1"/></Peers></Discovery>
+<Peers><Peer address="127.0.0.1"/></Peers></Discovery>"""
+os.environ["CYCLONEDDS_URI"] = """<CycloneDDS><Domain>%s
 <Internal><SocketReceiveBufferSize min="%s"/></Internal>
-</Domain></CycloneDDS>""" % os.environ.get("OAKTWIN_PEER_BUFFER", "4MB")
+</Domain></CycloneDDS>""" % ("" if os.environ.get("ROS_LOCALHOST_ONLY") == "0" else LOCAL, os.environ.get("OAKTWIN_PEER_BUFFER", "4MB"))
 
 import numpy as np
 from cyclonedds._clayer import ddspy_take, ddspy_write
@@ -107,10 +108,11 @@ class PointCloud2(IdlStruct, typename="sensor_msgs::msg::dds_::PointCloud2_"):
     is_dense: bool = False
 
 
-def qos(*, reliable: bool = False, depth: int = 1) -> Qos:
-    """ROS's profile of sensor data."""
+def qos(*, reliable: bool = False, latched: bool = False, depth: int = 1) -> Qos:
+    """ROS's profile of sensor data, of a reliable topic, or of one whose last message is kept for late subscribers."""
     reliability = Policy.Reliability.Reliable(duration(milliseconds=100)) if reliable else Policy.Reliability.BestEffort
-    return Qos(reliability, Policy.Durability.Volatile, Policy.History.KeepLast(depth))
+    durability = Policy.Durability.TransientLocal if latched else Policy.Durability.Volatile
+    return Qos(reliability, durability, Policy.History.KeepLast(depth))
 
 
 class Peer:
@@ -157,7 +159,53 @@ def take_raw(reader: DataReader) -> list[bytes]:
     return [data for data, info in taken if info.valid_data]
 
 
-MESSAGES = {"image": Image, "points": PointCloud2, "info": CameraInfo}
+@final
+@dataclass
+class CompressedImage(IdlStruct, typename="sensor_msgs::msg::dds_::CompressedImage_"):
+    header: Header = field(default_factory=Header)
+    format: str = ""
+    data: sequence[uint8] = b""
+
+
+@final
+@dataclass
+class Vector3(IdlStruct, typename="geometry_msgs::msg::dds_::Vector3_"):
+    x: float64 = 0
+    y: float64 = 0
+    z: float64 = 0
+
+
+@final
+@dataclass
+class Quaternion(IdlStruct, typename="geometry_msgs::msg::dds_::Quaternion_"):
+    x: float64 = 0
+    y: float64 = 0
+    z: float64 = 0
+    w: float64 = 1
+
+
+@final
+@dataclass
+class Transform(IdlStruct, typename="geometry_msgs::msg::dds_::Transform_"):
+    translation: Vector3 = field(default_factory=Vector3)
+    rotation: Quaternion = field(default_factory=Quaternion)
+
+
+@final
+@dataclass
+class TransformStamped(IdlStruct, typename="geometry_msgs::msg::dds_::TransformStamped_"):
+    header: Header = field(default_factory=Header)
+    child_frame_id: str = ""
+    transform: Transform = field(default_factory=Transform)
+
+
+@final
+@dataclass
+class TFMessage(IdlStruct, typename="tf2_msgs::msg::dds_::TFMessage_"):
+    transforms: sequence[TransformStamped] = field(default_factory=list)
+
+
+MESSAGES = {"image": Image, "points": PointCloud2, "info": CameraInfo, "compressed": CompressedImage, "tf": TFMessage}
 
 
 def now() -> Header:
@@ -227,7 +275,8 @@ def pixels_of(message: Image) -> np.ndarray:
 def subscribe(arguments: argparse.Namespace) -> dict:
     """Receives messages until the input has ended and none arrives any more."""
     peer = Peer()
-    reader = peer.subscription(arguments.topic, MESSAGES[arguments.message], depth=10)
+    profile = {"reliable": arguments.reliable or arguments.latched, "latched": arguments.latched}
+    reader = peer.subscription(arguments.topic, MESSAGES[arguments.message], depth=10, **profile)
     if arguments.never:
         time.sleep(3600)
     latencies, farthest, last = [], [], None
@@ -238,7 +287,8 @@ def subscribe(arguments: argparse.Namespace) -> dict:
         for data in take_raw(reader):
             if not latencies:
                 print("ready", flush=True)
-            latencies.append(time.time() - stamp_of(data))
+            # Transforms have no header.
+            latencies.append(time.time() - stamp_of(data) if arguments.message != "tf" else 0)
             if arguments.farthest:
                 farthest.append([stamp_of(data), int(pixels_of(Image.deserialize(data)).max())])
             last, quiet_since = data, time.monotonic()
@@ -250,11 +300,16 @@ def subscribe(arguments: argparse.Namespace) -> dict:
     if last is not None and arguments.last:
         # Cyclone decodes it, not this module.
         message = MESSAGES[arguments.message].deserialize(last)
+        if arguments.message == "tf":
+            return result | {"frames": [[one.header.frame_id, one.child_frame_id] for one in message.transforms]}
         result["stamp"] = [message.header.stamp.sec, message.header.stamp.nanosec]
         result["frame_id"] = message.header.frame_id
         if arguments.message == "image":
             np.save(arguments.last, pixels_of(message))
             result |= {"encoding": message.encoding, "step": message.step}
+        elif arguments.message == "compressed":
+            Path(arguments.last).write_bytes(bytes(message.data)[12:])
+            result |= {"format": message.format, "quantization": list(bytes(message.data)[:12])}
         elif arguments.message == "info":
             result |= {"k": list(message.k), "size": [message.width, message.height]}
         else:
@@ -287,6 +342,8 @@ def main() -> None:
     command.add_argument("--message", choices=MESSAGES, default="image")
     command.add_argument("--silence", type=float, default=1, help="seconds without a message that end it after the input has ended")
     command.add_argument("--never", action="store_true", help="never read")
+    command.add_argument("--reliable", action="store_true", help="require reliable delivery")
+    command.add_argument("--latched", action="store_true", help="require the last message before the subscription, too")
     command.add_argument("--last", help="where the last message is saved")
     command.add_argument("--farthest", action="store_true", help="report the stamp and the largest value of each image")
     arguments = parser.parse_args()

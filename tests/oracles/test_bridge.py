@@ -11,7 +11,7 @@ import cv2
 import numpy as np
 import pytest
 
-from ros_network import MODEL, Bridge, isolated, result, start_peer, wait_for_peer
+from ros_network import IN_NETWORK, MODEL, Bridge, isolated, lan, result, start_peer, wait_for_peer
 
 
 @pytest.fixture(scope="module")
@@ -259,3 +259,80 @@ def test_colours_reach_the_engine_and_the_cloud(run, program, tmp_path):
     seen = points[..., 2] > 0
     assert seen.sum() > 3000
     assert np.array_equal(packed[seen][:, 2::-1], colors[seen])
+
+
+def test_reliable_subscribers(run):
+    """Without `--reliable`, they are told why nothing arrives; with it, they receive every image."""
+    bridge = run.bridge()
+    waiting = run.peer("subscribe", "--reliable")
+    bridge.wait_for_finding("incompatible-qos")
+    waiting.kill()
+    _, findings = bridge.stop()
+    (found,) = [finding for finding in findings if finding["code"] == "incompatible-qos"]
+    assert found["place"] == "/oak/stereo/image_raw" and "reliable delivery" in found["message"]
+    assert "reliable" in found["remedy"]
+
+    bridge = run.bridge("--reliable")
+    images = run.peer("subscribe", "--reliable")
+    infos = run.peer("subscribe", "--topic", "/oak/stereo/camera_info", "--message", "info", "--reliable")
+    publisher = run.peer("publish", "--matched")
+    wait_for_peer(images)
+    wait_for_peer(infos)
+    published = result(publisher)["published"]
+    received, described = result(images)["received"], result(infos)["received"]
+    state, findings = bridge.stop()
+    assert_counts(state, published, findings)
+    assert received > 0 and described > 0
+
+
+def test_transforms_compressed_depth_and_colours(run, tmp_path):
+    """A late subscriber receives the frames; OpenCV decodes the depth; colours are passed on with their camera info."""
+    bridge = run.bridge("--tf", "camera", "--compressed", "--rgb", "/camera/color/image_raw")
+    compressed, last = tmp_path / "depth.png", tmp_path / "last.npy"
+    topic = "/oak/stereo/image_raw/compressedDepth"
+    pngs = run.peer("subscribe", "--topic", topic, "--message", "compressed", "--last", str(compressed))
+    images = run.peer("subscribe", "--last", str(last))
+    colours = run.peer("subscribe", "--topic", "/oak/rgb/image_raw")
+    infos = run.peer("subscribe", "--topic", "/oak/rgb/camera_info", "--message", "info", "--last", str(tmp_path / "info"))
+    publisher = run.peer("publish", "--rgb", "/camera/color/image_raw", "--matched")
+    for subscriber in (pngs, images, colours, infos):
+        wait_for_peer(subscriber)
+    late = run.peer("subscribe", "--topic", "/tf_static", "--message", "tf", "--latched", "--last", str(tmp_path / "tf"))
+    wait_for_peer(late)
+    frames = result(late)["frames"]
+    result(publisher)
+    png, image, info = result(pngs), result(images), result(infos)
+    assert result(colours)["received"] > 0
+    bridge.stop()
+    assert frames[0] == ["sim_depth_optical", "camera"]
+    assert ["camera_left_camera_frame", "camera_left_camera_optical_frame"] in frames
+    assert png["format"] == "16UC1; compressedDepth png" and png["quantization"] == [0] * 12
+    assert info["size"] == [160, 120] and info["k"][0] == 100
+    decoded = cv2.imread(str(compressed), cv2.IMREAD_UNCHANGED)
+    assert decoded.dtype == np.uint16 and (decoded > 0).mean() > 0.3
+    if png["stamp"] == image["stamp"]:
+        assert np.array_equal(decoded, np.load(last))
+
+
+@pytest.mark.parametrize("is_far", [False, True], ids=["same machine", "other machine"])
+def test_data_is_not_multicast(program, is_far):
+    """Discovery is; images go to their subscriber alone, and not onto the network if it is on the bridge's machine."""
+    with lan() as network:
+        if network is None:
+            pytest.skip("network namespaces are not permitted")
+        start = network.there if is_far else network.here
+        bridge = Bridge(network.here, program, environment=IN_NETWORK)
+        sniffer = start_peer(network.there, script="ros_sniffer.py", environment=IN_NETWORK)
+        wait_for_peer(sniffer)
+        images = start_peer(start, "subscribe", environment=IN_NETWORK)
+        publisher = start_peer(network.here, "publish", environment=IN_NETWORK)
+        wait_for_peer(images)
+        time.sleep(2)
+        result(publisher)
+        received = result(images)["received"]
+        counts = result(sniffer)
+        bridge.stop()
+    # An image has 38 kB, which are 28 datagrams on Ethernet. A few are left for the lists of each node's topics.
+    assert received > 10 and counts["discovery"] > 0
+    assert counts["multicast_data"] < 10, counts
+    assert (counts["unicast"] >= 28 * received) == is_far, counts

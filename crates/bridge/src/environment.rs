@@ -1,6 +1,6 @@
 //! ROS's environment variables about discovery.
 
-use std::net::{IpAddr, Ipv4Addr};
+use std::net::{IpAddr, Ipv4Addr, UdpSocket};
 
 use oaktwin::diagnostic::{Finding, Level};
 
@@ -16,6 +16,8 @@ pub struct Network {
     pub domain: u16,
     /// Whether only nodes of this machine are found.
     pub is_local: bool,
+    /// The address of the only interface on which nodes of other machines are found; `None` for all interfaces.
+    pub interface: Option<Ipv4Addr>,
 }
 
 impl Network {
@@ -72,12 +74,35 @@ impl Network {
                 "run the bridge on the machine of the publisher",
             ));
         }
-        Ok((Self { domain, is_local }, findings))
+        let network = Self {
+            domain,
+            is_local,
+            interface: None,
+        };
+        Ok((network, findings))
+    }
+
+    /// Restricts the network to this machine and the interface with an address, whatever the environment says.
+    ///
+    /// # Errors
+    /// Returns an error if no interface has the address.
+    pub fn on(self, address: Ipv4Addr) -> Result<Self, BridgeError> {
+        // Only an own address can be bound.
+        if address.is_unspecified() || UdpSocket::bind((address, 0)).is_err() {
+            return Err(BridgeError::Interface(address));
+        }
+        Ok(Self {
+            is_local: address.is_loopback(),
+            interface: Some(address).filter(|address| !address.is_loopback()),
+            ..self
+        })
     }
 
     /// The addresses on which nodes are found, if not all.
-    pub(crate) fn only(&self) -> Option<[IpAddr; 1]> {
-        self.is_local.then_some([IpAddr::V4(Ipv4Addr::LOCALHOST)])
+    pub(crate) fn only(&self) -> Option<Vec<IpAddr>> {
+        let restricted = self.is_local || self.interface.is_some();
+        let addresses = self.interface.into_iter().chain([Ipv4Addr::LOCALHOST]);
+        restricted.then(|| addresses.map(IpAddr::V4).collect())
     }
 }
 
@@ -97,7 +122,13 @@ mod tests {
 
     #[test]
     fn variables_choose_the_network() {
-        let network = |domain, is_local| Ok(Network { domain, is_local });
+        let network = |domain, is_local| {
+            Ok(Network {
+                domain,
+                is_local,
+                interface: None,
+            })
+        };
         assert_eq!(read(&[]), network(0, false));
         assert_eq!(
             read(&[("ROS_DOMAIN_ID", "42"), ("ROS_LOCALHOST_ONLY", "")]),
@@ -112,6 +143,20 @@ mod tests {
             ("ROS_LOCALHOST_ONLY", "1"),
         ];
         assert_eq!(read(&both), network(0, true));
+    }
+
+    #[test]
+    fn an_interface_counts_more_than_the_environment() {
+        let (network, _) = Network::read(|_| None).unwrap();
+        assert_eq!(network.only(), None);
+        let local = network.clone().on(Ipv4Addr::LOCALHOST).unwrap();
+        assert!(local.is_local && local.interface.is_none());
+        assert_eq!(local.only(), Some(vec![IpAddr::V4(Ipv4Addr::LOCALHOST)]));
+        // An address for documentation (RFC 5737), and none at all.
+        for address in [Ipv4Addr::new(198, 51, 100, 7), Ipv4Addr::UNSPECIFIED] {
+            let error = network.clone().on(address).unwrap_err().to_string();
+            assert!(error.starts_with(&format!("{address}: ")), "{error}");
+        }
     }
 
     #[test]

@@ -1,3 +1,5 @@
+use std::net::Ipv4Addr;
+
 use oaktwin::sense::SenseError;
 
 /// An error that ends the bridge.
@@ -13,6 +15,9 @@ pub enum BridgeError {
         /// What to do.
         remedy: String,
     },
+    /// No interface has the address.
+    #[error("{0}: is not an IPv4 address of this machine; choose one that `ip address` lists")]
+    Interface(Ipv4Addr),
     /// The name of a topic or namespace is invalid.
     #[error(
         "{0}: is not a ROS name; use letters, digits and underscores between slashes, such as /camera/depth/image_raw"

@@ -1,5 +1,7 @@
 //! The filter between topics: a depth image and its camera in, what the OAK reports out.
 
+use std::num::NonZeroU32;
+
 use oaktwin::camera::{Camera, ImageSize};
 use oaktwin::catalog::Twin;
 use oaktwin::depth::OutputCamera;
@@ -51,15 +53,18 @@ pub struct FilterOutput<'a> {
     pub measured: Measured,
     /// The camera of the measured images.
     pub camera: &'a OutputCamera,
+    /// The camera of the depth image.
+    pub input_camera: Camera,
     /// The findings about this frame, and about the sensor if it was created for it.
     pub findings: Vec<Finding>,
     points: &'a mut Option<Points>,
 }
 
 impl FilterOutput<'_> {
-    /// Returns the points of the measured depth in the frame of the input; see [`Points::message`].
-    pub fn point_cloud(&mut self, header: Header) -> PointCloud2 {
-        let points = self.points.get_or_insert_with(|| Points::new(self.camera));
+    /// Returns the points of every `step`th pixel of the measured depth in the frame of the input; see [`Points::message`].
+    /// The step of the first call remains.
+    pub fn point_cloud(&mut self, header: Header, step: NonZeroU32) -> PointCloud2 {
+        let points = self.points.get_or_insert_with(|| Points::new(self.camera, step));
         points.message(header, &self.measured.distance, self.measured.colors.as_ref())
     }
 }
@@ -152,6 +157,7 @@ impl Filter {
         Ok(FilterOutput {
             measured,
             camera: &current.output,
+            input_camera: current.sensor.input_camera(),
             findings,
             points: &mut current.points,
         })

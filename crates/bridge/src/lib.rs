@@ -4,8 +4,8 @@
 //! * [`Filter`] measures a frame with the engines, presets and filters of `oaktwin sense`;
 //! * [`run`] connects both to topics, and reports what is missing, late or wrong.
 //!
-//! Images are published best-effort, as sensor data: a subscription that requires reliable delivery does not match. A newer
-//! frame replaces the one that waits for the filter, so the bridge is never behind by more than one frame.
+//! Messages are published best-effort by default, as sensor data: a subscription that requires reliable delivery does not match, which is
+//! reported. A newer frame replaces the one that waits for the filter, so the bridge is never behind by more than one frame.
 
 mod buffers;
 pub mod convert;
@@ -13,15 +13,20 @@ mod environment;
 mod error;
 mod event;
 mod filter;
+mod graph;
 mod mailbox;
 pub mod message;
 mod node;
 mod options;
+mod output;
 mod parameters;
 mod process;
+mod publishers;
 mod receive;
 mod run;
 mod statistics;
+mod transforms;
+mod unicast;
 mod watch;
 
 pub use environment::Network;
@@ -31,3 +36,4 @@ pub use filter::{Filter, FilterInput, FilterOutput};
 pub use options::{BridgeOptions, Topics};
 pub use run::run;
 pub use statistics::Percentiles;
+pub use transforms::DeviceFrames;

@@ -82,6 +82,18 @@ pub struct CameraInfo {
     pub roi: RegionOfInterest,
 }
 
+/// `sensor_msgs/CompressedImage`.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CompressedImage {
+    /// The time and the optical frame.
+    pub header: Header,
+    /// The encoding of the image and the kind of compression.
+    pub format: String,
+    /// The compressed image.
+    #[serde(with = "serde_bytes")]
+    pub data: Vec<u8>,
+}
+
 /// `sensor_msgs/PointField`.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PointField {
@@ -117,4 +129,55 @@ pub struct PointCloud2 {
     pub data: Vec<u8>,
     /// Whether all points are valid.
     pub is_dense: bool,
+}
+
+/// `geometry_msgs/Vector3`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Vector3 {
+    /// Along the first axis.
+    pub x: f64,
+    /// Along the second axis.
+    pub y: f64,
+    /// Along the third axis.
+    pub z: f64,
+}
+
+/// `geometry_msgs/Quaternion`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Quaternion {
+    /// The first imaginary component.
+    pub x: f64,
+    /// The second imaginary component.
+    pub y: f64,
+    /// The third imaginary component.
+    pub z: f64,
+    /// The real component.
+    pub w: f64,
+}
+
+/// `geometry_msgs/Transform`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Transform {
+    /// The position of the child's origin in the parent, metres.
+    pub translation: Vector3,
+    /// The rotation from the child to the parent.
+    pub rotation: Quaternion,
+}
+
+/// `geometry_msgs/TransformStamped`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct TransformStamped {
+    /// The time and the parent.
+    pub header: Header,
+    /// The child.
+    pub child_frame_id: String,
+    /// The pose of the child in the parent.
+    pub transform: Transform,
+}
+
+/// `tf2_msgs/TFMessage`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct TfMessage {
+    /// The transforms.
+    pub transforms: Vec<TransformStamped>,
 }

@@ -5,15 +5,18 @@ use std::thread::{self, JoinHandle};
 
 use oaktwin::sense::SenseOptions;
 use oaktwin::sensor::SensorOptions;
-use ros2_client::{Context, MessageTypeName, Node, NodeName, NodeOptions, Publisher, Subscription};
+use ros2_client::{Context, MessageTypeName, Node, NodeName, NodeOptions, Subscription};
 use rustdds::policy::{Durability, History, Reliability, ResourceLimits};
 use rustdds::{DomainParticipantBuilder, Duration, QosPolicies, QosPolicyBuilder, Topic, TopicKind};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use crate::filter::{Filter, check};
-use crate::message::{CameraInfo, Image, PointCloud2};
+use crate::graph::{Endpoint, Graph};
+use crate::message::{CameraInfo, Image};
 use crate::options::{BridgeOptions, Topics};
+use crate::output::Output;
+use crate::publishers::Publishers;
 use crate::{BridgeError, Network, buffers, parameters};
 
 /// The options of the sensor that were last set on the node.
@@ -24,13 +27,8 @@ pub(crate) struct Subscriptions {
     pub(crate) depth: Subscription<Image>,
     pub(crate) info: Option<Subscription<CameraInfo>>,
     pub(crate) rgb: Option<Subscription<Image>>,
-}
-
-/// The publishers.
-pub(crate) struct Publishers {
-    pub(crate) image: Publisher<Image>,
-    pub(crate) info: Publisher<CameraInfo>,
-    pub(crate) points: Option<Publisher<PointCloud2>>,
+    /// What other nodes see of them.
+    pub(crate) endpoints: Vec<Endpoint>,
 }
 
 /// A node and the thread that answers its services.
@@ -87,60 +85,79 @@ impl RosNode {
         topics: &Topics,
         is_reliable: bool,
     ) -> Result<Subscriptions, BridgeError> {
-        let reliability = match is_reliable {
-            true => Reliability::Reliable {
-                max_blocking_time: Duration::ZERO,
-            },
-            false => Reliability::BestEffort,
-        };
-        let qos = sensor_data(reliability);
+        let qos = sensor_data(is_reliable);
+        let mut endpoints = Vec::new();
         Ok(Subscriptions {
-            depth: self.subscription(&topics.depth, "Image", &qos)?,
+            depth: self.subscription(&topics.depth, IMAGE, &qos, &mut endpoints)?,
             info: match &topics.info {
-                Some(topic) => Some(self.subscription(topic, "CameraInfo", &qos)?),
+                Some(topic) => Some(self.subscription(topic, CAMERA_INFO, &qos, &mut endpoints)?),
                 None => None,
             },
             rgb: match &topics.rgb {
-                Some(topic) => Some(self.subscription(topic, "Image", &qos)?),
+                Some(topic) => Some(self.subscription(topic, IMAGE, &qos, &mut endpoints)?),
                 None => None,
             },
+            endpoints,
         })
     }
 
     /// Creates the publishers of the outputs.
-    pub(crate) fn publish(&mut self, topics: &Topics) -> Result<Publishers, BridgeError> {
+    pub(crate) fn publish(&mut self, topics: &Topics, is_reliable: bool) -> Result<Publishers, BridgeError> {
+        let qos = sensor_data(is_reliable);
+        let (info, compressed) = (&topics.rgb_info_out, &topics.compressed_out);
         Ok(Publishers {
-            image: self.publisher(&topics.image_out, "Image")?,
-            info: self.publisher(&topics.info_out, "CameraInfo")?,
-            points: match &topics.points_out {
-                Some(topic) => Some(self.publisher(topic, "PointCloud2")?),
-                None => None,
-            },
+            image: self.publisher(&topics.image_out, IMAGE, &qos)?,
+            info: self.publisher(&topics.info_out, CAMERA_INFO, &qos)?,
+            compressed: self.optional_publisher(compressed.as_ref(), COMPRESSED_IMAGE, &qos)?,
+            points: self.optional_publisher(topics.points_out.as_ref(), POINT_CLOUD, &qos)?,
+            rgb: self.optional_publisher(topics.rgb_out.as_ref(), IMAGE, &qos)?,
+            rgb_info: self.optional_publisher(info.as_ref(), CAMERA_INFO, &qos)?,
+            transforms: self.optional_publisher(topics.transforms_out.as_ref(), TF_MESSAGE, &latched())?,
         })
     }
 
     fn subscription<M: DeserializeOwned + 'static>(
         &mut self,
-        topic: &str,
-        message: &str,
+        name: &str,
+        message: RosType,
         qos: &QosPolicies,
+        endpoints: &mut Vec<Endpoint>,
     ) -> Result<Subscription<M>, BridgeError> {
-        let topic = self.topic(topic, message, qos)?;
+        let topic = self.topic(name, message, qos)?;
         let subscription = self.node.create_subscription(&topic, None);
-        subscription.map_err(|error| failed(&error))
+        let subscription = subscription.map_err(|error| failed(&error))?;
+        let (kind, guid) = (dds_type(message), subscription.guid().to_bytes());
+        endpoints.push(Endpoint::new(name, kind, qos.clone(), guid));
+        Ok(subscription)
     }
 
-    fn publisher<M: Serialize>(&mut self, topic: &str, message: &str) -> Result<Publisher<M>, BridgeError> {
-        let topic = self.topic(topic, message, &sensor_data(Reliability::BestEffort))?;
+    fn publisher<M: Serialize>(
+        &mut self,
+        name: &str,
+        message: RosType,
+        qos: &QosPolicies,
+    ) -> Result<Output<M>, BridgeError> {
+        let topic = self.topic(name, message, qos)?;
         let publisher = self.node.create_publisher(&topic, None);
-        publisher.map_err(|error| failed(&error))
+        let publisher = publisher.map_err(|error| failed(&error))?;
+        let output = Output::new(name, dds_type(message), qos.clone(), publisher);
+        output.map_err(|error| failed(&error))
     }
 
-    fn topic(&self, topic: &str, message: &str, qos: &QosPolicies) -> Result<Topic, BridgeError> {
+    fn optional_publisher<M: Serialize>(
+        &mut self,
+        name: Option<&String>,
+        message: RosType,
+        qos: &QosPolicies,
+    ) -> Result<Option<Output<M>>, BridgeError> {
+        name.map(|name| self.publisher(name, message, qos)).transpose()
+    }
+
+    fn topic(&self, topic: &str, message: RosType, qos: &QosPolicies) -> Result<Topic, BridgeError> {
         // The topics of the node have no limit of samples.
         let participant = self.context.domain_participant();
-        let message = MessageTypeName::new("sensor_msgs", message).dds_msg_type();
-        let topic = participant.create_topic(format!("rt{topic}"), message, qos, TopicKind::NoKey);
+        let kind = dds_type(message);
+        let topic = participant.create_topic(format!("rt{topic}"), kind, qos, TopicKind::NoKey);
         topic.map_err(|error| failed(&error))
     }
 
@@ -150,27 +167,9 @@ impl RosNode {
         self.node.set_parameter(name, value)
     }
 
-    /// The number of publishers of a topic.
-    pub(crate) fn publishers(&self, topic: &str) -> usize {
-        self.node.publisher_count(topic)
-    }
-
-    /// The number of subscriptions to a topic.
-    pub(crate) fn subscribers(&self, topic: &str) -> usize {
-        self.node.subscription_count(topic)
-    }
-
-    /// The names of the published topics with images, sorted.
-    pub(crate) fn image_topics(&self) -> Vec<String> {
-        let writers = self.context.domain_participant().discovered_writers();
-        let topics = writers.into_iter().map(|writer| writer.publication_topic_data);
-        let mut names: Vec<String> = topics
-            .filter(|topic| topic.type_name == "sensor_msgs::msg::dds_::Image_")
-            .filter_map(|topic| topic.topic_name.strip_prefix("rt").map(str::to_owned))
-            .collect();
-        names.sort();
-        names.dedup();
-        names
+    /// The endpoints of the network.
+    pub(crate) fn graph(&self) -> Graph {
+        Graph::new(&self.context.domain_participant())
     }
 }
 
@@ -186,8 +185,14 @@ impl Drop for RosNode {
 /// The number of messages of a topic that the DDS library keeps.
 const MAX_SAMPLES: i32 = 4;
 
-/// The profile of sensors: only the newest image, because late images are of no use, and few in memory.
-fn sensor_data(reliability: Reliability) -> QosPolicies {
+/// Returns the profile of sensors: only the newest image, because late images are of no use, and few in memory.
+fn sensor_data(is_reliable: bool) -> QosPolicies {
+    let reliability = match is_reliable {
+        true => Reliability::Reliable {
+            max_blocking_time: Duration::ZERO,
+        },
+        false => Reliability::BestEffort,
+    };
     QosPolicyBuilder::new()
         .reliability(reliability)
         .durability(Durability::Volatile)
@@ -198,6 +203,31 @@ fn sensor_data(reliability: Reliability) -> QosPolicies {
             max_samples_per_instance: MAX_SAMPLES,
         })
         .build()
+}
+
+/// Returns the profile of transforms that do not change: a late subscriber receives them, too.
+fn latched() -> QosPolicies {
+    QosPolicyBuilder::new()
+        .reliability(Reliability::Reliable {
+            max_blocking_time: Duration::ZERO,
+        })
+        .durability(Durability::TransientLocal)
+        .history(History::KeepLast { depth: 1 })
+        .build()
+}
+
+/// The package and the name of a message.
+pub(crate) type RosType = (&'static str, &'static str);
+
+pub(crate) const IMAGE: RosType = ("sensor_msgs", "Image");
+const CAMERA_INFO: RosType = ("sensor_msgs", "CameraInfo");
+const COMPRESSED_IMAGE: RosType = ("sensor_msgs", "CompressedImage");
+const POINT_CLOUD: RosType = ("sensor_msgs", "PointCloud2");
+const TF_MESSAGE: RosType = ("tf2_msgs", "TFMessage");
+
+/// Returns the name of a message in DDS.
+pub(crate) fn dds_type((package, name): RosType) -> String {
+    MessageTypeName::new(package, name).dds_msg_type()
 }
 
 /// Declares the sensor's options as parameters. A value is checked before it is set.

@@ -1,11 +1,17 @@
+use std::num::NonZeroU32;
+
 use ros2_client::Name;
 use serde::Serialize;
 
 use crate::BridgeError;
 use crate::convert::Encoding;
+use crate::transforms::DeviceFrames;
+
+/// The topic of transforms that do not change, which all nodes share.
+pub(crate) const TF_STATIC: &str = "/tf_static";
 
 /// The options of a bridge.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct BridgeOptions {
     /// The topic of the exact depth.
     pub depth: String,
@@ -23,8 +29,16 @@ pub struct BridgeOptions {
     pub encoding: Encoding,
     /// Whether point clouds are published.
     pub points: bool,
-    /// Whether subscriptions require reliable delivery.
+    /// The distance of the pixels that become points, in both directions.
+    pub points_step: NonZeroU32,
+    /// Whether compressed depth is published.
+    pub compressed: bool,
+    /// The frames of the device, if they are published as transforms.
+    pub frames: Option<DeviceFrames>,
+    /// Whether reliable delivery is offered to subscribers.
     pub is_reliable: bool,
+    /// Whether subscriptions require reliable delivery.
+    pub is_input_reliable: bool,
 }
 
 /// The topics of a bridge, whole names.
@@ -40,8 +54,16 @@ pub struct Topics {
     pub image_out: String,
     /// The camera info of the measured depth.
     pub info_out: String,
+    /// The measured depth, compressed.
+    pub compressed_out: Option<String>,
     /// The point cloud of the measured depth.
     pub points_out: Option<String>,
+    /// The colour images.
+    pub rgb_out: Option<String>,
+    /// The camera info of the colour images.
+    pub rgb_info_out: Option<String>,
+    /// The frames of the device.
+    pub transforms_out: Option<String>,
 }
 
 impl BridgeOptions {
@@ -52,16 +74,21 @@ impl BridgeOptions {
     pub fn topics(&self) -> Result<Topics, BridgeError> {
         let (out, sensor) = (self.out.trim_end_matches('/'), &self.sensor);
         let optional = |topic: &Option<String>| topic.as_deref().map(whole).transpose();
+        let given = |is_given: bool, topic: String| is_given.then(|| whole(&topic)).transpose();
         let topics = Topics {
             depth: whole(&self.depth)?,
             info: optional(&self.info)?,
             rgb: optional(&self.rgb)?,
             image_out: whole(&format!("{out}/{sensor}/image_raw"))?,
             info_out: whole(&format!("{out}/{sensor}/camera_info"))?,
-            points_out: match self.points {
-                true => Some(whole(&format!("{out}/points"))?),
-                false => None,
-            },
+            compressed_out: given(
+                self.compressed,
+                format!("{out}/{sensor}/image_raw/compressedDepth"),
+            )?,
+            points_out: given(self.points, format!("{out}/points"))?,
+            rgb_out: given(self.rgb.is_some(), format!("{out}/rgb/image_raw"))?,
+            rgb_info_out: given(self.rgb.is_some(), format!("{out}/rgb/camera_info"))?,
+            transforms_out: given(self.frames.is_some(), TF_STATIC.to_owned())?,
         };
         match topics.both() {
             Some(both) => Err(BridgeError::Loop(both.clone())),
@@ -73,14 +100,28 @@ impl BridgeOptions {
 impl Topics {
     /// Returns a topic that is both subscribed to and published.
     fn both(&self) -> Option<&String> {
+        self.published()
+            .find(|out| self.subscribed().any(|input| input == *out))
+    }
+
+    /// The topics to which the bridge subscribes.
+    pub fn subscribed(&self) -> impl Iterator<Item = &String> {
         let inputs = [Some(&self.depth), self.info.as_ref(), self.rgb.as_ref()];
+        inputs.into_iter().flatten()
+    }
+
+    /// The topics that the bridge publishes.
+    pub fn published(&self) -> impl Iterator<Item = &String> {
         let outputs = [
             Some(&self.image_out),
             Some(&self.info_out),
+            self.compressed_out.as_ref(),
             self.points_out.as_ref(),
+            self.rgb_out.as_ref(),
+            self.rgb_info_out.as_ref(),
+            self.transforms_out.as_ref(),
         ];
-        let mut outputs = outputs.into_iter().flatten();
-        outputs.find(|out| inputs.contains(&Some(out)))
+        outputs.into_iter().flatten()
     }
 }
 
@@ -107,7 +148,11 @@ mod tests {
             node: "oaktwin_bridge".to_owned(),
             encoding: Encoding::default(),
             points: true,
+            points_step: NonZeroU32::MIN,
+            compressed: true,
+            frames: None,
             is_reliable: false,
+            is_input_reliable: false,
         }
     }
 
@@ -119,6 +164,9 @@ mod tests {
             assert_eq!(topics.image_out, "/oak/stereo/image_raw");
             assert_eq!(topics.info_out, "/oak/stereo/camera_info");
             assert_eq!(topics.points_out.as_deref(), Some("/oak/points"));
+            let compressed = "/oak/stereo/image_raw/compressedDepth";
+            assert_eq!(topics.compressed_out.as_deref(), Some(compressed));
+            assert_eq!((topics.rgb_out, topics.transforms_out), (None, None));
         }
     }
 

@@ -1,5 +1,7 @@
 //! One frame: from messages to messages.
 
+use std::num::NonZeroU32;
+
 use oaktwin::camera::{Camera, ImageSize};
 use oaktwin::diagnostic::{Finding, Level};
 
@@ -7,22 +9,36 @@ use crate::buffers;
 use crate::convert::{self, Encoding, Frames, MessageError};
 use crate::filter::{Filter, FilterInput};
 use crate::mailbox::Arrived;
-use crate::message::{CameraInfo, Header, Image, PointCloud2};
+use crate::message::{CameraInfo, CompressedImage, Header, Image, PointCloud2};
 use crate::options::{BridgeOptions, Topics};
 
 /// The messages of a frame.
 pub(crate) struct Outgoing {
     pub(crate) image: Image,
     pub(crate) info: CameraInfo,
+    pub(crate) compressed: Option<CompressedImage>,
     pub(crate) points: Option<PointCloud2>,
+    pub(crate) rgb: Option<Image>,
+    pub(crate) rgb_info: Option<CameraInfo>,
+}
+
+/// The outputs that take time to make, and whether anybody subscribes to them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Requests {
+    pub(crate) compressed: bool,
+    pub(crate) points: bool,
+    pub(crate) rgb: bool,
 }
 
 /// Filters the frames of a topic.
 pub(crate) struct Processor {
     topics: Topics,
     encoding: Encoding,
+    points_step: NonZeroU32,
     filter: Filter,
     frames: Frames,
+    /// The newest camera info, and what it says.
+    info: Option<CameraInfo>,
     camera: Option<Result<Camera, MessageError>>,
     size: Option<ImageSize>,
 }
@@ -32,8 +48,10 @@ impl Processor {
         Self {
             topics,
             encoding: options.encoding,
+            points_step: options.points_step,
             filter,
             frames: Frames::default(),
+            info: None,
             camera: None,
             size: None,
         }
@@ -43,32 +61,31 @@ impl Processor {
         &mut self.filter
     }
 
-    /// Filters a frame; the point cloud is made if it is wanted. Returns `None` if the frame cannot be used.
+    /// Filters a frame, and makes what is requested of it. Returns `None` if the frame cannot be used.
     pub(crate) fn frame(
         &mut self,
-        arrived: Arrived,
-        wants_points: bool,
+        mut arrived: Arrived,
+        requests: Requests,
         findings: &mut Vec<Finding>,
     ) -> Option<Outgoing> {
-        if let Some(info) = &arrived.new_info {
-            self.camera = Some(convert::camera(info));
+        if let Some(info) = arrived.new_info.take() {
+            self.camera = Some(convert::camera(&info));
+            self.info = Some(info);
         }
         let header = arrived.depth.header.clone();
         let outgoing = self
-            .input(arrived, findings)
-            .and_then(|input| self.measure(input, header, wants_points, findings));
+            .input(&arrived, findings)
+            .and_then(|input| self.measure(input, header, arrived.rgb, requests, findings));
         outgoing.map_err(|error| findings.push(error)).ok()
     }
 
     /// Converts the messages of a frame.
-    fn input(&mut self, arrived: Arrived, findings: &mut Vec<Finding>) -> Result<FilterInput, Finding> {
-        let Arrived {
-            depth: message, rgb, ..
-        } = arrived;
+    fn input(&mut self, arrived: &Arrived, findings: &mut Vec<Finding>) -> Result<FilterInput, Finding> {
+        let message = &arrived.depth;
         let depth_topic = self.topics.depth.as_str();
         let info_topic = self.topics.info.as_deref().unwrap_or_default();
         let rgb_topic = self.topics.rgb.as_deref().unwrap_or_default();
-        let depth = convert::depth(&message).map_err(|error| invalid(depth_topic, error))?;
+        let depth = convert::depth(message).map_err(|error| invalid(depth_topic, error))?;
         let camera = self.camera.clone().transpose();
         let camera = camera.map_err(|error| invalid(info_topic, error))?;
         let size = ImageSize::new(message.width, message.height);
@@ -82,7 +99,7 @@ impl Processor {
                 "publish the camera info of the depth image",
             ));
         }
-        let rgb = rgb.map(|rgb| convert::color(&rgb)).transpose();
+        let rgb = arrived.rgb.as_ref().map(convert::color).transpose();
         let rgb = rgb.map_err(|error| invalid(rgb_topic, error))?;
         let stamped = self.frames.next(message.header.stamp);
         let stamped = stamped.map_err(|error| invalid(depth_topic, error))?;
@@ -119,7 +136,8 @@ impl Processor {
         &mut self,
         input: FilterInput,
         header: Header,
-        wants_points: bool,
+        rgb: Option<Image>,
+        requests: Requests,
         findings: &mut Vec<Finding>,
     ) -> Result<Outgoing, Finding> {
         let mut output = self.filter.apply(input).map_err(|error| {
@@ -127,10 +145,32 @@ impl Processor {
             Finding::new("not-measured", Level::Error, place, what, "")
         })?;
         findings.append(&mut output.findings);
-        let image = convert::depth_message(header.clone(), &output.measured.distance, self.encoding);
+        let distance = &output.measured.distance;
+        let image = convert::depth_message(header.clone(), distance, self.encoding);
         let info = convert::camera_info(header.clone(), &output.camera.camera.intrinsics);
-        let points = wants_points.then(|| output.point_cloud(header));
-        Ok(Outgoing { image, info, points })
+        let compressed = match requests.compressed {
+            true => convert::compressed_depth(header.clone(), distance).ok(),
+            false => None,
+        };
+        // The camera of the colours is that of the depth image, with its lens.
+        let rgb_info = rgb.as_ref().map(|rgb| match &self.info {
+            Some(info) => CameraInfo {
+                header: rgb.header.clone(),
+                ..info.clone()
+            },
+            None => convert::camera_info(rgb.header.clone(), &output.input_camera.intrinsics),
+        });
+        let points = requests
+            .points
+            .then(|| output.point_cloud(header, self.points_step));
+        Ok(Outgoing {
+            image,
+            info,
+            compressed,
+            points,
+            rgb: rgb.filter(|_| requests.rgb),
+            rgb_info,
+        })
     }
 
     /// Reports the size of the images where it changes.

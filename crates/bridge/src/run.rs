@@ -9,12 +9,16 @@ use oaktwin::diagnostic::{Finding, Level};
 
 use crate::event::{Event, Started, Status};
 use crate::filter::Filter;
+use crate::graph::{Endpoint, Reports};
 use crate::mailbox::{Arrived, Mailbox};
-use crate::node::{Publishers, RosNode, Wanted, lock};
+use crate::message::Header;
+use crate::node::{IMAGE, RosNode, Wanted, dds_type, lock};
 use crate::options::{BridgeOptions, Topics};
-use crate::process::{Outgoing, Processor};
+use crate::process::Processor;
+use crate::publishers::Publishers;
 use crate::receive::receive;
 use crate::statistics::Latencies;
+use crate::transforms::DeviceFrames;
 use crate::watch::{Inputs, Watch};
 use crate::{BridgeError, Network, buffers};
 
@@ -45,8 +49,8 @@ pub fn run(
     let topics = options.topics()?;
     let wanted: Wanted = Arc::new(Mutex::new(filter.options().sensor.clone()));
     let mut node = RosNode::new(options, network, &filter, &wanted)?;
-    let publishers = node.publish(&topics)?;
-    let subscriptions = node.subscribe(&topics, options.is_reliable)?;
+    let publishers = node.publish(&topics, options.is_reliable)?;
+    let subscriptions = node.subscribe(&topics, options.is_input_reliable)?;
     let mailbox = Mailbox::new(topics.info.is_some(), topics.rgb.is_some());
     let (lost, is_receiver_over) = (AtomicU64::new(0), AtomicBool::new(false));
     let mut reporter = Reporter {
@@ -64,15 +68,18 @@ pub fn run(
     let mut bridge = Bridge {
         processor: Processor::new(filter, options, topics.clone()),
         publishers,
+        inputs: subscriptions.endpoints.clone(),
+        reports: Reports::default(),
         node: &node,
         topics: &topics,
         mailbox: &mailbox,
         lost: &lost,
         latencies: Latencies::default(),
         status: Status::default(),
-        has_points_subscriber: false,
         watch: Watch::new(started),
         started,
+        frames: options.frames.as_ref(),
+        placed: None,
     };
     thread::scope(|scope| {
         let thread = thread::Builder::new().name("receiver".to_owned());
@@ -154,15 +161,19 @@ impl<R: FnMut(Event)> Reporter<R> {
 struct Bridge<'a> {
     processor: Processor,
     publishers: Publishers,
+    inputs: Vec<Endpoint>,
+    reports: Reports,
     node: &'a RosNode,
     topics: &'a Topics,
     mailbox: &'a Mailbox,
     lost: &'a AtomicU64,
     latencies: Latencies,
     status: Status,
-    has_points_subscriber: bool,
     watch: Watch,
     started: Instant,
+    /// The frames of the device, and the frame of the images that carries them.
+    frames: Option<&'a DeviceFrames>,
+    placed: Option<String>,
 }
 
 impl Bridge<'_> {
@@ -195,59 +206,52 @@ impl Bridge<'_> {
     fn frame(&mut self, arrived: Arrived, reporter: &mut Reporter<impl FnMut(Event)>) {
         let at = arrived.at;
         let mut findings = Vec::new();
-        let outgoing = self
-            .processor
-            .frame(arrived, self.has_points_subscriber, &mut findings);
-        match outgoing {
-            Some(outgoing) => match self.publish(outgoing) {
-                Ok(()) => {
+        let header = arrived.depth.header.clone();
+        let requests = self.publishers.requests();
+        match self.processor.frame(arrived, requests, &mut findings) {
+            Some(outgoing) => {
+                self.place(&header, &mut findings);
+                if self.publishers.publish(outgoing, &mut findings) {
                     self.status.published += 1;
                     self.latencies.add(at.elapsed());
-                }
-                Err(error) => {
+                } else {
                     self.status.rejected += 1;
-                    let place = &self.topics.image_out;
-                    findings.push(Finding::new(
-                        "not-published",
-                        Level::Error,
-                        place,
-                        format!("an image could not be published ({error})"),
-                        "check the network",
-                    ));
                 }
-            },
+            }
             None => self.status.rejected += 1,
         }
         reporter.findings(findings);
     }
 
-    fn publish(&self, outgoing: Outgoing) -> Result<(), String> {
-        let Outgoing { image, info, points } = outgoing;
-        let text = |error: &dyn std::fmt::Debug| format!("{error:?}").chars().take(200).collect::<String>();
-        self.publishers.info.publish(info).map_err(|error| text(&error))?;
-        self.publishers
-            .image
-            .publish(image)
-            .map_err(|error| text(&error))?;
-        if let (Some(publisher), Some(points)) = (&self.publishers.points, points) {
-            publisher.publish(points).map_err(|error| text(&error))?;
+    /// Publishes the frames of the device, if they are not known to be carried by the frame of the images.
+    fn place(&mut self, header: &Header, findings: &mut Vec<Finding>) {
+        if let Some(frames) = self.frames
+            && self.placed.as_ref() != Some(&header.frame_id)
+        {
+            let message = frames.message(&header.frame_id, header.stamp);
+            self.publishers.publish_transforms(message, findings);
+            self.placed = Some(header.frame_id.clone());
         }
-        Ok(())
     }
 
     /// Looks at the graph: who publishes, who subscribes, what is missing.
     fn look(&mut self, now: Instant, reporter: &mut Reporter<impl FnMut(Event)>) {
-        let points = self.topics.points_out.as_deref();
-        self.has_points_subscriber = points.is_some_and(|topic| self.node.subscribers(topic) > 0);
+        let graph = self.node.graph();
+        self.publishers.look(&graph);
+        let inputs: Vec<_> = self.inputs.iter().collect();
+        reporter.findings(self.reports.check(&graph, &self.publishers.endpoints(), &inputs));
         let last_depth = self.mailbox.last();
         let (publishers, images) = match last_depth {
-            None => (self.node.publishers(&self.topics.depth), self.node.image_topics()),
+            None => (
+                graph.publishers(&self.topics.depth),
+                graph.topics(&dds_type(IMAGE)),
+            ),
             Some(_) => (1, Vec::new()),
         };
         // The bridge's own output must not be suggested as an input.
         let images: Vec<String> = images
             .into_iter()
-            .filter(|name| *name != self.topics.image_out)
+            .filter(|name| !self.topics.published().any(|own| own == name))
             .collect();
         let inputs = Inputs {
             topics: self.topics,
@@ -270,7 +274,7 @@ impl Bridge<'_> {
             lost: self.lost.load(Ordering::Relaxed),
             incomplete: count.incomplete,
             rejected: self.status.rejected + count.undecoded,
-            subscribers: self.node.subscribers(&self.topics.image_out) as u64,
+            subscribers: self.publishers.image.subscribers() as u64,
             latency_ms: self.latencies.percentiles(),
             ..self.status.clone()
         }

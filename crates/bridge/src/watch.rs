@@ -175,7 +175,11 @@ mod tests {
             rgb: None,
             image_out: "/oak/stereo/image_raw".to_owned(),
             info_out: "/oak/stereo/camera_info".to_owned(),
+            compressed_out: None,
             points_out: None,
+            rgb_out: None,
+            rgb_info_out: None,
+            transforms_out: None,
         }
     }
 

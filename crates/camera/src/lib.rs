@@ -10,6 +10,7 @@
 mod aperture;
 mod camera;
 mod drift;
+pub mod frame_names;
 mod intrinsics;
 mod lens;
 mod map;

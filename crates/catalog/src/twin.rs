@@ -129,6 +129,20 @@ impl Twin {
         self.device.depthai_platform()
     }
 
+    /// Returns the role of a depth sensor's camera in the names of frames: `stereo_depth` or `tof_depth`, numbered if there are
+    /// several of a kind.
+    #[must_use]
+    pub fn depth_role(&self, sensor: &TwinDepthSensor) -> String {
+        let kind = sensor.spec.kind;
+        let same_kind = self.depth_sensors.iter().filter(|one| one.spec.kind == kind);
+        let prims: Vec<&str> = same_kind.map(|one| one.spec.prim.as_str()).collect();
+        let number = prims.iter().position(|prim| *prim == sensor.spec.prim);
+        match (prims.len(), number) {
+            (2.., Some(number)) => format!("{kind}_{}_depth", number + 1),
+            _ => format!("{kind}_depth"),
+        }
+    }
+
     /// Returns the camera that the images of a depth sensor are from: a pinhole, because depth is rectified.
     ///
     /// The camera of a stereo pair has the left camera's centre. In a calibrated unit, it is rotated like the rectified left

@@ -139,6 +139,7 @@ mod tests {
         let intrinsics = Intrinsics::from_hfov(ImageSize::new(64, 48), 1.2);
         let id = file.add_camera(&RecordedCamera {
             name: "left".to_owned(),
+            frame: None,
             camera: Camera::new(intrinsics, LensModel::Pinhole),
             measured: None,
             body: None,

@@ -235,6 +235,7 @@ impl Recording {
             None => {
                 let recorded = RecordedCamera {
                     name: name.clone(),
+                    frame: None,
                     camera: camera.camera,
                     measured,
                     body: None,

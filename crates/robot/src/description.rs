@@ -1,9 +1,7 @@
-use std::collections::BTreeMap;
-
 use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_camera::{Intrinsics, LensModel, RigidTransform, Usd};
-use oaktwin_catalog::{Catalog, DepthKind, InertialPart, Twin, TwinCamera};
+use oaktwin_catalog::{Catalog, InertialPart, Twin, TwinCamera};
 use oaktwin_imu::ChannelNoise;
 use oaktwin_usd::body;
 
@@ -235,25 +233,11 @@ fn frame(camera: &TwinCamera, findings: &mut Vec<Finding>) -> CameraFrame {
 }
 
 fn depth_sensors(twin: &Twin) -> Vec<DepthFrame> {
-    let count = |kind: DepthKind| {
-        (twin.depth_sensors.iter())
-            .filter(|sensor| sensor.spec.kind == kind)
-            .count()
-    };
-    let mut numbers = BTreeMap::new();
     let frames = twin.depth_sensors.iter().filter_map(|sensor| {
         let camera = twin.depth_camera(sensor)?;
-        let kind = sensor.spec.kind;
-        let number = numbers.entry(kind.as_str()).or_insert(0);
-        *number += 1;
-        let role = if count(kind) > 1 {
-            format!("{kind}_{number}_depth")
-        } else {
-            format!("{kind}_depth")
-        };
         Some(DepthFrame {
             camera: CameraFrame {
-                role,
+                role: twin.depth_role(sensor),
                 ..frame(&camera, &mut Vec::new())
             },
             range: (sensor.spec.min_distance_m, sensor.spec.max_distance_m),

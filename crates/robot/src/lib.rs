@@ -6,6 +6,7 @@
 mod blender;
 mod description;
 mod error;
+mod frame;
 mod mesh;
 mod mjcf;
 mod mount;
@@ -23,6 +24,7 @@ use oaktwin_files::{self as files, FileError};
 
 pub use description::{CameraFrame, DepthFrame, Description, Housing, ImuFrame, Visual};
 pub use error::RobotError;
+pub use frame::Frame;
 pub use mesh::Mesh;
 pub use mount::{Attachment, Mount};
 

@@ -1,6 +1,6 @@
 use oaktwin_base::parameter::choice;
-use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_camera::{RigidTransform, frame_names};
 use oaktwin_catalog::Body;
 
 use crate::RobotError;
@@ -55,7 +55,7 @@ pub struct Attachment {
 impl Default for Attachment {
     fn default() -> Self {
         Self {
-            name: "oak".to_owned(),
+            name: frame_names::DEVICE.to_owned(),
             parent: None,
             mount: Mount::default(),
             parent_from_mount: RigidTransform::IDENTITY,

@@ -7,13 +7,12 @@
 //! constant over distance, unlike a stereo camera's.
 
 use oaktwin_base::diagnostic::{Finding, Level};
-use oaktwin_camera::RigidTransform;
-use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_camera::math::DMat3;
+use oaktwin_camera::{RigidTransform, frame_names};
 use oaktwin_imu::ChannelNoise;
 
-use crate::description::{
-    CAMERA_FROM_OPTICAL, CameraFrame, DepthFrame, Description, IMU_RATE, ImuFrame, roll_pitch_yaw,
-};
+use crate::description::{CameraFrame, DepthFrame, Description, IMU_RATE, ImuFrame, roll_pitch_yaw};
+use crate::frame::Frame;
 use crate::xml::{Element, number, numbers};
 use crate::{Export, Housing};
 
@@ -67,10 +66,8 @@ fn config(of: &Description) -> Element {
 }
 
 fn sdf(of: &Description, reader: Reader) -> Element {
-    let mut frames = Vec::new();
-    for camera in of.all_cameras() {
-        frames.extend(frames_of(of, camera));
-    }
+    let frames = of.frames();
+    let frames = frames.iter().map(frame);
     let mut link = housing(of)
         .with_all(
             of.cameras
@@ -83,8 +80,6 @@ fn sdf(of: &Description, reader: Reader) -> Element {
         }));
     if let Some(imu) = &of.imu {
         link = link.with(imu_sensor(of, reader, imu));
-        let name = format!("{}_imu_frame", of.name);
-        frames.push(frame(&name, &of.name, &imu.body_from_imu));
     }
     Element::new("sdf").set("version", "1.9").with(
         Element::new("model")
@@ -95,21 +90,11 @@ fn sdf(of: &Description, reader: Reader) -> Element {
     )
 }
 
-fn frames_of(of: &Description, camera: &CameraFrame) -> [Element; 2] {
-    let name = format!("{}_{}_camera", of.name, camera.role);
-    let turn = RigidTransform::new(CAMERA_FROM_OPTICAL, DVec3::ZERO);
-    let camera_frame = format!("{name}_frame");
-    [
-        frame(&camera_frame, &of.name, &camera.body_from_camera()),
-        frame(&format!("{name}_optical_frame"), &camera_frame, &turn),
-    ]
-}
-
-fn frame(name: &str, attached_to: &str, at: &RigidTransform) -> Element {
+fn frame(of: &Frame) -> Element {
     Element::new("frame")
-        .set("name", name)
-        .set("attached_to", attached_to)
-        .with(pose(at))
+        .set("name", &of.name)
+        .set("attached_to", &of.parent)
+        .with(pose(&of.parent_from_frame))
 }
 
 fn housing(of: &Description) -> Element {
@@ -200,7 +185,7 @@ fn sensor(
         .with(Element::text("always_on", "true"))
         .with(Element::text("update_rate", number(FRAME_RATE)))
         .with(Element::text("topic", format!("{}/{}", of.name, camera.role)))
-        .with_all(reader.frame_id(format!("{}_{}_camera_optical_frame", of.name, camera.role)))
+        .with_all(reader.frame_id(frame_names::optical(&frame_names::camera(&of.name, &camera.role))))
         .with(optics)
 }
 
@@ -240,7 +225,7 @@ fn imu_sensor(of: &Description, reader: Reader, imu: &ImuFrame) -> Element {
         .with(Element::text("always_on", "true"))
         .with(Element::text("update_rate", number(IMU_RATE)))
         .with(Element::text("topic", format!("{}/imu/data", of.name)))
-        .with_all(reader.frame_id(format!("{}_imu_frame", of.name)))
+        .with_all(reader.frame_id(frame_names::imu(&of.name)))
         .with(model)
 }
 

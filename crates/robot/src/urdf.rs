@@ -2,9 +2,10 @@
 //! `oak_left_camera_optical_frame`, `oak_imu_frame`. Each depth sensor also has a frame, its rectified camera's.
 
 use oaktwin_camera::RigidTransform;
-use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_camera::math::DMat3;
 
-use crate::description::{CAMERA_FROM_OPTICAL, CameraFrame, Description, roll_pitch_yaw};
+use crate::description::{CameraFrame, Description, roll_pitch_yaw};
+use crate::frame::Frame;
 use crate::xml::{Element, number, numbers};
 use crate::{Export, Housing};
 
@@ -86,15 +87,8 @@ fn links(of: &Description, names: &Names<'_>) -> Vec<Element> {
     for camera in of.all_cameras() {
         links.extend(camera_links(camera, device));
     }
-    if let Some(imu) = &of.imu {
-        let frame = format!("{device}_imu_frame");
-        links.push(Element::new("link").set("name", &frame));
-        links.push(joint(
-            &format!("{device}_imu_joint"),
-            device,
-            &frame,
-            origin(&imu.body_from_imu),
-        ));
+    if let Some(imu) = of.imu_frame(device) {
+        links.extend(link(&format!("{device}_imu_joint"), &imu));
     }
     links
 }
@@ -102,18 +96,22 @@ fn links(of: &Description, names: &Names<'_>) -> Vec<Element> {
 /// Returns the frames of a camera and of its image.
 fn camera_links(camera: &CameraFrame, device: &str) -> [Element; 4] {
     let name = format!("{device}_{}_camera", camera.role);
-    let (frame, optical) = (format!("{name}_frame"), format!("{name}_optical_frame"));
-    let turn = RigidTransform::new(CAMERA_FROM_OPTICAL, DVec3::ZERO);
+    let [frame, optical] = camera.frames(device);
+    let [link_of_frame, joint_of_frame] = link(&format!("{name}_joint"), &frame);
+    let [link_of_optical, joint_of_optical] = link(&format!("{name}_optical_joint"), &optical);
+    [link_of_frame, joint_of_frame, link_of_optical, joint_of_optical]
+}
+
+/// Returns the link of a frame and the joint to the frame that carries it.
+fn link(joint_name: &str, frame: &Frame) -> [Element; 2] {
     [
-        Element::new("link").set("name", &frame),
+        Element::new("link").set("name", &frame.name),
         joint(
-            &format!("{name}_joint"),
-            device,
-            &frame,
-            origin(&camera.body_from_camera()),
+            joint_name,
+            &frame.parent,
+            &frame.name,
+            origin(&frame.parent_from_frame),
         ),
-        Element::new("link").set("name", &optical),
-        joint(&format!("{name}_optical_joint"), &frame, &optical, origin(&turn)),
     ]
 }
 

@@ -2,6 +2,7 @@
 
 mod camera;
 mod color;
+mod compressed;
 mod depth;
 mod points;
 mod rows;
@@ -11,6 +12,7 @@ mod tests;
 
 pub use camera::{camera, camera_info};
 pub use color::color;
+pub use compressed::compressed_depth;
 pub use depth::{Depth, Encoding, depth, depth_message};
 pub use points::Points;
 pub use stamp::{Frames, Stamped, nanoseconds};

@@ -1,3 +1,5 @@
+use std::num::NonZeroU32;
+
 use oaktwin::dataset::recording::{DepthView, points, rays};
 use oaktwin::depth::OutputCamera;
 use oaktwin::image::Image;
@@ -13,21 +15,25 @@ pub struct Points {
     rays: Image<[f32; 2]>,
     /// The x coordinate of the camera in the frame of the points, metres.
     x_m: f32,
+    /// The distance of the pixels that become points, in both directions.
+    step: u32,
 }
 
 impl Points {
-    /// Creates the rays of the camera of a sensor's outputs; points are in the optical frame of its input.
+    /// Creates the rays of the camera of a sensor's outputs; points are in the optical frame of its input. Every `step`th pixel of
+    /// every `step`th row becomes a point.
     #[must_use]
-    pub fn new(camera: &OutputCamera) -> Self {
+    pub fn new(camera: &OutputCamera, step: NonZeroU32) -> Self {
         #[expect(clippy::cast_possible_truncation, reason = "points are in single precision")]
         let x_m = -camera.shift_m as f32;
         Self {
             rays: rays(&camera.camera),
             x_m,
+            step: step.get(),
         }
     }
 
-    /// Returns one point per pixel, row by row, NaN where nothing was measured; colours are packed into a number, like PCL's.
+    /// Returns the points, row by row, NaN where nothing was measured; colours are packed into a number, like PCL's.
     /// The images belong to the camera.
     #[must_use]
     pub fn message(
@@ -36,20 +42,31 @@ impl Points {
         metres: &Image<f32>,
         colors: Option<&Image<[u8; 4]>>,
     ) -> PointCloud2 {
-        let (width, height) = (self.rays.width(), self.rays.height());
+        let (width, height) = (
+            self.rays.width().div_ceil(self.step),
+            self.rays.height().div_ceil(self.step),
+        );
         let names = ["x", "y", "z", "rgb"];
         let names = &names[..if colors.is_some() { 4 } else { 3 }];
         let step = if colors.is_some() { 16 } else { 12 };
-        let mut data = Vec::with_capacity(step as usize * self.rays.pixels().len());
+        let mut data = Vec::with_capacity(step as usize * width as usize * height as usize);
         let mut is_dense = true;
-        let mut colors = colors.map(|image| image.pixels().iter());
-        for [x, y, z] in points(&self.rays, DepthView::Metres(metres.into())) {
+        let row = self.rays.width() as usize;
+        let is_wanted = |index: usize| {
+            let every = self.step as usize;
+            (index / row).is_multiple_of(every) && (index % row).is_multiple_of(every)
+        };
+        let all = points(&self.rays, DepthView::Metres(metres.into()));
+        for (index, [x, y, z]) in all.enumerate() {
+            if self.step > 1 && !is_wanted(index) {
+                continue;
+            }
             is_dense &= !z.is_nan();
             for number in [x + self.x_m, y, z] {
                 data.extend_from_slice(&number.to_le_bytes());
             }
-            if let Some(colors) = &mut colors {
-                let [r, g, b, _] = colors.next().copied().unwrap_or_default();
+            if let Some(colors) = colors {
+                let [r, g, b, _] = colors.pixels().get(index).copied().unwrap_or_default();
                 data.extend_from_slice(&[b, g, r, 0]);
             }
         }

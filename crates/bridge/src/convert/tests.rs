@@ -1,4 +1,6 @@
 use super::*;
+use std::num::NonZeroU32;
+
 use crate::message::{CameraInfo, Image, Time};
 
 use oaktwin::camera::{Camera, ImageSize, Intrinsics, LensModel, OpenCv, PixelPoint};
@@ -286,7 +288,7 @@ fn points_have_the_colours_and_the_frame_of_the_input() {
     };
     let metres = oaktwin::image::Image::new(2, 1, vec![2.0, 0.0]).unwrap();
     let colors = oaktwin::image::Image::new(2, 1, vec![[1, 2, 3, 255], [0; 4]]).unwrap();
-    let cloud = Points::new(&camera).message(message_header(), &metres, Some(&colors));
+    let cloud = Points::new(&camera, NonZeroU32::MIN).message(message_header(), &metres, Some(&colors));
     let names: Vec<&str> = cloud.fields.iter().map(|field| field.name.as_str()).collect();
     assert_eq!(names, ["x", "y", "z", "rgb"]);
     assert_eq!(
@@ -297,6 +299,23 @@ fn points_have_the_colours_and_the_frame_of_the_input() {
     assert_eq!([number(0), number(4), number(8)], [-0.5, 0.0, 2.0]);
     assert_eq!(cloud.data[12..16], [3, 2, 1, 0]);
     assert!(number(24).is_nan());
+}
+
+#[test]
+fn points_of_every_second_pixel_are_a_smaller_cloud() {
+    let size = ImageSize::new(5, 3);
+    let intrinsics = Intrinsics::new(size, 1.0, 1.0, PixelPoint::<OpenCv>::new(0.0, 0.0));
+    let camera = OutputCamera {
+        camera: Camera::new(intrinsics, LensModel::Pinhole),
+        shift_m: 0.0,
+    };
+    let metres = oaktwin::image::Image::filled(5, 3, 1.0f32);
+    let cloud = Points::new(&camera, NonZeroU32::new(2).unwrap()).message(message_header(), &metres, None);
+    assert_eq!((cloud.width, cloud.height, cloud.row_step), (3, 2, 36));
+    let points = cloud.data.as_chunks::<4>().0.as_chunks::<3>().0;
+    let points: Vec<[f32; 3]> = points.iter().map(|point| point.map(f32::from_le_bytes)).collect();
+    let expected = [0.0, 2.0].map(|y| [0.0, 2.0, 4.0].map(|x| [x, y, 1.0]));
+    assert_eq!(points, expected.concat());
 }
 
 #[test]

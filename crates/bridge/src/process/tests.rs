@@ -10,6 +10,13 @@ use crate::message::Time;
 const WIDTH: u32 = 64;
 const HEIGHT: u32 = 40;
 
+/// Everything that can be requested.
+const ALL: Requests = Requests {
+    compressed: true,
+    points: true,
+    rgb: true,
+};
+
 fn options() -> BridgeOptions {
     BridgeOptions {
         depth: "/depth".to_owned(),
@@ -20,7 +27,11 @@ fn options() -> BridgeOptions {
         node: "bridge".to_owned(),
         encoding: Encoding::Metres,
         points: true,
+        points_step: NonZeroU32::MIN,
+        compressed: false,
+        frames: None,
         is_reliable: false,
+        is_input_reliable: false,
     }
 }
 
@@ -85,7 +96,7 @@ fn arrived(depth: Image, info: Option<CameraInfo>) -> Arrived {
 
 fn frame(processor: &mut Processor, arrived: Arrived) -> Result<Outgoing, Vec<String>> {
     let mut findings = Vec::new();
-    let outgoing = processor.frame(arrived, true, &mut findings);
+    let outgoing = processor.frame(arrived, ALL, &mut findings);
     outgoing.ok_or_else(|| findings.iter().map(ToString::to_string).collect())
 }
 
@@ -141,7 +152,7 @@ fn equal_stamps_give_equal_noise_and_others_do_not() {
     let other = frame(&mut processor, arrived(depth(2), None)).unwrap();
     let mut findings = Vec::new();
     let again = processor
-        .frame(arrived(depth(1), None), false, &mut findings)
+        .frame(arrived(depth(1), None), Requests::default(), &mut findings)
         .unwrap();
     assert_eq!(findings[0].code, "time-went-back");
     assert!(again.points.is_none());
@@ -150,7 +161,7 @@ fn equal_stamps_give_equal_noise_and_others_do_not() {
     assert_ne!(bits(&first), bits(&other));
     findings.clear();
     let repeated = processor
-        .frame(arrived(depth(1), None), false, &mut findings)
+        .frame(arrived(depth(1), None), Requests::default(), &mut findings)
         .unwrap();
     assert_eq!(findings[0].code, "same-stamp");
     assert_ne!(bits(&repeated), bits(&again));
@@ -227,7 +238,11 @@ fn a_new_size_is_reported() {
     narrow.width = 32;
     let mut findings = Vec::new();
     let outgoing = processor
-        .frame(arrived(narrow, Some(info(32))), false, &mut findings)
+        .frame(
+            arrived(narrow, Some(info(32))),
+            Requests::default(),
+            &mut findings,
+        )
         .unwrap();
     assert_eq!((outgoing.image.width, outgoing.image.height), (32, HEIGHT));
     assert!(
@@ -245,7 +260,11 @@ fn millimetres_that_are_metres_are_reported() {
         .collect();
     let mut findings = Vec::new();
     processor
-        .frame(arrived(wrong, Some(info(WIDTH))), false, &mut findings)
+        .frame(
+            arrived(wrong, Some(info(WIDTH))),
+            Requests::default(),
+            &mut findings,
+        )
         .unwrap();
     let codes: Vec<&str> = findings.iter().map(|finding| finding.code).collect();
     assert!(

@@ -1,4 +1,8 @@
+use std::net::Ipv4Addr;
+use std::num::NonZeroU32;
+
 use clap::Args;
+use oaktwin::camera::frame_names;
 use oaktwin::sense::InputKind;
 use oaktwin_bridge::convert::Encoding;
 
@@ -10,9 +14,13 @@ use super::{SensorArgs, ThreadArgs, UnitArgs};
     next_line_help = true,
     after_help = "The bridge subscribes to a simulator's exact depth (sensor_msgs/Image, 32FC1 in metres or 16UC1 in millimetres) and \
     publishes what the OAK would report, with the stamps and frame ids of the input, as sensor data (best-effort): \
-    OUT/stereo/image_raw and OUT/stereo/camera_info (OUT/tof/… for a time-of-flight sensor) and, with --points, OUT/points. \
+    OUT/stereo/image_raw and OUT/stereo/camera_info (OUT/tof/… for a time-of-flight sensor), with --points OUT/points, with --compressed \
+    OUT/stereo/image_raw/compressedDepth, with --rgb OUT/rgb/image_raw and OUT/rgb/camera_info, with --tf /tf_static. \
     The options of the depth sensor are parameters of the node: `ros2 param set /oaktwin_bridge preset robotics`, or lines on standard \
     input with --stdin.\n\n\
+    Best-effort messages are sent to each subscriber alone. With --reliable, lost parts are sent again, but the bridge keeps the images of 6 s \
+    in memory, one subscriber that hangs holds up all others until its lease ends, and subscribers that announce a multicast address are \
+    sent to by multicast.\n\n\
     It reads ROS_DOMAIN_ID, ROS_LOCALHOST_ONLY and ROS_AUTOMATIC_DISCOVERY_RANGE, and runs until Ctrl-C."
 )]
 pub(crate) struct BridgeArgs {
@@ -70,9 +78,35 @@ pub(crate) struct BridgeArgs {
     #[arg(long, help_heading = "Outputs")]
     pub(crate) points: bool,
 
-    /// Accept only publishers with reliable delivery [default: best-effort ones too]
+    /// Make a point of every Nth pixel of every Nth row
+    #[arg(
+        long,
+        value_name = "N",
+        default_value = "1",
+        requires = "points",
+        help_heading = "Outputs"
+    )]
+    pub(crate) points_step: NonZeroU32,
+
+    /// Also publish the depth as PNG, which compressed_depth_image_transport reads
+    #[arg(long, help_heading = "Outputs")]
+    pub(crate) compressed: bool,
+
+    /// Offer reliable delivery, which reliable subscribers require [default: best-effort]
     #[arg(long, help_heading = "ROS 2")]
     pub(crate) reliable: bool,
+
+    /// Publish the frames of the device on /tf_static, NAME and those that it carries [default NAME: oak]
+    #[arg(long, value_name = "NAME", num_args = 0..=1, default_missing_value = frame_names::DEVICE, help_heading = "Outputs")]
+    pub(crate) tf: Option<String>,
+
+    /// Accept only publishers with reliable delivery [default: best-effort ones too]
+    #[arg(long, help_heading = "ROS 2")]
+    pub(crate) reliable_inputs: bool,
+
+    /// The IPv4 address of the only network interface to use beside loopback [default: all]
+    #[arg(long, value_name = "ADDRESS", help_heading = "ROS 2")]
+    pub(crate) interface: Option<Ipv4Addr>,
 
     /// The name of the node
     #[arg(

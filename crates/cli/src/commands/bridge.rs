@@ -3,9 +3,12 @@ use std::path::Path;
 use std::sync::mpsc::{self, Receiver};
 use std::thread;
 
+use oaktwin::camera::RigidTransform;
+use oaktwin::catalog::Twin;
+use oaktwin::robot::{Attachment, Description, RobotError};
 use oaktwin::sense::{FieldOfView, SenseOptions};
 use oaktwin::sensor::depth_sensor;
-use oaktwin_bridge::{BridgeOptions, Event, Filter, Network, Started, Status, run as bridge};
+use oaktwin_bridge::{BridgeOptions, DeviceFrames, Event, Filter, Network, Started, Status, run as bridge};
 
 use crate::args::BridgeArgs;
 use crate::context::{Context, Exit, Result};
@@ -16,7 +19,10 @@ const MAX_LINE: u64 = 1 << 16;
 
 pub(crate) fn run(context: &Context, args: &BridgeArgs) -> Result<Exit> {
     args.threads.apply();
-    let (network, findings) = Network::from_environment()?;
+    let (mut network, findings) = Network::from_environment()?;
+    if let Some(address) = args.interface {
+        network = network.on(address)?;
+    }
     for finding in findings {
         output::say(&finding.to_string());
     }
@@ -34,7 +40,11 @@ pub(crate) fn run(context: &Context, args: &BridgeArgs) -> Result<Exit> {
         node: args.node.clone(),
         encoding: args.encoding,
         points: args.points,
+        points_step: args.points_step,
+        compressed: args.compressed,
+        frames: frames(context, args, &twin, &sensor.spec.prim)?,
         is_reliable: args.reliable,
+        is_input_reliable: args.reliable_inputs,
     };
     let prim = sensor.spec.prim.clone();
     let filter = Filter::new(twin, sense_options(args, prim)?)?;
@@ -81,6 +91,32 @@ fn lines(is_read: bool) -> Receiver<String> {
     receiver
 }
 
+/// Returns the frames of the device, if they are to be published.
+fn frames(context: &Context, args: &BridgeArgs, twin: &Twin, depth: &str) -> Result<Option<DeviceFrames>> {
+    let Some(name) = &args.tf else {
+        return Ok(None);
+    };
+    let attachment = Attachment {
+        name: name.clone(),
+        ..Attachment::default()
+    };
+    let description = Description::new(&context.catalog, twin, &attachment).map_err(|error| match error {
+        RobotError::Name { name, problem, .. } => RobotError::Name {
+            option: "tf",
+            name,
+            problem,
+        },
+        other => other,
+    })?;
+    let sensor = twin.depth_sensors.iter().find(|sensor| sensor.spec.prim == depth);
+    let camera = sensor.and_then(|sensor| twin.depth_camera(sensor));
+    Ok(Some(DeviceFrames {
+        device: name.clone(),
+        frames: description.frames(),
+        body_from_depth: camera.map_or(RigidTransform::IDENTITY, |camera| camera.body_from_camera),
+    }))
+}
+
 fn sense_options(args: &BridgeArgs, prim: String) -> Result<SenseOptions> {
     Ok(SenseOptions {
         sensor: args.engine.options()?,
@@ -110,16 +146,8 @@ fn print(args: &BridgeArgs, event: &Event) -> Result<()> {
 
 fn connected(args: &BridgeArgs, started: &Started) -> String {
     let topics = &started.topics;
-    let inputs = [Some(&topics.depth), topics.info.as_ref(), topics.rgb.as_ref()];
-    let outputs = [
-        Some(&topics.image_out),
-        Some(&topics.info_out),
-        topics.points_out.as_ref(),
-    ];
-    let list = |names: [Option<&String>; 3]| {
-        let names: Vec<&str> = names.into_iter().flatten().map(String::as_str).collect();
-        names.join(", ")
-    };
+    let inputs: Vec<&str> = topics.subscribed().map(String::as_str).collect();
+    let outputs: Vec<&str> = topics.published().map(String::as_str).collect();
     let range = if started.localhost {
         ", this machine only"
     } else {
@@ -128,8 +156,8 @@ fn connected(args: &BridgeArgs, started: &Started) -> String {
     format!(
         "{}: {} → {} (node {}, domain {}{range})\nPress Ctrl-C to stop.",
         args.model,
-        list(inputs),
-        list(outputs),
+        inputs.join(", "),
+        outputs.join(", "),
         started.node,
         started.domain
     )

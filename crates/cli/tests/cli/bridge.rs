@@ -17,6 +17,11 @@ fn invalid_requests_are_rejected() {
         &["--model", "OAK-D-Pro-PoE", "--rgb", "/oak/stereo/image_raw"],
         &["--model", "OAK-D-Pro-PoE", "--encoding", "mono16"],
         &["--model", "OAK-D-Pro-PoE", "--info", "/info", "--hfov", "70"],
+        &["--model", "OAK-D-Pro-PoE", "--points-step", "4"],
+        &["--model", "OAK-D-Pro-PoE", "--points", "--points-step", "0"],
+        &["--model", "OAK-D-Pro-PoE", "--tf", "my oak"],
+        // An address for documentation (RFC 5737).
+        &["--model", "OAK-D-Pro-PoE", "--interface", "198.51.100.7"],
     ] {
         let ended = program.run(&[&["bridge", "--depth", "/camera/depth"][..], options].concat());
         assert_eq!((ended.code, ended.stdout.as_str()), (2, ""), "{options:?}");

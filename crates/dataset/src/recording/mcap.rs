@@ -8,7 +8,7 @@ use mcap::records::MessageHeader;
 use mcap::write::NoSeek;
 use mcap::{Compression, McapError, WriteOptions, Writer};
 use oaktwin_camera::math::DVec3;
-use oaktwin_camera::{Axes, RigidTransform};
+use oaktwin_camera::{Axes, RigidTransform, frame_names};
 use oaktwin_image::Image;
 
 use super::cdr::Cdr;
@@ -35,12 +35,13 @@ const WORLD: &str = "world";
 /// | `/NAME/camera_info` | `sensor_msgs/msg/CameraInfo` |
 /// | `/NAME/measured_camera_info` | `sensor_msgs/msg/CameraInfo` of the depth sensor's output, if it is an image of another camera |
 /// | `/NAME/depth_points`, `/NAME/measured_points` | `sensor_msgs/msg/PointCloud2`, one point per pixel, NaN if invalid |
-/// | `/NAME/data_raw` | `sensor_msgs/msg/Imu` of an inertial sensor, in the frame `NAME_frame` |
+/// | `/NAME/data_raw` | `sensor_msgs/msg/Imu` of an inertial sensor, in the frame `BODY_imu_frame` |
 /// | `/tf`, `/tf_static` | `tf2_msgs/msg/TFMessage` |
 ///
 /// Frames are `world` → the body → `NAME` → `NAME_optical_frame`, the frame of images and point clouds. A depth
 /// sensor's output that is seen from elsewhere has the frame `NAME_measured_optical_frame`. A camera without a body has
-/// `world` → `NAME`. Chunks are compressed with zstd, on one thread.
+/// `world` → `NAME`. The frames of an OAK's cameras have the names of its robot description instead, such as `oak_left_camera_frame`
+/// and `oak_left_camera_optical_frame`. Chunks are compressed with zstd, on one thread.
 pub struct Mcap<W: Write> {
     writer: Writer<NoSeek<W>>,
     /// The current message, whose memory is reused.
@@ -57,6 +58,8 @@ pub struct Mcap<W: Write> {
 /// A camera and the state of its messages.
 struct Station {
     camera: RecordedCamera,
+    /// The first part of the names of its topics.
+    name: String,
     optical_frame: String,
     /// The frame of measured images.
     measured_frame: String,
@@ -124,7 +127,7 @@ impl<W: Write> Mcap<W> {
         let name = unique_name(&imu.name, &mut self.names);
         self.imu = Some(InertialStation {
             imu: imu.clone(),
-            frame: unique_name(&format!("{name}_frame"), &mut self.names),
+            frame: unique_name(&frame_names::imu(&imu.body), &mut self.names),
             topic: format!("/{name}/data_raw"),
             carrier,
         });
@@ -263,7 +266,7 @@ impl<W: Write> Mcap<W> {
             time,
             frame: &station.optical_frame,
         };
-        let topic = |what: &str| format!("/{}/{what}", station.frame);
+        let topic = |what: &str| format!("/{}/{what}", station.name);
         let camera = &station.camera.camera;
         if let Some(distortion) = distortion(&camera.lens) {
             message::camera_info(&mut self.cdr, head, &camera.intrinsics, &distortion);
@@ -320,8 +323,12 @@ impl<W: Write> Recorder for Mcap<W> {
     fn add_camera(&mut self, camera: &RecordedCamera) -> Result<CameraId, RecordingError> {
         camera.check()?;
         let carrier = camera.body.as_ref().map(|body| self.carrier(&body.name));
-        let frame = unique_name(&camera.name, &mut self.names);
-        let optical_frame = unique_name(&format!("{frame}_optical_frame"), &mut self.names);
+        let name = unique_name(&camera.name, &mut self.names);
+        let frame = match &camera.frame {
+            Some(frame) => unique_name(frame, &mut self.names),
+            None => name.clone(),
+        };
+        let optical_frame = unique_name(&frame_names::optical(&frame), &mut self.names);
         let is_moved = camera.measured().camera_from_measured != RigidTransform::IDENTITY;
         self.cameras.push(Station {
             camera: camera.clone(),
@@ -329,6 +336,7 @@ impl<W: Write> Recorder for Mcap<W> {
                 true => unique_name(&format!("{frame}_measured_optical_frame"), &mut self.names),
                 false => optical_frame.clone(),
             },
+            name,
             optical_frame,
             frame,
             carrier,

@@ -27,6 +27,7 @@
 //! let mut recorder = Mcap::new(Vec::new())?;
 //! let camera = recorder.add_camera(&RecordedCamera {
 //!     name: "left".to_owned(),
+//!     frame: None,
 //!     camera: Camera::new(intrinsics, LensModel::Pinhole),
 //!     measured: None,
 //!     body: None,
@@ -110,6 +111,8 @@ impl CameraId {
 pub struct RecordedCamera {
     /// The name, which is the first part of the names of its topics and frames.
     pub name: String,
+    /// The name of its frame, if it is another one, such as [`frame_names::camera`](oaktwin_camera::frame_names::camera).
+    pub frame: Option<String>,
     /// The intrinsics and the lens.
     pub camera: Camera,
     /// The camera that the depth sensor's outputs are images of, if it is another one.

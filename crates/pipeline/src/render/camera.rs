@@ -15,6 +15,8 @@ pub struct PlacedCamera {
     pub path: String,
     /// The folder if there are several cameras, from [`folder_names`](super::folder_names).
     pub folder: String,
+    /// The name of the camera's frame in ROS; `None` for that of the folder.
+    pub frame: Option<String>,
     /// The intrinsics and lens.
     pub camera: Camera,
     /// The clipping range.

@@ -8,7 +8,7 @@ use super::camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCame
 use super::folder_names;
 use crate::limits::check_size;
 use oaktwin_base::diagnostic::{Finding, Level, fold_name, nearest};
-use oaktwin_camera::{Camera, ImageSize, LensModel, RigidTransform, UsdOptics};
+use oaktwin_camera::{Camera, ImageSize, LensModel, RigidTransform, UsdOptics, frame_names};
 use oaktwin_catalog::{DepthKind, LensChoice, Origin, Twin, TwinCamera};
 use oaktwin_usd::asset::{AssetError, render_product_name};
 
@@ -30,6 +30,8 @@ pub struct OakOptions<'a> {
 /// A camera of the device, or the virtual one of a depth sensor.
 struct Candidate<'a> {
     prim: &'a str,
+    /// The role in the names of frames.
+    role: String,
     names: Vec<String>,
     is_depth: bool,
     camera: Cow<'a, TwinCamera>,
@@ -109,6 +111,7 @@ pub fn check_lens(twin: &Twin, lens: LensChoice) -> Result<(), AssetError> {
 fn candidates(twin: &Twin) -> Vec<Candidate<'_>> {
     let own = twin.cameras.iter().map(|camera| Candidate {
         prim: &camera.spec.prim,
+        role: camera.spec.role.to_string(),
         names: vec![camera.spec.role.to_string(), camera.spec.prim.clone()],
         is_depth: false,
         camera: Cow::Borrowed(camera),
@@ -123,6 +126,7 @@ fn candidates(twin: &Twin) -> Vec<Candidate<'_>> {
         let prim = &sensor.spec.prim;
         Some(Candidate {
             prim,
+            role: twin.depth_role(sensor),
             names: vec![
                 DEPTH.to_owned(),
                 kind.to_owned(),
@@ -189,6 +193,7 @@ fn place(
     Ok(PlacedCamera {
         path,
         folder: String::new(),
+        frame: Some(frame_names::camera(frame_names::DEVICE, &candidate.role)),
         camera: Camera::new(intrinsics, own.lens),
         clip: Clip { near_m, far_m },
         mount_from_camera: candidate.camera.body_from_camera,

@@ -12,7 +12,7 @@ use crate::recording::{
 };
 use crate::sensor::Sensor;
 use oaktwin_base::diagnostic::{Finding, Level, Message, message, opt};
-use oaktwin_camera::RigidTransform;
+use oaktwin_camera::{RigidTransform, frame_names};
 use oaktwin_dataset::{Shot, WriteError, Writer};
 use oaktwin_files::{OutputFiles, WrittenFile};
 use oaktwin_image::ZDepth;
@@ -20,9 +20,6 @@ use oaktwin_image::annotation::Annotator;
 
 /// The frame rate of trajectories without times.
 pub(super) const FRAME_RATE: f64 = 30.0;
-
-/// The name of an OAK's body.
-const BODY: &str = "oak";
 
 /// Returns the annotators that must be rendered to record these: a point cloud requires depth.
 #[must_use]
@@ -107,7 +104,7 @@ impl FrameRecorder {
     /// Adds the samples of the OAK's inertial sensor, each before the frames that follow it.
     pub fn add_imu(&mut self, samples: &ImuSimulation) {
         if let Some(file) = &mut self.file {
-            file.set_imu(&samples.recorded("imu", BODY));
+            file.set_imu(&samples.recorded("imu", frame_names::DEVICE));
             self.imu = Some(samples.clone().peekable());
         }
     }
@@ -187,10 +184,11 @@ fn recorded(placed: &PlacedCamera, sensor: Option<&Sensor>) -> RecordedCamera {
     let is_carried = placed.mount_from_camera != RigidTransform::IDENTITY;
     RecordedCamera {
         name: placed.folder.clone(),
+        frame: placed.frame.clone(),
         camera: placed.camera,
         measured,
         body: is_carried.then(|| Body {
-            name: BODY.to_owned(),
+            name: frame_names::DEVICE.to_owned(),
             body_from_camera: placed.mount_from_camera,
         }),
     }

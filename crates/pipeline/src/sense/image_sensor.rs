@@ -5,7 +5,7 @@ use super::{InputKind, SenseError, SenseOptions};
 use crate::limits::check_size;
 use crate::sensor::{self, EngineInput, OutputCamera, Sensor, Shot, depth_sensor, frame, needs_a_pair};
 use oaktwin_base::diagnostic::Finding;
-use oaktwin_camera::ImageSize;
+use oaktwin_camera::{Camera, ImageSize};
 use oaktwin_catalog::Twin;
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Annotator;
@@ -89,6 +89,12 @@ impl ImageSensor {
             distance: distance.0,
             colors: frame.depth_sensor_point_cloud_color,
         })
+    }
+
+    /// Returns the camera that the depth images are images of.
+    #[must_use]
+    pub fn input_camera(&self) -> Camera {
+        self.images.given
     }
 
     /// Returns the camera that the outputs are images of.

@@ -9,6 +9,7 @@ fn camera(name: &str, body: Option<&str>) -> RecordedCamera {
     let intrinsics = Intrinsics::from_hfov(ImageSize::new(4, 3), 1.2);
     RecordedCamera {
         name: name.to_owned(),
+        frame: None,
         camera: Camera::new(intrinsics, LensModel::Pinhole),
         measured: None,
         body: body.map(|name| Body {
