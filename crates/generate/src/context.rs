@@ -14,7 +14,7 @@ use crate::GenerateError;
 use crate::inertial::Inertial;
 use crate::models::Models;
 use crate::random::Random;
-use crate::recipe::{Appearance, ObjectRule, PopulationKind, RecipeFile};
+use crate::recipe::{Appearance, ObjectRule, PopulationKind, Quantity, RecipeFile};
 use crate::units::Units;
 use crate::world::{Base, ObjectFiles, files_of, is_image};
 
@@ -207,14 +207,22 @@ fn formats(file: &RecipeFile) -> Result<Vec<&'static FormatKind>, GenerateError>
         }
         formats.push(format);
     }
-    let scales = |rule: &ObjectRule| rule.scale.range()[0] != rule.scale.range()[1];
+    let varies = |quantity: &Quantity| quantity.range()[0] != quantity.range()[1];
+    let scales = |rule: &ObjectRule| varies(&rule.scale) || rule.size_m.as_ref().is_some_and(varies);
     let describes = formats.iter().find(|format| format.needs.objects);
     if let (Some(format), Some(rule)) = (describes, file.recipe.objects.iter().position(scales)) {
         return Err(unfit(
             file,
-            &format!("objects.{rule}.scale"),
+            &format!(
+                "objects.{rule}.{}",
+                if varies(&file.recipe.objects[rule].scale) {
+                    "scale"
+                } else {
+                    "size_m"
+                }
+            ),
             format!("{} describes objects by models of one size", format.name),
-            "give a number instead of a distribution, or several rules with a scale each",
+            "give a number instead of a distribution, or several rules with a number each",
         ));
     }
     Ok(formats)

@@ -7,6 +7,7 @@ mod objects;
 mod place;
 mod placed;
 mod pose;
+mod size;
 mod stage;
 
 use oaktwin_base::diagnostic::Finding;

@@ -6,6 +6,7 @@ use super::heap::Heaps;
 use super::look;
 use super::place::{Place, Rejected};
 use super::placed::{Placed, bounds_at};
+use super::size;
 use crate::GenerateError;
 use crate::context::Context;
 use crate::recipe::Pose;
@@ -21,6 +22,8 @@ struct NoPlace {
     rule: usize,
     index: u64,
     count: u64,
+    /// Its file and its size.
+    object: String,
     rejected: Rejected,
 }
 
@@ -36,6 +39,7 @@ pub(super) fn place_objects(context: &Context, base: usize, number: u64) -> Resu
         rule,
         index,
         count,
+        object,
         rejected,
     }) = failure
     else {
@@ -47,12 +51,13 @@ pub(super) fn place_objects(context: &Context, base: usize, number: u64) -> Resu
         place: format!("objects.{rule}"),
         frame: number * context.file.recipe.frames_per_scene,
         problem: format!(
-            "no place for object {} of {count} ({}) in {REDRAWS} times {} attempts: of the last ones, {rejected}",
+            "no place for object {} of {count} ({object}) in {REDRAWS} times {} attempts: of the last ones, {rejected}",
             index + 1,
-            objects.files.0.join(", "),
             objects.attempts,
         ),
-        remedy: "lower the count, enlarge the region, name other prims in 'on', or raise attempts".to_owned(),
+        remedy:
+            "lower the count or the size, enlarge the region, name other prims in 'on', or raise attempts"
+                .to_owned(),
     })
 }
 
@@ -80,8 +85,9 @@ fn try_place(
             let mut numbers = context.random.numbers(&format!("{name}#{redraw}"), number);
             let entries: Vec<usize> = context.object_files.of_rule[rule].clone().collect();
             let entry = numbers.pick(&entries).copied().unwrap_or_default();
-            let scale = objects.scale.draw(&mut numbers);
             let asset = context.object_files.asset(&context.file, entry)?;
+            let scale = size::scale(objects, &asset, &mut numbers);
+            let size_m = scale * asset.hull.longest_edge();
             let file = &context.object_files.entries[entry];
             let hull = asset.hull.scaled(scale).ok_or_else(|| GenerateError::Empty {
                 file: file.path.clone(),
@@ -89,6 +95,7 @@ fn try_place(
             let place = Place::new(context, base, rule, &asset, &hull, &placed)?;
             match place.find(&mut numbers) {
                 Ok(pose) => {
+                    findings.extend(size::unusual(rule, &file.path, size_m));
                     let textures = &context.object_textures[rule];
                     let mut numbers = context.random.numbers(&format!("{name}.look"), number);
                     let look = objects.look.as_ref();
@@ -115,6 +122,7 @@ fn try_place(
                         rule,
                         index,
                         count,
+                        object: format!("{}, {} long", file.path.display(), size::metres(size_m)),
                         rejected,
                     }));
                 }

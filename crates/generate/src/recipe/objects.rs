@@ -30,6 +30,10 @@ pub struct ObjectRule {
     pub label: Option<String>,
     /// A factor on the size; 1 for files in metres, 0.001 for files in millimetres that do not state their unit.
     pub scale: Quantity,
+    /// The longest edge of each object's box with the axes of its file, metres, instead of the size in the file: for folders of files with
+    /// different units. `scale` multiplies it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub size_m: Option<Quantity>,
     /// The up axis of glTF, OBJ, STL and PLY files.
     #[serde(with = "super::choice::optional", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<String>", extend("enum" = ["z", "y"]))]
@@ -61,6 +65,7 @@ impl Default for ObjectRule {
             files: Texts::default(),
             label: None,
             scale: 1.0.into(),
+            size_m: None,
             up: None,
             count: 1.0.into(),
             pose: Pose::default(),

@@ -201,6 +201,9 @@ fn check_objects(place: &str, rule: &ObjectRule) -> Result<(), Wrong> {
     }
     within(&at("count"), &rule.count, 0.0, MAX_COUNT)?;
     within(&at("scale"), &rule.scale, 1e-9, 1e9)?;
+    if let Some(size_m) = &rule.size_m {
+        within(&at("size_m"), size_m, 1e-6, 1e6)?;
+    }
     within(&at("gap_m"), &rule.gap_m.into(), 0.0, 10.0)?;
     whole(&at("attempts"), rule.attempts.into(), 1..=1_000_000)?;
     check_region(&at("region"), rule.region)?;

@@ -64,6 +64,12 @@ impl Hull {
         bounds.map_or(0.0, |bounds| bounds.size().length())
     }
 
+    /// Returns the longest edge of its box, whose edges are parallel to the axes.
+    pub(crate) fn longest_edge(&self) -> f64 {
+        let bounds = self.corners().map(Bounds::of).reduce(Bounds::union);
+        bounds.map_or(0.0, |bounds| bounds.size().max_element())
+    }
+
     /// Returns the area of its surface.
     pub(super) fn area(&self) -> f64 {
         Face::all(&self.shape).map(|face| face.area()).sum()

@@ -6,3 +6,4 @@ mod heaps;
 mod imu;
 mod recipes;
 mod resume;
+mod sizes;

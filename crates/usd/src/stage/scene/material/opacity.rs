@@ -38,8 +38,8 @@ impl Reading<'_> {
     /// Reads the opacity of `gltf_pbr`, whose mode is 0 for solid, 1 for masked and 2 for translucent surfaces.
     pub(super) fn gltf_opacity(&mut self, shader: &Node, material: &mut Material) {
         let threshold = match self.number(shader, "inputs:alpha_mode") {
-            Some(mode) if mode == 1.0 => self.number(shader, "inputs:alpha_cutoff").unwrap_or(0.5),
-            Some(mode) if mode == 2.0 => 0.0,
+            Some(1.0) => self.number(shader, "inputs:alpha_cutoff").unwrap_or(0.5),
+            Some(2.0) => 0.0,
             _ => return,
         };
         self.opacity(shader, "inputs:alpha", threshold, material);

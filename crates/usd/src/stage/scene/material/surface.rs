@@ -321,7 +321,7 @@ impl Reading<'_> {
         Some((used, placed.primvar))
     }
 
-    /// Returns the texture of a MaterialX image, and the primvar with its coordinates.
+    /// Returns the texture of a `MaterialX` image, and the primvar with its coordinates.
     pub(super) fn materialx_texture(&mut self, node: &Node) -> Option<(TextureUse, Option<String>)> {
         let space = self.token(node, "inputs:sourceColorSpace");
         let texture = self.image(node, "inputs:file", space.as_deref())?;
