@@ -1,5 +1,6 @@
 //! Messages of ROS 2: their bytes, their conversion to images and cameras, and the filter between topics.
 
+use std::num::NonZeroU32;
 use std::sync::LazyLock;
 
 use byteorder::{BigEndian, ByteOrder, LittleEndian};
@@ -195,7 +196,7 @@ fn measure(input: FilterInput) {
     let strange = distance.pixels().iter().find(|z| !(z.is_finite() && **z >= 0.0));
     assert!(strange.is_none(), "{strange:?}");
     let count = distance.pixels().len();
-    let cloud = output.point_cloud(Header::default());
+    let cloud = output.point_cloud(Header::default(), NonZeroU32::MIN);
     assert_eq!(cloud.data.len(), cloud.point_step as usize * count);
 }
 

@@ -56,8 +56,6 @@ mod tests {
             text.starts_with("warning[object-size]: spider.obj: is 193.00 m long; set objects.1.scale"),
             "{text}"
         );
-        assert!(
-            unusual(0, file, 0.0001).is_some_and(|finding| finding.message.to_string() == "is 0.100 mm long")
-        );
+        assert!(unusual(0, file, 0.0001).is_some_and(|finding| finding.message == "is 0.100 mm long"));
     }
 }

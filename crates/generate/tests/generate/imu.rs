@@ -199,10 +199,7 @@ fn times_must_increase() {
     let case = case(&RECIPE.replace("interval_s = 0.1\n", ""));
     let poses = "5 0 0 1.2 0 0 0 1\n5 0.1 0 1.2 0 0 0 1\n6 0.2 0 1.2 0 0 0 1\n";
     fs::write(case.folder.path().join("poses.tum"), poses).unwrap();
-    let error = case
-        .generate("set", &GenerateOptions::default())
-        .unwrap_err()
-        .to_string();
+    let error = case.generate("set", &GenerateOptions::default()).unwrap_err();
     assert!(
         error.contains("the times of the poses 0 and 1 are negative or do not increase"),
         "{error}"
