@@ -34,6 +34,9 @@ pose = 'piled'
 region = {{ min = [-0.14, -0.09, 0.03], max = [0.14, 0.09, 0.3] }}
 [camera]
 resolution = [160, 100]
+min_coverage = 0
+look_at = [0, 0, 0.05]
+sphere = {{ distance_m = 0.8, elevation_deg = 80 }}
 """
 
 
