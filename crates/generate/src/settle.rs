@@ -32,18 +32,18 @@ const MAX_STEPS: u32 = 800;
 const WINDOW: u32 = 40;
 
 /// The maximum motion of a body at rest within a window, relative to the smallest body.
-const STILL: f64 = 0.01;
+const STILL: f64 = 0.004;
 
 /// The number of steps after which motion is damped more and more: by then the bodies have fallen, and some still roll or creep.
-const CALM: u32 = 160;
+const CALM: u32 = 320;
 
 /// The rate at which motion decays from then on, 1/s, and its growth from one window to the next.
 const CALM_DAMPING: f64 = 0.5;
-const CALM_GROWTH: f64 = 1.6;
+const CALM_GROWTH: f64 = 1.2;
 
 /// The maximum speed, in sizes of the smallest body per time in which it falls by half its size: in a step no body moves by more than
-/// a sixth of its size.
-const MAX_SPEED: f64 = 2.0;
+/// 4 % of its size, so that none passes through the wall of a cup.
+const MAX_SPEED: f64 = 0.5;
 
 /// A sleeping body moves by less than this share of its size per second.
 const SLEEPING_SPEED: f64 = 0.02;

@@ -134,6 +134,7 @@ fn part(
 #[cfg(test)]
 mod tests {
     use parry3d_f64::query::PointQuery;
+    use parry3d_f64::shape::Shape;
 
     use super::*;
 
@@ -205,6 +206,36 @@ mod tests {
         ] {
             assert!(distance(point) < 1e-4, "{point:?}");
         }
+    }
+
+    #[test]
+    fn parts_cover_the_surface() {
+        let cup = turned(&[
+            [0.0, -0.035],
+            [0.035, -0.035],
+            [0.04, 0.035],
+            [0.035, 0.035],
+            [0.03, -0.028],
+            [0.0, -0.028],
+        ]);
+        let parts = parts(&cup);
+        let mut worst: f64 = 0.0;
+        for corners in &cup.corners {
+            let [a, b, c] = corners.map(|index| cup.points[index as usize]);
+            for point in [a, (a + b) / 2.0, (a + b + c) / 3.0, (b + c) / 2.0, (a + c) / 2.0] {
+                let distances = parts.0.iter();
+                let distances = distances.map(|part| part.distance_to_local_point(to_parry(point), true));
+                worst = worst.max(distances.fold(f64::INFINITY, f64::min));
+            }
+        }
+        assert!(worst < 2e-4, "{worst}");
+        // The cup has 9.9e-5 m³, and its hull three times as much. Parts overlap.
+        let volume: f64 = parts
+            .0
+            .iter()
+            .map(|part| Shape::mass_properties(part, 1.0).mass())
+            .sum();
+        assert!((9e-5..1.4e-4).contains(&volume), "{volume} {}", parts.0.len());
     }
 
     #[test]
