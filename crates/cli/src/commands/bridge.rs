@@ -106,7 +106,7 @@ fn frames(context: &Context, args: &BridgeArgs, twin: &Twin, depth: &str) -> Res
             name,
             problem,
         },
-        other => other,
+        other @ RobotError::NotFinite { .. } => other,
     })?;
     let sensor = twin.depth_sensors.iter().find(|sensor| sensor.spec.prim == depth);
     let camera = sensor.and_then(|sensor| twin.depth_camera(sensor));
