@@ -374,6 +374,30 @@ mod tests {
     }
 
     #[test]
+    fn reliable_messages_to_a_multicast_address_are_reported() {
+        let address = |ip: [u8; 4]| SocketAddr::from((ip, 7411)).into();
+        let reader = |unicast: [u8; 4]| {
+            let guid = rustdds::GUID::from_bytes([7; 16]);
+            ReaderProxy::new(
+                guid,
+                false,
+                vec![address(unicast)],
+                vec![address([239, 255, 0, 1])],
+            )
+        };
+        let own = |topic, is_reliable| {
+            let qos = qos(is_reliable, Durability::Volatile);
+            Endpoint::new(topic, IMAGE.to_owned(), qos, [0; 16])
+        };
+        let (lan, loopback) = (reader([192, 168, 1, 20]), reader([127, 0, 0, 1]));
+        let found = multicast(&own("/oak/points", true), &lan).unwrap();
+        assert_eq!((found.code, found.place.as_str()), ("multicast", "/oak/points"));
+        assert_eq!(multicast(&own("/oak/points", true), &loopback), None);
+        assert_eq!(multicast(&own("/oak/points", false), &lan), None);
+        assert_eq!(multicast(&own("/tf_static", true), &lan), None);
+    }
+
+    #[test]
     fn wrong_types_are_named_as_in_ros() {
         let plain = qos(false, Durability::Volatile);
         let kind = "sensor_msgs::msg::dds_::CompressedImage_";

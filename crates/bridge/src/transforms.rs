@@ -68,7 +68,7 @@ mod tests {
     fn frames() -> DeviceFrames {
         let catalog = Catalog::builtin();
         let twin = catalog.nominal(catalog.device("OAK-D Pro PoE").unwrap());
-        let description = Description::new(&catalog, &twin, &Attachment::default()).unwrap();
+        let description = Description::new(catalog, &twin, &Attachment::default()).unwrap();
         DeviceFrames {
             device: description.name.clone(),
             frames: description.frames(),

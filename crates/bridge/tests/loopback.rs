@@ -1,5 +1,7 @@
 //! A bridge and another node in one process, over the loopback interface.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 use std::net::Ipv4Addr;
 use std::num::NonZeroU32;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -109,7 +111,7 @@ const TRANSFORMS: (&str, &str) = ("tf2_msgs", "TFMessage");
 fn filter() -> (Filter, DeviceFrames) {
     let catalog = Catalog::builtin();
     let twin = catalog.nominal(catalog.device("OAK-D Pro PoE").unwrap());
-    let description = Description::new(&catalog, &twin, &Attachment::default()).unwrap();
+    let description = Description::new(catalog, &twin, &Attachment::default()).unwrap();
     let frames = DeviceFrames {
         device: description.name.clone(),
         frames: description.frames(),

@@ -231,6 +231,32 @@ fn unusable_frames_are_reported_with_their_topic() {
 }
 
 #[test]
+fn colours_are_passed_on_with_their_camera_if_somebody_wants_them() {
+    let mut processor = processor();
+    let colours = Image {
+        encoding: "mono8".to_owned(),
+        step: WIDTH,
+        data: vec![100; (WIDTH * HEIGHT) as usize],
+        ..depth(1)
+    };
+    let with = |info| Arrived {
+        rgb: Some(colours.clone()),
+        ..arrived(depth(1), info)
+    };
+    let outgoing = frame(&mut processor, with(Some(info(WIDTH)))).unwrap();
+    assert_eq!(outgoing.rgb.as_ref(), Some(&colours));
+    let camera = outgoing.rgb_info.unwrap();
+    assert_eq!((camera.header, camera.k), (header(1), info(WIDTH).k));
+    assert!(outgoing.compressed.is_some() && outgoing.points.is_some());
+
+    let mut findings = Vec::new();
+    let outgoing = processor.frame(with(None), Requests::default(), &mut findings);
+    let outgoing = outgoing.unwrap();
+    assert!(outgoing.rgb.is_none() && outgoing.compressed.is_none() && outgoing.points.is_none());
+    assert!(outgoing.rgb_info.is_some());
+}
+
+#[test]
 fn a_new_size_is_reported() {
     let mut processor = processor();
     frame(&mut processor, arrived(depth(1), Some(info(WIDTH)))).unwrap();

@@ -130,7 +130,7 @@ mod tests {
 
     fn datagrams(payload: &[u8], fragment: u16) -> Vec<Vec<u8>> {
         let sample = Sample {
-            writer: std::array::from_fn(|i| i as u8),
+            writer: [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15],
             number: (1 << 32) + 7,
             time: (5 << 32) + 9,
             payload,
@@ -195,11 +195,11 @@ mod tests {
         let sent = datagrams(&payload, 64);
         assert_eq!(sent.len(), 4);
         let mut whole: Vec<u8> = Vec::new();
-        for (i, datagram) in sent.iter().enumerate() {
+        for (number, datagram) in (1..).zip(&sent) {
             assert_eq!((datagram[32], datagram[33]), (DATA_FRAGMENT, 1));
             assert_eq!(usize::from(u16_at(datagram, 34)), datagram.len() - 36);
             assert_eq!(u16_at(datagram, 38), 28);
-            assert_eq!(u32_at(datagram, 56), i as u32 + 1);
+            assert_eq!(u32_at(datagram, 56), number);
             assert_eq!((u16_at(datagram, 60), u16_at(datagram, 62)), (1, 64));
             assert_eq!(u32_at(datagram, 64), 200);
             assert!(datagram.len() <= usize::from(OVERHEAD) + 64);

@@ -88,7 +88,7 @@ pub(crate) struct BridgeArgs {
     )]
     pub(crate) points_step: NonZeroU32,
 
-    /// Also publish the depth as PNG, which `compressed_depth_image_transport` reads
+    /// Also publish the depth as PNG, as the image transport of compressed depth reads it
     #[arg(long, help_heading = "Outputs")]
     pub(crate) compressed: bool,
 
@@ -96,7 +96,7 @@ pub(crate) struct BridgeArgs {
     #[arg(long, help_heading = "ROS 2")]
     pub(crate) reliable: bool,
 
-    /// Publish the frames of the device on `/tf_static`, NAME and those that it carries [default NAME: oak]
+    /// Publish the static transforms of the device's frames, whose names begin with NAME [default: oak]
     #[arg(long, value_name = "NAME", num_args = 0..=1, default_missing_value = frame_names::DEVICE, help_heading = "Outputs")]
     pub(crate) tf: Option<String>,
 
