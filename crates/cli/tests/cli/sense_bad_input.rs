@@ -43,7 +43,7 @@ fn files_without_depth() {
         ("channels.npy", array(&[2, 2, 2, 2], &[1f32; 16])),
         ("nothing.npy", array::<f32>(&[0, 32], &[])),
         ("bytes.npy", array(&[20, 32], &[7u8; 640])),
-        ("ints.npy", array(&[20, 32], &[7i32; 640])),
+        ("ints.npy", foreign("<u8", false, "(20, 32)", &[0; 5120])),
         (
             "huge.npy",
             foreign("<f4", false, "(99999999999, 99999999999)", &[]),
