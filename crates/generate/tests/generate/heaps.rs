@@ -169,12 +169,7 @@ fn heaps_do_not_depend_on_the_number_of_workers() {
             ..GenerateOptions::default()
         };
         let generated = case.generate(name, &options).unwrap();
-        assert_eq!(
-            (generated.made, generated.findings.len()),
-            (4, 0),
-            "{:?}",
-            generated.findings
-        );
+        assert_eq!(generated.made, 4);
         case.files(name)
     };
     assert!(generate("one", 1) == generate("four", 4), "the files differ");
