@@ -32,14 +32,14 @@ const MAX_STEPS: u32 = 800;
 const WINDOW: u32 = 40;
 
 /// The maximum motion of a body at rest within a window, relative to the smallest body.
-const STILL: f64 = 0.004;
+const STILL: f64 = 0.01;
 
 /// The number of steps after which motion is damped more and more: by then the bodies have fallen, and some still roll or creep.
-const CALM: u32 = 320;
+const CALM: u32 = 200;
 
 /// The rate at which motion decays from then on, 1/s, and its growth from one window to the next.
 const CALM_DAMPING: f64 = 0.5;
-const CALM_GROWTH: f64 = 1.2;
+const CALM_GROWTH: f64 = 1.6;
 
 /// The maximum speed, in sizes of the smallest body per time in which it falls by half its size: in a step no body moves by more than
 /// 4 % of its size, so that none passes through the wall of a cup.
