@@ -26,6 +26,7 @@ NEEDS = {
     "test_generate.py": ("cv2", "evo", "pycocotools", "pycolmap", "trimesh", "webdataset"),
     "test_generate_annotations.py": ("cv2", "evo", "pycocotools", "pycolmap", "trimesh", "webdataset"),
     "test_generate_files.py": ("cv2", "evo", "pycocotools", "pycolmap", "trimesh", "webdataset"),
+    "test_generate_stereo.py": ("cv2", "evo", "pycocotools", "pycolmap", "trimesh", "webdataset"),
     "test_heaps.py": ("mujoco",),
     "test_imu.py": ("allantools", "rosbags", "scipy"),
     "test_importers.py": ("trimesh",),

@@ -9,7 +9,6 @@ import numpy as np
 import pycolmap
 import pytest
 import trimesh
-from generated import world_from_camera
 from PIL import Image
 from test_generate import RECIPES
 
@@ -47,7 +46,7 @@ frames = 4
 frames_per_scene = 2
 objects = [{{ files = 'objects/', count = 3, on = '/World/Table' }}]
 camera = {{ resolution = [160, 100] }}
-output = {{ formats = ['bop', 'basic'] }}
+output = {{ formats = ['bop', 'basic', 'euroc'] }}
 """
     root = generate(program, tmp_path, recipe, "--save-scenes")
     painted, plain = (trimesh.load(root / f"bop/models/obj_{number:06}.ply", process=False) for number in (1, 2))
@@ -66,44 +65,21 @@ output = {{ formats = ['bop', 'basic'] }}
     assert {"scenes/000000.usda", "scenes/000001.usda", "bop/models/obj_000001.png"} <= manifest
     for number in range(4):
         # A saved scene gives the same depth.
-        scene = root / f"bop/train/{number // 2:06}"
-        camera = json.loads((scene / "scene_camera.json").read_text())[str(number)]
-        pose = world_from_camera(camera)
+        sequence = f"{number // 2:06}"
+        states = np.loadtxt(root / f"euroc/{sequence}/mav0/state_groundtruth_estimate0/data.csv", delimiter=",")
         expected = np.load(root / f"basic/distance_to_image_plane_{number:04}.npy")
-        ours = saved_depth(root / f"scenes/{number // 2:06}.usda", pose, np.reshape(camera["cam_K"], (3, 3)), program, tmp_path)
+        ours = saved_depth(program, root / f"scenes/{sequence}.usda", states[number % 2], tmp_path / f"again{number}")
         both = np.isfinite(expected) & np.isfinite(ours)
         assert both.mean() > 0.5
         assert np.isclose(ours, expected, rtol=1e-5)[both].mean() > 0.999
 
 
-def saved_depth(stage: Path, pose: np.ndarray, matrix: np.ndarray, program: Path, folder: Path) -> np.ndarray:
-    """Depth of a stage with a camera of its own, which the test adds."""
-    width, height = 160, 100
-    usd = pose @ np.diag([1, -1, -1, 1])
-    rows = ", ".join("(" + ", ".join(f"{x:.12f}" for x in row) + ")" for row in usd.T)
-    # The centre of the first pixel is at 0.
-    offsets = [-(matrix[0, 2] + 0.5 - width / 2) * 20 / width, (matrix[1, 2] + 0.5 - height / 2) * 20 / width]
-    (folder / "camera.usda").write_text(f"""#usda 1.0
-(
-    upAxis = "Z"
-    metersPerUnit = 1
-    subLayers = [@{stage}@]
-)
-def Camera "Cam"
-{{
-    float focalLength = {matrix[0, 0] * 20 / width}
-    float horizontalAperture = 20
-    float verticalAperture = {20 * height / width}
-    float horizontalApertureOffset = {-offsets[0]}
-    float verticalApertureOffset = {-offsets[1]}
-    float2 clippingRange = (0.01, 1000)
-    matrix4d xformOp:transform = ({rows})
-    uniform token[] xformOpOrder = ["xformOp:transform"]
-}}
-""")
-    out = folder / "again"
-    command = [program, "render", folder / "camera.usda", "--camera", "/Cam", "--resolution", f"{width}x{height}"]
-    subprocess.run([*command, "-o", out, "--annotators", "distance_to_image_plane"], check=True, capture_output=True)
+def saved_depth(program: Path, stage: Path, state: np.ndarray, out: Path) -> np.ndarray:
+    """The depth of the device's depth camera in a saved scene; the state is a line of EuRoC's ground truth."""
+    position, (w, *xyz) = state[1:4], state[4:8]
+    command = [program, "render", stage, "--model", "OAK-D-Pro-PoE", "--camera", "depth", "--resolution", "160x100"]
+    command += ["--pose", *map(repr, map(float, [*position, *xyz, w])), "-o", out, "--annotators", "distance_to_image_plane"]
+    subprocess.run(command, check=True, capture_output=True)
     (file,) = out.glob("distance_to_image_plane*.npy")
     return np.load(file)
 

@@ -159,7 +159,7 @@ def test_lights(tmp_path, scene_dump):
 def test_unsupported_contents_are_reported(tmp_path, scene_dump):
     path = tmp_path / "odd.usda"
     stage = new_stage(path)
-    for kind in ["BasisCurves", "Points", "NurbsPatch", "TetMesh", "Volume", "SkelRoot"]:
+    for kind in ["BasisCurves", "Points", "NurbsPatch", "TetMesh", "Volume"]:
         stage.DefinePrim(f"/{kind}", kind)
     material = UsdShade.Material.Define(stage, "/Mdl")
     shader = UsdShade.Shader.Define(stage, "/Mdl/Shader")
@@ -181,7 +181,7 @@ def test_unsupported_contents_are_reported(tmp_path, scene_dump):
     things = got.things()
     assert list(things) == ["/Mesh", "/Squashed"]
     places = [finding.split(": ")[1] for finding in got.findings("unsupported-prim")]
-    assert places == ["/BasisCurves", "/Points", "/NurbsPatch", "/TetMesh", "/Volume", "/SkelRoot"]
+    assert places == ["/BasisCurves", "/Points", "/NurbsPatch", "/TetMesh", "/Volume"]
     assert ["/Mdl" in finding for finding in got.findings("unsupported-material")] == [True]
     assert len(got.findings("singular-transform")) == 2
     assert np.allclose(things["/Squashed"]["triangles"][:, :, 1], 0)

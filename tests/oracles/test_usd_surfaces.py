@@ -187,4 +187,4 @@ def test_bound_materials(tmp_path, scene_dump, extension):
     assert wood["wrap"] == ["Clamp", "Mirror"]
     # Scaled by (2, 3), turned by 90° counter-clockwise, moved.
     assert np.allclose(wood["image_from_uv"], [[0, -3, 0.5], [2, 0, 0.25]], atol=1e-6)
-    assert np.allclose(wood["scale"] + wood["bias"], [0.5, 0.6, 0.7, 0.1, 0.2, 0.3])
+    assert np.allclose(wood["scale"] + wood["bias"], [0.5, 0.6, 0.7, 1, 0.1, 0.2, 0.3, 0])

@@ -58,7 +58,13 @@ pub(crate) const ENVIRONMENTS: [Environment; 4] = [
     Environment {
         name: "datasets",
         versions: ((3, 11), None),
-        tests: &["tests/oracles/test_generate.py", "tests/oracles/test_imu.py"],
+        tests: &[
+            "tests/oracles/test_generate.py",
+            "tests/oracles/test_generate_annotations.py",
+            "tests/oracles/test_generate_files.py",
+            "tests/oracles/test_generate_stereo.py",
+            "tests/oracles/test_imu.py",
+        ],
     },
     ROBOT,
     Environment {

@@ -1,5 +1,6 @@
 //! Depth that is measured by another camera of the device, and aligned to a camera of the recipe.
 
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::RigidTransform;
 use oaktwin_catalog::{LensChoice, Twin};
 use oaktwin_depth::align::Fill;
@@ -69,6 +70,39 @@ impl Context {
             cameras.len() - 1
         });
         Ok(Some(Aligned { target, source }))
+    }
+
+    /// Reports the cameras whose frames have no measured depth, although the recipe asks for it.
+    pub(crate) fn without_measurement(
+        &self,
+        cameras: &[PlacedCamera],
+        sensors: &[Option<Sensor>],
+        aligned: Option<&Aligned>,
+    ) -> Vec<Finding> {
+        if !self
+            .annotators
+            .iter()
+            .any(|annotator| annotator.is_depth_sensor())
+        {
+            return Vec::new();
+        }
+        let without = cameras
+            .iter()
+            .zip(sensors)
+            .enumerate()
+            .filter(|(at, (_, sensor))| {
+                sensor.is_none() && aligned.is_none_or(|aligned| aligned.target != *at)
+            });
+        let note = |(_, (camera, _)): (usize, (&PlacedCamera, &Option<Sensor>))| {
+            Finding::new(
+                "no-depth-sensor",
+                Level::Note,
+                &camera.path,
+                "is not the camera of a depth sensor: its frames have no measured depth",
+                "add depth to camera.cameras, or align the sensor's depth to a camera with sensor.align",
+            )
+        };
+        without.map(note).collect()
     }
 
     /// Returns depth that `source` measured with its sensor as the device aligns it to `target`.

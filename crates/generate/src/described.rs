@@ -9,7 +9,7 @@ use oaktwin_pipeline::render::View;
 
 use crate::arrange::{Arrangement, Placed, Stage};
 use crate::context::Context;
-use crate::models::model_of;
+use crate::object_model::model_of;
 
 /// Returns the objects of a frame with their masks.
 pub(crate) fn objects(

@@ -350,6 +350,7 @@ impl Context {
             sensors.extend(made);
         }
         self.reject_memory(&sensors)?;
+        findings.extend(self.without_measurement(&cameras[..written], &sensors, aligned.as_ref()));
         let has_pair: Vec<bool> = cameras.iter().map(|camera| is_stereo(twin, camera)).collect();
         if self.needs.stereo {
             if !has_pair[..written].contains(&true) {

@@ -166,24 +166,19 @@ impl Sequence {
         for (time, state) in &self.states {
             let velocity =
                 (motion.as_ref()).map_or(DVec3::ZERO, |motion| motion.at(since_start(*time)).velocity);
+            // Adding 0 makes −0 positive.
+            let velocity = (velocity + 0.0).to_array();
             table += &time.to_string();
-            state
-                .position
-                .iter()
-                .for_each(|value| table += &format!(",{value:.9}"));
-            state
-                .orientation
-                .iter()
-                .for_each(|value| table += &format!(",{value:.12}"));
-            velocity
-                .to_array()
-                .iter()
-                .for_each(|value| table += &format!(",{value:.9}"));
-            state
-                .biases
-                .as_flattened()
-                .iter()
-                .for_each(|value| table += &format!(",{value:.9}"));
+            for (values, digits) in [
+                (&state.position[..], 9),
+                (&state.orientation, 12),
+                (&velocity, 9),
+                (state.biases.as_flattened(), 12),
+            ] {
+                values
+                    .iter()
+                    .for_each(|value| table += &format!(",{value:.digits$}"));
+            }
             table.push('\n');
         }
         table

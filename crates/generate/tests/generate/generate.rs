@@ -120,7 +120,7 @@ fn errors_name_the_rule() {
         ),
         (
             "[[objects]]\nfiles = 'objects/carton.usda'\ncount = 200\non = '/World/Table'\nattempts = 20",
-            "of 200 (objects/carton.usda) in 8 times 20 attempts",
+            "objects/carton.usda, 0.21 m long) in 8 times 20 attempts",
         ),
         (
             "min_coverage = 1\nattempts = 5\nbox = { min = [0, 0, 50], max = [1, 1, 60] }",
@@ -197,4 +197,21 @@ fn units_of_a_population_are_written_beside_the_data() {
     let sensed = Path::new("depth_sensor_distance_0000.npy");
     assert!(drifted[exact] == files[exact] && drifted[sensed] != files[sensed]);
     assert!(!drifted.contains_key(Path::new("units/oak_d_pro_poe_000002.json")));
+}
+
+#[test]
+fn cameras_that_measure_nothing_are_named() {
+    let recipe =
+        "frames = 1\nscene = 'table.usda'\n[camera]\nresolution = [64, 40]\ncameras = ['depth', 'rgb']\n";
+    let case = Case::new(recipe);
+    let generated = case.generate("set", &GenerateOptions::default()).unwrap();
+    let codes: Vec<_> = generated
+        .findings
+        .iter()
+        .map(|finding| (finding.code, finding.place.as_str()))
+        .collect();
+    assert_eq!(codes, [("no-depth-sensor", "OAK-D Pro PoE/Camera_rgb_imx378")]);
+    case.write(&format!("{recipe}[sensor]\nalign = 'rgb'\n"));
+    let aligned = case.generate("aligned", &GenerateOptions::default()).unwrap();
+    assert_eq!(aligned.findings, []);
 }

@@ -186,13 +186,15 @@ mod tests {
             ("<u2", 2),
             ("<i2", 2),
             (">i4", 4),
+            ("<u4", 4),
+            (">i8", 8),
             (">f2", 2),
             ("<f4", 4),
             (">f8", 8),
         ] {
             assert_eq!(Number::parse(descr).unwrap().bytes(), bytes);
         }
-        for descr in ["", "f4", "=f4", "|f4", "<i8", "<f16", "é", "<c8"] {
+        for descr in ["", "f4", "=f4", "|f4", "<u8", "<f16", "é", "<c8"] {
             assert_eq!(Number::parse(descr), None, "{descr}");
         }
     }

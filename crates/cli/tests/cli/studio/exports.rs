@@ -141,7 +141,7 @@ fn descriptions_for_robots_are_those_of_the_command() {
     let server = server(&program);
     let catalog = server.get("/api/catalog");
     let formats = catalog["robotFormats"].as_array().unwrap();
-    assert_eq!(formats.len(), 5);
+    assert_eq!(formats.len(), 6);
     for format in formats {
         let name = format["name"].as_str().unwrap();
         let archive = export(&server, &state(), "robot", &json!({"format": name}));
