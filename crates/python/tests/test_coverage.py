@@ -29,7 +29,7 @@ def translation(x=0.0, y=0.0, z=0.0):
 
 
 def test_matches_the_program(program, device):
-    scene = oaktwin.Scene.open(ROOM)
+    scene = oaktwin.Scene.open(ROOM, micro_texture=True)
     eye = oaktwin.look_at((0, -2, 1), (0, 0, 0.25), frame="body")
     got = oaktwin.coverage(scene, [device, oaktwin.Device("OAK-D ToF")], eye, region="/World/Box", tilt="10:30:20", samples=500,
                            size=(320, 200))

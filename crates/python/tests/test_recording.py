@@ -347,7 +347,9 @@ def test_the_programs_mcap(tmp_path):
         # The body moves, and the camera with it.
         world_from_oak = world_from("oak", topics, (10, nanosec))
         np.testing.assert_allclose(world_from_oak[:3, 3], [0, y, 1], atol=1e-12)
-        pose = world_from(f"{name}_optical_frame", topics, (10, nanosec))
+        frame_id = topics[f"/{name}/camera_info"][frame].header.frame_id
+        assert frame_id == "oak_stereo_depth_camera_optical_frame"
+        pose = world_from(frame_id, topics, (10, nanosec))
         np.testing.assert_allclose(pose, world_from_oak @ camera.body_from_camera, atol=1e-12)
         points, _ = cloud(topics[f"/{name}/measured_points"][frame])
         in_world = points[~np.isnan(points[..., 2])] @ pose[:3, :3].T + pose[:3, 3]

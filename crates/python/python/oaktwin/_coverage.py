@@ -115,7 +115,7 @@ def coverage(
     """Measures which share of a surface the depth sensors of devices see and measure from poses, with which error, and why the
     rest is lost. Every device is a candidate at every pose.
 
-    scene: the scene.
+    scene: the scene; the program opens it with micro_texture=True, without which stereo cameras measure little of plain surfaces.
     devices: a device, or several.
     poses: world_from_body, (4, 4), or (N, 4, 4) for several poses, metres; x forward, y left, z up. See `look_at` with
         frame="body".
