@@ -3,7 +3,7 @@
     python bench_heaps.py PROGRAM
 
 A third of the objects are cups, of 17 convex parts in MuJoCo. MuJoCo drops them in layers until none is faster than 2 cm/s, or for 5 s. The time of the program
-is that of a process that places them and lets them fall, without that of one that only divides a cup into parts.
+is measured for a process that places the objects and lets them fall, minus the time of a process that only divides a cup into parts.
 """
 
 import resource

@@ -152,7 +152,7 @@ impl Processor {
             true => convert::compressed_depth(header.clone(), distance).ok(),
             false => None,
         };
-        // The camera of the colours is that of the depth image, with its lens.
+        // Colour images have the same camera and lens as the depth image.
         let rgb_info = rgb.as_ref().map(|rgb| match &self.info {
             Some(info) => CameraInfo {
                 header: rgb.header.clone(),

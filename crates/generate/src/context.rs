@@ -30,6 +30,8 @@ pub(crate) struct Context {
     pub(crate) look_textures: Vec<Vec<PathBuf>>,
     pub(crate) sky_images: Vec<PathBuf>,
     pub(crate) trajectory: Vec<TimedPose>,
+    /// The times of its poses, seconds, if all have one and the recipe has no interval.
+    pub(crate) times: Option<Vec<f64>>,
     /// The inertial sensors, if the recipe asks for their samples.
     pub(crate) inertial: Option<Inertial>,
     pub(crate) annotators: Vec<Annotator>,
@@ -69,6 +71,10 @@ impl Context {
             Some(path) => trajectory::read(&file.resolve(path))?,
             None => Vec::new(),
         };
+        let times = match recipe.output.interval_s {
+            None => trajectory.iter().map(|pose| pose.time_s).collect(),
+            Some(_) => None,
+        };
         let object_files = ObjectFiles::new(&file)?;
         let mut bases = Vec::new();
         for name in &recipe.scene.0 {
@@ -91,6 +97,7 @@ impl Context {
             object_textures,
             look_textures,
             sky_images,
+            times,
             trajectory,
             inertial,
             annotators,

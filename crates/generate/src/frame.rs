@@ -110,7 +110,7 @@ impl<'a> FrameMaker<'a> {
             return Ok(Vec::new());
         }
         let shown = self.show(frame)?;
-        scene_files(&shown.stage, shown.arrangement.number)
+        Ok(scene_files(&shown.stage, shown.arrangement.number)?)
     }
 
     /// Renders a frame.

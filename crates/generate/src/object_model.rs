@@ -10,6 +10,7 @@ use oaktwin_pipeline::render::texture_pixels;
 use oaktwin_scene::{Attribute, Material, Mesh, Scene};
 
 use crate::arrange::Placed;
+use crate::world::Triangles;
 
 /// The grey of surfaces without a colour, as in renderings.
 const GREY: f32 = 0.4;
@@ -17,34 +18,18 @@ const GREY: f32 = 0.4;
 /// Creates the model of a placed object: all of its meshes, in metres with the file's axes, and the file's own colours.
 #[expect(
     clippy::cast_possible_truncation,
-    reason = "geometry is float32, and a scene's indices are u32"
+    reason = "geometry is float32, and numbers of files are u32"
 )]
 pub(crate) fn model_of(object: &Placed, name: &str) -> Model {
-    let (mut positions, mut triangles) = (Vec::new(), Vec::new());
     let scene = &object.asset.scene;
-    for instance in &scene.instances {
-        let Some(mesh) = scene.meshes.get(instance.mesh as usize) else {
-            continue;
-        };
-        let start = positions.len() as u32;
-        positions.extend(mesh.positions.iter().map(|p| {
-            let point = instance
-                .world_from_mesh
-                .transform_point3(DVec3::from(p.map(f64::from)));
-            (point * object.scale).to_array().map(|x| x as f32)
-        }));
-        triangles.extend(
-            mesh.triangles
-                .iter()
-                .map(|corners| corners.map(|index| start + index)),
-        );
-    }
+    let Triangles { points, corners, .. } = Triangles::of(scene);
+    let scaled = |point: DVec3| (point * object.scale).to_array().map(|x| x as f32);
     Model {
         id: object.entry as u32 + 1,
         name: name.to_owned(),
         label: object.label.clone(),
-        positions,
-        triangles,
+        positions: points.into_iter().map(scaled).collect(),
+        triangles: corners,
         paint: textured(scene).unwrap_or_else(|| colored(scene)),
     }
 }

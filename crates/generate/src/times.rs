@@ -1,7 +1,5 @@
 //! The times of frames.
 
-use oaktwin_pipeline::render::trajectory::TimedPose;
-
 use crate::GenerateError;
 use crate::context::Context;
 
@@ -14,20 +12,13 @@ impl Context {
     /// # Errors
     /// Returns an error if they are negative or do not increase.
     pub(crate) fn check_times(&self) -> Result<(), GenerateError> {
-        let (recipe, poses) = (&self.file.recipe, self.trajectory.len() as u64);
-        if recipe.output.interval_s.is_some() {
+        let Some(times) = &self.times else {
             return Ok(());
-        }
-        let is_later = |pair: &[TimedPose]| match (pair[0].time_s, pair[1].time_s) {
-            (Some(before), Some(after)) => before >= 0.0 && after > before,
-            _ => true,
         };
-        let used = poses.min(recipe.frames_per_scene.saturating_add(1));
+        let used = (times.len() as u64).min(self.file.recipe.frames_per_scene.saturating_add(1));
         let used = usize::try_from(used).unwrap_or(usize::MAX);
-        match self.trajectory[..used]
-            .windows(2)
-            .position(|pair| !is_later(pair))
-        {
+        let is_wrong = |pair: &[f64]| pair[0] < 0.0 || pair[1] <= pair[0];
+        match times[..used].windows(2).position(is_wrong) {
             None => Ok(()),
             Some(index) => Err(self.unfit(
                 "camera.trajectory",
@@ -43,19 +34,18 @@ impl Context {
     /// Returns the time of a frame of an arrangement, nanoseconds: the time of its pose in the trajectory's file, unless the recipe has an
     /// interval. A trajectory that begins again goes on one interval after its last pose.
     pub(crate) fn time_ns(&self, index: u64) -> u64 {
-        let own: Option<Vec<f64>> = self.trajectory.iter().map(|pose| pose.time_s).collect();
-        match (self.file.recipe.output.interval_s, own.as_deref()) {
-            (None, Some([first, .., before, last])) => {
-                let times = own.as_deref().unwrap_or_default();
+        match self.times.as_deref() {
+            Some(times @ [first, .., before, last]) => {
                 let (round, place) = (index / times.len() as u64, index % times.len() as u64);
                 let time_s = usize::try_from(place).ok().and_then(|place| times.get(place));
                 #[expect(clippy::cast_precision_loss, reason = "a number of rounds")]
                 let passed_s = round as f64 * (last - first + (last - before));
                 nanoseconds(time_s.copied().unwrap_or_default() + passed_s)
             }
-            (interval_s, _) => {
+            _ => {
+                let interval_s = self.file.recipe.output.interval_s.unwrap_or(INTERVAL_S);
                 #[expect(clippy::cast_precision_loss, reason = "a number of frames")]
-                let time_s = index as f64 * interval_s.unwrap_or(INTERVAL_S);
+                let time_s = index as f64 * interval_s;
                 nanoseconds(time_s)
             }
         }

@@ -13,6 +13,7 @@ use oaktwin_camera::math::DVec3;
 use oaktwin_scene::{Opacity, Scene};
 
 use self::mask::MaskImage;
+use crate::barycentric::clamped;
 use crate::visibility::Hit;
 
 /// A texture and one of its channels.
@@ -117,14 +118,7 @@ fn weights([a, b, c]: [DVec3; 3], origin: DVec3, direction: DVec3) -> [f64; 3] {
     let [a, b, c] = [a - origin, b - origin, c - origin];
     let sides = [b.cross(c), c.cross(a), a.cross(b)].map(|side| side.dot(direction));
     let whole: f64 = sides.iter().sum();
-    let weights = sides.map(|side| (side / whole).clamp(0.0, 1.0));
-    let sum: f64 = weights.iter().sum();
-    // Also false for NaN: a triangle seen edge-on.
-    if sum > 0.0 {
-        weights.map(|weight| weight / sum)
-    } else {
-        [1.0 / 3.0; 3]
-    }
+    clamped(sides.map(|side| side / whole))
 }
 
 #[cfg(test)]

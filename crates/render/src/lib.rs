@@ -5,6 +5,7 @@
 
 mod annotate;
 mod backend;
+mod barycentric;
 mod blocks;
 mod cutout;
 #[cfg(test)]

@@ -28,8 +28,9 @@ pub(crate) fn linear(source: &TextureSource) -> Result<Image<[f32; 3]>, Finding>
     texture::decode_linear(&bytes, extension(&name)).map_err(|error| broken(name, error, PLAIN))
 }
 
-/// Decodes a texture to sRGB, or data, with opacity. Returns the image, and whether it has a high dynamic range and was converted to sRGB. A
-/// finding says what is shown `instead` of a texture that cannot be read.
+/// Decodes a texture to sRGB, or data, with opacity. Returns the image, and whether it has a high dynamic range and was converted to sRGB.
+///
+/// The finding about a texture that cannot be read ends with `instead`, which says how the surface is shown without it.
 pub(crate) fn decoded(texture: &Texture, instead: &str) -> Result<(Image<[u8; 4]>, bool), Finding> {
     if let TextureSource::Pixels(image) = &texture.source {
         return Ok((Image::clone(image), false));

@@ -16,7 +16,7 @@ pub struct Frame {
 }
 
 impl CameraFrame {
-    /// Returns the frame of the camera and that of its images, of which `device` begins the names.
+    /// Returns the frame of the camera and its optical frame. Their names begin with `device`.
     #[must_use]
     pub fn frames(&self, device: &str) -> [Frame; 2] {
         let camera = frame_names::camera(device, &self.role);

@@ -153,6 +153,33 @@ pub enum Wrap {
     Black,
 }
 
+impl Wrap {
+    /// Returns the index of a pixel in a row or column of `count` pixels; `None` where the image is black.
+    #[must_use]
+    #[inline]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "inside the image by then"
+    )]
+    pub fn index(self, at: i64, count: u32) -> Option<u32> {
+        let n = i64::from(count);
+        if (0..n).contains(&at) {
+            return Some(at as u32);
+        }
+        let at = match self {
+            Self::Repeat => at.rem_euclid(n),
+            Self::Clamp => at.clamp(0, n - 1),
+            Self::Mirror => {
+                let at = at.rem_euclid(2 * n);
+                at.min(2 * n - 1 - at)
+            }
+            Self::Black => return None,
+        };
+        Some(at as u32)
+    }
+}
+
 /// An image that is decoded only when colour is requested, or when it is the mask of a surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Texture {
@@ -188,4 +215,18 @@ pub enum ColorSpace {
     Srgb,
     /// Linear.
     Raw,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Wrap;
+
+    #[test]
+    fn indices_outside_an_image_are_wrapped() {
+        let wrapped = |wrap: Wrap| [-4, -1, 0, 2, 3, 5].map(|at| wrap.index(at, 3));
+        assert_eq!(wrapped(Wrap::Repeat), [2, 2, 0, 2, 0, 2].map(Some));
+        assert_eq!(wrapped(Wrap::Mirror), [2, 0, 0, 2, 2, 0].map(Some));
+        assert_eq!(wrapped(Wrap::Clamp), [0, 0, 0, 2, 2, 2].map(Some));
+        assert_eq!(wrapped(Wrap::Black), [None, None, Some(0), Some(2), None, None]);
+    }
 }

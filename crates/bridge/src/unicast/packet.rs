@@ -4,7 +4,7 @@
 const VERSION: [u8; 2] = [2, 3];
 /// The vendor of the DDS library, which announces the writer (OMG's list of vendor identifiers: `RustDDS`).
 const VENDOR: [u8; 2] = [0x01, 0x12];
-/// The entity that stands for all matched readers of a participant.
+/// The entity identifier that addresses all matched readers of a participant.
 const ALL_READERS: [u8; 4] = [0; 4];
 
 const INFO_TIMESTAMP: u8 = 0x09;

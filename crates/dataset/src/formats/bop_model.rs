@@ -57,8 +57,11 @@ fn diameter(points: &[[f64; 3]]) -> f64 {
 
 /// The paths of the files of a model with this description.
 pub(super) fn paths(id: u64, info: &Value) -> Vec<PathBuf> {
+    paths_of(id, info["is_textured"] == true)
+}
+
+fn paths_of(id: u64, is_textured: bool) -> Vec<PathBuf> {
     let path = |extension: &str| PathBuf::from(format!("models/obj_{id:06}.{extension}"));
-    let is_textured = info["is_textured"] == true;
     let extensions = ["ply"].into_iter().chain(is_textured.then_some("png"));
     extensions.map(path).collect()
 }
@@ -71,7 +74,7 @@ pub(super) fn files(model: &Model) -> Result<Vec<(PathBuf, Vec<u8>)>, CodecError
     if let Paint::Texture { image, .. } = &model.paint {
         contents.push(png::encode(&image.map(|[r, g, b, _]| [*r, *g, *b]))?);
     }
-    Ok(paths(model.id.into(), &info(model))
+    Ok(paths_of(model.id.into(), is_textured)
         .into_iter()
         .zip(contents)
         .collect())

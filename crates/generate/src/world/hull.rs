@@ -60,14 +60,18 @@ impl Hull {
 
     /// Returns the length of the diagonal of its bounding box.
     pub(crate) fn size(&self) -> f64 {
-        let bounds = self.corners().map(Bounds::of).reduce(Bounds::union);
-        bounds.map_or(0.0, |bounds| bounds.size().length())
+        self.edges().length()
     }
 
     /// Returns the longest edge of its box, whose edges are parallel to the axes.
     pub(crate) fn longest_edge(&self) -> f64 {
+        self.edges().max_element()
+    }
+
+    /// Returns the edges of its bounding box.
+    fn edges(&self) -> DVec3 {
         let bounds = self.corners().map(Bounds::of).reduce(Bounds::union);
-        bounds.map_or(0.0, |bounds| bounds.size().max_element())
+        bounds.map_or(DVec3::ZERO, Bounds::size)
     }
 
     /// Returns the area of its surface.

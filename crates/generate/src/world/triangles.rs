@@ -3,16 +3,16 @@ use oaktwin_scene::Scene;
 
 /// The triangles of all instances of a scene, in the axes of the scene.
 #[derive(Debug, Default)]
-pub(super) struct Triangles {
-    pub(super) points: Vec<DVec3>,
-    pub(super) corners: Vec<[u32; 3]>,
+pub(crate) struct Triangles {
+    pub(crate) points: Vec<DVec3>,
+    pub(crate) corners: Vec<[u32; 3]>,
     /// The index of the first triangle of each instance, and the number of triangles.
     pub(super) first: Vec<u32>,
 }
 
 impl Triangles {
     #[expect(clippy::cast_possible_truncation, reason = "a scene's indices are u32")]
-    pub(super) fn of(scene: &Scene) -> Self {
+    pub(crate) fn of(scene: &Scene) -> Self {
         let mut all = Self::default();
         for instance in &scene.instances {
             all.first.push(all.corners.len() as u32);

@@ -8,6 +8,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::case::{Case, TABLE};
 use oaktwin_generate::GenerateOptions;
+use oaktwin_image::{Image, png};
 use oaktwin_pipeline::progress::Progress;
 use serde_json::Value;
 
@@ -190,4 +191,43 @@ fn findings_are_those_of_the_data_set() {
     };
     let again = case.generate("whole", &resume).unwrap();
     assert_eq!((again.made, again.findings), (0, whole.findings));
+}
+
+#[test]
+fn saved_scenes_do_not_depend_on_the_frames_made_before() {
+    let case = Case::new(
+        "frames = 6\nframes_per_scene = 2\nseed = 2\nscene = 'table.usda'\n[camera]\nresolution = [48, 30]\n\
+         [output]\nannotators = 'distance_to_image_plane'\nscenes = true\n[[objects]]\nfiles = 'objects'\ncount = 2\n\
+         on = '/World/Table'\nlook = { textures = 'images' }\n",
+    );
+    let images = case.folder.path().join("images");
+    fs::create_dir(&images).unwrap();
+    for grey in 0..8u8 {
+        let image = Image::filled(2, 2, [32 * grey, 0, 0]);
+        fs::write(images.join(format!("{grey}.png")), png::encode(&image).unwrap()).unwrap();
+    }
+    let one = GenerateOptions {
+        workers: Some(1),
+        ..GenerateOptions::default()
+    };
+    case.generate("whole", &one).unwrap();
+    for frames in [4..6, 2..4, 0..2] {
+        let options = GenerateOptions {
+            frames: Some(frames),
+            resume: case.folder.path().join("parts").exists(),
+            ..one.clone()
+        };
+        case.generate("parts", &options).unwrap();
+    }
+    let scenes = |name| {
+        let mut files = case.files(name);
+        files.retain(|path, _| path.starts_with("scenes"));
+        files
+    };
+    assert_eq!(scenes("whole"), scenes("parts"));
+    assert!(
+        scenes("whole")
+            .keys()
+            .any(|path| path.extension().is_some_and(|extension| extension == "png"))
+    );
 }

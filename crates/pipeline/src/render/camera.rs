@@ -15,7 +15,7 @@ pub struct PlacedCamera {
     pub path: String,
     /// The folder if there are several cameras, from [`folder_names`](super::folder_names).
     pub folder: String,
-    /// The name of the camera's frame in ROS; `None` for that of the folder.
+    /// The name of the camera's frame in ROS; by default the name of its folder.
     pub frame: Option<String>,
     /// The intrinsics and lens.
     pub camera: Camera,

@@ -62,6 +62,7 @@ pub use frames::{FrameOptions, FramesError, Outputs, Written, render_shot, write
 pub use names::folder_names;
 pub use oak::{OakOptions, check_lens, oak_cameras};
 pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Ray, Renderer, View, texture_pixels};
+pub use oaktwin_usd::scene_file::ImageFiles;
 pub use pair::put_pair;
 pub use pose::{PoseError, look_at, pose};
 pub use recorder::{FrameRecorder, record_annotators};

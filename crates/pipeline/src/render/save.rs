@@ -2,7 +2,7 @@ use std::path::{Path, PathBuf};
 
 use oaktwin_files::{self as files, FileError};
 use oaktwin_scene::Scene;
-use oaktwin_usd::scene_file::scene_file;
+use oaktwin_usd::scene_file::{ImageFiles, scene_file};
 
 /// Checks that a scene can be written to a file of this name.
 ///
@@ -32,7 +32,7 @@ pub fn check_saved_name(path: &Path) -> Result<(), FileError> {
 pub fn save_usd(scene: &Scene, path: &Path) -> Result<(), FileError> {
     check_saved_name(path)?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    for (file, bytes) in usd_files(scene, path)? {
+    for (file, bytes) in usd_files(scene, path, ImageFiles::Referenced)? {
         let file = folder.join(file);
         if let Some(parent) = file.parent() {
             files::make_folder(parent)?;
@@ -45,10 +45,14 @@ pub fn save_usd(scene: &Scene, path: &Path) -> Result<(), FileError> {
 /// Returns the files of [`save_usd`] relative to the folder of `path`, the USD file last.
 ///
 /// # Errors
-/// Returns an error for a texture that cannot be decoded.
-pub fn usd_files(scene: &Scene, path: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>, FileError> {
+/// Returns an error for a texture that cannot be decoded, or copied.
+pub fn usd_files(
+    scene: &Scene,
+    path: &Path,
+    files: ImageFiles,
+) -> Result<Vec<(PathBuf, Vec<u8>)>, FileError> {
     let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    let saved = scene_file(scene, &format!("{name}_textures")).map_err(|error| error.in_file(path))?;
+    let saved = scene_file(scene, &format!("{name}_textures"), files).map_err(|error| error.in_file(path))?;
     let images = saved.images.into_iter();
     let mut files: Vec<(PathBuf, Vec<u8>)> = images
         .map(|(image, bytes)| (image.trim_start_matches("./").into(), bytes))

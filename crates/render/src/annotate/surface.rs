@@ -3,6 +3,7 @@
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
 use oaktwin_scene::{Mesh, Scene};
 
+use crate::barycentric::clamped;
 use crate::{Hit, View};
 
 /// Where a ray meets a triangle.
@@ -193,18 +194,5 @@ impl Surface<'_> {
                 + f64::from(c[i]) * self.weights[2];
         }
         between
-    }
-}
-
-/// Clamps barycentric coordinates to 0 to 1 with a sum of 1.
-#[inline]
-fn clamped([a, b, c]: [f64; 3]) -> [f64; 3] {
-    let (a, b, c) = (a.clamp(0.0, 1.0), b.clamp(0.0, 1.0), c.clamp(0.0, 1.0));
-    let sum = a + b + c;
-    // Also false for NaN.
-    if sum > 0.0 {
-        [a / sum, b / sum, c / sum]
-    } else {
-        [1.0 / 3.0; 3]
     }
 }

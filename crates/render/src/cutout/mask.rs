@@ -1,7 +1,7 @@
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_image::Image;
 use oaktwin_image::srgb::{linear_from_data, linear_from_srgb};
-use oaktwin_scene::{ColorSpace, Mask, Texture, Wrap};
+use oaktwin_scene::{ColorSpace, Mask, Texture};
 
 use crate::texture_file;
 
@@ -39,18 +39,12 @@ impl MaskImage {
         let (width, height) = (self.values.width(), self.values.height());
         let (x, y) = (s * f64::from(width) - 0.5, (1.0 - t) * f64::from(height) - 0.5);
         let ([left, top], [across, down]) = ([x.floor(), y.floor()], [x - x.floor(), y - y.floor()]);
+        #[expect(clippy::cast_possible_truncation, reason = "casts of floats saturate")]
         let at = |right: f64, below: f64| {
-            let place = (
-                wrapped(left + right, width, used.wrap_s),
-                wrapped(top + below, height, used.wrap_t),
-            );
-            match place {
-                (Some(x), Some(y)) => self
-                    .values
-                    .get(x, y)
-                    .map_or(0.0, |byte| self.meaning[usize::from(*byte)]),
-                _ => 0.0,
-            }
+            let column = used.wrap_s.index((left + right) as i64, width);
+            let row = used.wrap_t.index((top + below) as i64, height);
+            let byte = column.zip(row).and_then(|(x, y)| self.values.get(x, y));
+            byte.map_or(0.0, |byte| self.meaning[usize::from(*byte)])
         };
         let mix = |a: f32, b: f32, part: f64| f64::from(a) + (f64::from(b) - f64::from(a)) * part;
         let (above, below) = (
@@ -64,46 +58,5 @@ impl MaskImage {
         )]
         let value = (above + (below - above) * down) as f32;
         value * used.scale[channel] + used.bias[channel]
-    }
-}
-
-/// Returns the index of a pixel in a row or column of `count`; `None` where the image is black.
-#[inline]
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "within the image, and casts of floats saturate"
-)]
-fn wrapped(index: f64, count: u32, wrap: Wrap) -> Option<u32> {
-    let length = f64::from(count);
-    let inside = match wrap {
-        Wrap::Repeat => index.rem_euclid(length),
-        Wrap::Mirror => {
-            let twice = index.rem_euclid(2.0 * length);
-            if twice < length {
-                twice
-            } else {
-                2.0 * length - 1.0 - twice
-            }
-        }
-        Wrap::Clamp => index.clamp(0.0, length - 1.0),
-        Wrap::Black if index < 0.0 || index >= length => return None,
-        Wrap::Black => index,
-    };
-    Some(inside as u32)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn indices_outside_an_image_are_wrapped() {
-        let places = [-4.0, -1.0, 0.0, 2.0, 3.0, 5.0];
-        let wrapped = |wrap| places.map(|place| wrapped(place, 3, wrap));
-        assert_eq!(wrapped(Wrap::Repeat), [2, 2, 0, 2, 0, 2].map(Some));
-        assert_eq!(wrapped(Wrap::Mirror), [2, 0, 0, 2, 2, 0].map(Some));
-        assert_eq!(wrapped(Wrap::Clamp), [0, 0, 0, 2, 2, 2].map(Some));
-        assert_eq!(wrapped(Wrap::Black), [None, None, Some(0), Some(2), None, None]);
     }
 }

@@ -332,36 +332,12 @@ fn across_border(image: &Image<[u8; 4]>, [left, top]: [i32; 2], wraps: Wraps) ->
     let (width, height) = (image.width(), image.height());
     let (left, top) = (i64::from(left), i64::from(top));
     [[left, top], [left + 1, top], [left, top + 1], [left + 1, top + 1]].map(|[x, y]| {
-        let place = wrapped(x, width, wraps.s).zip(wrapped(y, height, wraps.t));
+        let place = wraps.s.index(x, width).zip(wraps.t.index(y, height));
         place
             .and_then(|(x, y)| image.get(x, y))
             .copied()
             .unwrap_or_default()
     })
-}
-
-/// Applies a wrap mode to a coordinate; `None` for black.
-#[inline]
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "inside the image by then"
-)]
-fn wrapped(at: i64, count: u32, wrap: Wrap) -> Option<u32> {
-    let n = i64::from(count);
-    if (0..n).contains(&at) {
-        return Some(at as u32);
-    }
-    let at = match wrap {
-        Wrap::Repeat => at.rem_euclid(n),
-        Wrap::Clamp => at.clamp(0, n - 1),
-        Wrap::Mirror => {
-            let at = at.rem_euclid(2 * n);
-            at.min(2 * n - 1 - at)
-        }
-        Wrap::Black => return None,
-    };
-    Some(at as u32)
 }
 
 /// Returns the binary logarithm of a number of at least 1, exact at powers of two and linear between them.

@@ -1,41 +1,45 @@
 use oaktwin_files as files;
 use oaktwin_image::{CodecError, png, texture};
-use oaktwin_scene::{ColorSpace, Material, Opacity, Scene, TextureSource, TextureUse, Wrap};
+use oaktwin_scene::{ColorSpace, LightKind, Material, Opacity, Scene, TextureSource, TextureUse, Wrap};
 
+use super::ImageFiles;
 use crate::text::{Attribute, Prim, Value};
 
 /// The outputs of an image.
 const CHANNELS: [&str; 4] = ["r", "g", "b", "a"];
 const SCOPE: &str = "Looks";
+/// The maximum size of an image file that is copied.
+const MAX_BYTES: u64 = 1 << 30;
 /// Replaced by the path of the root once it is known.
 const ROOT: &str = "/";
 
 /// The materials and images of a scene.
 pub(super) struct Materials<'a> {
     scene: &'a Scene,
-    /// The path of each texture's image, as the layer names it.
-    paths: Vec<String>,
+    /// The path of each used texture's image, as the layer names it.
+    paths: Vec<Option<String>>,
     images: Vec<(String, Vec<u8>)>,
 }
 
 impl<'a> Materials<'a> {
-    pub(super) fn new(scene: &'a Scene, folder: &str) -> Result<Self, CodecError> {
-        let (mut paths, mut images) = (Vec::new(), Vec::new());
-        for (i, image) in scene.textures.iter().enumerate() {
-            let (extension, bytes) = match &image.source {
-                TextureSource::File(path) => {
-                    paths.push(files::with_slashes(path));
-                    continue;
-                }
-                TextureSource::Encoded { bytes, .. } => match extension(bytes) {
-                    Some(extension) => (extension, bytes.to_vec()),
-                    None => ("png", png::encode(&texture::decode_srgb(bytes, None)?)?),
-                },
-                TextureSource::Pixels(image) => ("png", png::encode(image.as_ref())?),
+    pub(super) fn new(scene: &'a Scene, folder: &str, image_files: ImageFiles) -> Result<Self, CodecError> {
+        let mut paths = vec![None; scene.textures.len()];
+        let mut images: Vec<(String, Vec<u8>)> = Vec::new();
+        for index in used_textures(scene) {
+            let Some(texture) = scene.textures.get(index) else {
+                continue;
             };
-            let path = format!("./{folder}/texture_{i}.{extension}");
-            images.push((path.clone(), bytes));
-            paths.push(path);
+            if paths[index].is_some() {
+                continue;
+            }
+            paths[index] = Some(match encoded(&texture.source, image_files)? {
+                Image::At(path) => path,
+                Image::Beside(extension, bytes) => {
+                    let path = format!("./{folder}/texture_{}.{extension}", images.len());
+                    images.push((path.clone(), bytes));
+                    path
+                }
+            });
         }
         Ok(Self { scene, paths, images })
     }
@@ -46,7 +50,7 @@ impl<'a> Materials<'a> {
 
     /// The path of a texture's image.
     pub(super) fn image(&self, texture: u32) -> Option<&str> {
-        self.paths.get(texture as usize).map(String::as_str)
+        self.paths.get(texture as usize)?.as_deref()
     }
 
     /// Binds a material to a prim.
@@ -140,6 +144,58 @@ impl<'a> Materials<'a> {
         prim.children.extend(nodes);
         prim
     }
+}
+
+/// Where the image of a texture is to be found.
+enum Image {
+    /// At a path.
+    At(String),
+    /// Beside the layer, with this extension and these bytes.
+    Beside(&'static str, Vec<u8>),
+}
+
+fn encoded(source: &TextureSource, image_files: ImageFiles) -> Result<Image, CodecError> {
+    let (extension, bytes) = match source {
+        TextureSource::File(path) => {
+            if image_files == ImageFiles::Referenced {
+                return Ok(Image::At(files::with_slashes(path)));
+            }
+            let unreadable = |error: std::io::Error| CodecError {
+                format: "image",
+                place: path.display().to_string().into(),
+                problem: format!("cannot be read ({error})"),
+                remedy: "restore the file".into(),
+            };
+            let bytes = files::read_regular(path, MAX_BYTES).map_err(unreadable)?;
+            match extension(&bytes) {
+                Some(extension) => (extension, bytes),
+                None => {
+                    let place = std::path::absolute(path).map_err(unreadable)?;
+                    return Ok(Image::At(files::with_slashes(&place)));
+                }
+            }
+        }
+        TextureSource::Encoded { bytes, .. } => match extension(bytes) {
+            Some(extension) => (extension, bytes.to_vec()),
+            None => ("png", png::encode(&texture::decode_srgb(bytes, None)?)?),
+        },
+        TextureSource::Pixels(image) => ("png", png::encode(image.as_ref())?),
+    };
+    Ok(Image::Beside(extension, bytes))
+}
+
+/// Returns the indices of the textures of materials and lights, in order; some appear several times.
+fn used_textures(scene: &Scene) -> impl Iterator<Item = usize> {
+    let of_materials = scene.materials.iter().flat_map(|material| {
+        let mask = material.opacity.and_then(|opacity| opacity.mask);
+        let used = [material.base_color_texture, mask.map(|mask| mask.texture)];
+        used.into_iter().flatten().map(|used| used.texture)
+    });
+    let of_lights = scene.lights.iter().filter_map(|light| match light.kind {
+        LightKind::Dome { texture, .. } => texture,
+        _ => None,
+    });
+    of_materials.chain(of_lights).map(|texture| texture as usize)
 }
 
 /// A texture, with the nodes that give its coordinates.

@@ -26,12 +26,22 @@ pub struct SceneFile {
     pub images: Vec<(String, Vec<u8>)>,
 }
 
-/// Converts a scene. Images that are not files are to be written to `folder`, relative to the layer.
+/// How a layer refers to the images of a scene that are files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ImageFiles {
+    /// Where they are.
+    Referenced,
+    /// As copies beside the layer, so that it can be moved; formats other than PNG and JPEG where they are.
+    Copied,
+}
+
+/// Converts a scene. Images that are not files, or that are copied, are to be written to `folder`, relative to the layer: the used ones, in
+/// the order of their first use.
 ///
 /// # Errors
-/// Returns an error for a texture that cannot be decoded.
-pub fn scene_file(scene: &Scene, folder: &str) -> Result<SceneFile, CodecError> {
-    let materials = Materials::new(scene, folder)?;
+/// Returns an error for a texture that cannot be decoded, or copied.
+pub fn scene_file(scene: &Scene, folder: &str, files: ImageFiles) -> Result<SceneFile, CodecError> {
+    let materials = Materials::new(scene, folder, files)?;
     let mut tree = Tree::default();
     for instance in &scene.instances {
         if let Some(mesh) = scene.meshes.get(instance.mesh as usize) {

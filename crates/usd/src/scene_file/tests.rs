@@ -173,7 +173,7 @@ fn label_names(instance: &Instance) -> Vec<String> {
 fn a_written_scene_reads_back() {
     let scene = scene();
     let folder = tempfile::tempdir().unwrap();
-    let file = scene_file(&scene, "images").unwrap();
+    let file = scene_file(&scene, "images", ImageFiles::Referenced).unwrap();
     for (name, bytes) in &file.images {
         let path = folder.path().join(name);
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();

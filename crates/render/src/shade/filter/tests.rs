@@ -64,7 +64,7 @@ fn distant_textures_are_averaged() {
 
 #[test]
 fn wrap_modes() {
-    let at = |wrap, x| wrapped(x, 4, wrap);
+    let at = |wrap: Wrap, x| wrap.index(x, 4);
     assert_eq!(
         [-1, 4, 9].map(|x| at(Wrap::Repeat, x)),
         [Some(3), Some(0), Some(1)]

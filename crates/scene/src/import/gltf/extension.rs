@@ -4,7 +4,7 @@ use super::compressed;
 use super::document::Document;
 use crate::import::builder::Builder;
 
-/// The implemented extensions, besides those of [`compressed`] and [`placement`](super::placement).
+/// The extensions that are supported; [`compressed`] and [`placement`](super::placement) list further ones.
 const IMPLEMENTED: [&str; 9] = [
     "EXT_texture_webp",
     "KHR_lights_punctual",
