@@ -3,7 +3,7 @@ use std::collections::BTreeMap;
 use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_camera::{Axes, Intrinsics, LensModel, RigidTransform};
 
-use crate::{Catalog, Device, Origin, Twin, TwinCamera, TwinDepthSensor};
+use crate::{Catalog, Device, Origin, Twin, TwinCamera, TwinDepthSensor, UnknownModel};
 
 const M_PER_MM: f64 = 1e-3;
 
@@ -12,6 +12,14 @@ impl Catalog {
     #[must_use]
     pub fn nominals(&self) -> Vec<Twin> {
         self.devices().iter().map(|device| self.nominal(device)).collect()
+    }
+
+    /// Returns the [nominal](Self::nominal) twin of the [device](Self::device) with this name.
+    ///
+    /// # Errors
+    /// Returns an error with the nearest names if no device has this name.
+    pub fn twin(&self, name: &str) -> Result<Twin, UnknownModel> {
+        Ok(self.nominal(self.device(name)?))
     }
 
     /// Returns the nominal twin of a device: each camera is a centred pinhole with its field of view, at its sensor's used

@@ -37,6 +37,19 @@ pub enum Layer {
 }
 
 impl Capture {
+    /// Creates a capture of a distance image and its filtered version, if filters ran.
+    pub(crate) fn new(unfiltered: ZDepth, filtered: Option<ZDepth>) -> Self {
+        let (distance, unfiltered) = match filtered {
+            Some(filtered) => (filtered, Some(unfiltered)),
+            None => (unfiltered, None),
+        };
+        Self {
+            distance,
+            unfiltered,
+            extras: Vec::new(),
+        }
+    }
+
     /// Whether filters of depth changed the distance. Then [`Capture::extras`] have no points, because those would be the
     /// unfiltered ones.
     #[must_use]
@@ -81,7 +94,7 @@ impl Capture {
     }
 
     /// Adds an extra output if there is one.
-    pub(crate) fn add(&mut self, annotator: Annotator, layer: Option<impl Into<Layer>>) {
+    pub fn add(&mut self, annotator: Annotator, layer: Option<impl Into<Layer>>) {
         self.extras.extend(layer.map(|layer| (annotator, layer.into())));
     }
 }

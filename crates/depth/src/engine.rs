@@ -4,25 +4,27 @@ use std::sync::Arc;
 
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::Intrinsics;
-use oaktwin_image::ZDepth;
 use oaktwin_image::annotation::Annotator;
 
 use crate::disparity::Subpixel;
 use crate::filter::Chain;
 use crate::random::Stream;
 use crate::stereo_matching::Pair;
-use crate::{BatchError, Capture, ParameterError, Setup, Shot};
+use crate::{BatchError, Capture, EngineInput, EngineKind, ParameterError, Shot};
 
 /// A model of a depth sensor: it turns ground truth, or the images of a stereo pair, into measured depth.
 ///
-/// Engines are immutable; a [`Sensor`](crate::Sensor) adds filters, which may remember earlier frames. The methods with
-/// a default body describe properties that only some engines have.
+/// Engines are immutable; a [`Sensor`](crate::Sensor) adds filters, which may remember earlier frames. Only [`Engine::kind`] and
+/// [`Engine::capture`] are required, and [`Capture::of_depth`] or [`Capture::of_disparity`] is what the latter returns; the other methods
+/// describe properties that only some engines have. Where they are left out, `accuracy` measures whole images.
 pub trait Engine: Comparable + fmt::Debug + Send + Sync {
-    /// The entry of [`ENGINES`](crate::engines::ENGINES).
-    fn kind(&self) -> &'static EngineKind;
+    /// The kind of the engine.
+    fn kind(&self) -> &EngineKind;
 
     /// The parameters by name, with their values as text.
-    fn parameters(&self) -> Vec<(&'static str, String)>;
+    fn parameters(&self) -> Vec<(&'static str, String)> {
+        Vec::new()
+    }
 
     /// Choices that the sensor's documentation leaves open, by name, with their values as text.
     fn assumptions(&self) -> Vec<(&'static str, String)> {
@@ -42,11 +44,15 @@ pub trait Engine: Comparable + fmt::Debug + Send + Sync {
         )
     }
 
-    /// The smallest distance that can be measured in images of a width, metres.
-    fn nearest_m(&self, width_px: u32) -> f64;
+    /// The smallest distance that can be measured in images of a width, metres; 0 if it is not known.
+    fn nearest_m(&self, _width_px: u32) -> f64 {
+        0.0
+    }
 
-    /// How many pixels around a pixel affect it, besides those within [`Engine::reach_px`].
-    fn support_px(&self) -> u32;
+    /// How many pixels around a pixel affect it, besides those within [`Engine::reach_px`]: by default, all of the image.
+    fn support_px(&self) -> u32 {
+        u32::MAX
+    }
 
     /// Disparity times depth in the pixels in which the engine counts disparity, px·m; 0 without disparity.
     fn disparity_times_depth(&self, _width_px: u32) -> f64 {
@@ -83,11 +89,14 @@ pub trait Engine: Comparable + fmt::Debug + Send + Sync {
         true
     }
 
-    /// Returns the engine for a crop of an image that is `width_px` wide, or `None` if this engine fits the crop.
+    /// Returns the engine for a crop of an image that is `width_px` wide, or `None` if this engine fits the crop. Images are cropped
+    /// only as far as [`Engine::support_px`] and [`Engine::needs_full_width`] permit.
     ///
     /// # Errors
     /// Returns an error if a parameter is out of range for the crop.
-    fn crop(&self, width_px: u32, crop: &Intrinsics) -> Result<Option<Arc<dyn Engine>>, ParameterError>;
+    fn crop(&self, _width_px: u32, _crop: &Intrinsics) -> Result<Option<Arc<dyn Engine>>, ParameterError> {
+        Ok(None)
+    }
 
     /// Reports problems of an input that make its depth unreliable.
     fn inspect(&self, _input: &Input<'_>) -> Vec<Finding> {
@@ -162,57 +171,6 @@ impl<T: Any + PartialEq> Comparable for T {
     }
 }
 
-/// An entry of the registry of engines.
-#[derive(Debug)]
-pub struct EngineKind {
-    /// The name in options and files: `stereo-noise`.
-    pub name: &'static str,
-    /// One line of help.
-    pub help: &'static str,
-    /// The required input.
-    pub input: EngineInput,
-    /// The technology of the cameras that the engine models; `None` if it models no physical device.
-    pub models: Option<Technology>,
-    /// Whether the engine is the default for cameras of that technology.
-    pub is_default: bool,
-    /// The names of all parameters.
-    pub parameters: fn() -> Vec<&'static str>,
-    /// Creates the engine; the setup's parameters are named as in `parameters`.
-    pub(crate) create: fn(&Setup) -> Result<Arc<dyn Engine>, ParameterError>,
-}
-
-impl PartialEq for EngineKind {
-    fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
-    }
-}
-
-impl Eq for EngineKind {}
-
-impl fmt::Display for EngineKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name)
-    }
-}
-
-/// The measuring principle of a depth camera.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Technology {
-    /// A stereo pair.
-    Stereo,
-    /// Time of flight.
-    TimeOfFlight,
-}
-
-/// The kind of input that an engine requires.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum EngineInput {
-    /// A depth image, with or without a colour image.
-    Depth,
-    /// A rectified stereo pair.
-    Pair,
-}
-
 /// The input of an engine.
 #[derive(Clone, Copy, Debug)]
 pub enum Input<'a> {
@@ -241,14 +199,22 @@ impl<'a> From<Pair<'a>> for Input<'a> {
 }
 
 impl<'a> Input<'a> {
-    pub(crate) fn shot(&self, engine: &'static EngineKind) -> Result<&Shot<'a>, ParameterError> {
+    /// Returns the depth image.
+    ///
+    /// # Errors
+    /// Returns an error that names the engine if the input is a pair.
+    pub fn shot(&self, engine: &EngineKind) -> Result<&Shot<'a>, ParameterError> {
         match self {
             Self::Depth(shot) => Ok(shot),
             Self::Pair(_) => Err(wrong_input(engine)),
         }
     }
 
-    pub(crate) fn pair(&self, engine: &'static EngineKind) -> Result<&Pair<'a>, ParameterError> {
+    /// Returns the stereo pair.
+    ///
+    /// # Errors
+    /// Returns an error that names the engine if the input is a depth image.
+    pub fn pair(&self, engine: &EngineKind) -> Result<&Pair<'a>, ParameterError> {
         match self {
             Self::Depth(_) => Err(wrong_input(engine)),
             Self::Pair(pair) => Ok(pair),
@@ -262,19 +228,4 @@ fn wrong_input(engine: &EngineKind) -> ParameterError {
         EngineInput::Pair => ("a stereo pair", "pass a rectified pair, or choose another engine"),
     };
     ParameterError::new("engine", format!("{engine} requires {required}"), remedy)
-}
-
-impl Capture {
-    /// Creates a capture of a distance image and its filtered version, if filters ran.
-    pub(crate) fn new(unfiltered: ZDepth, filtered: Option<ZDepth>) -> Self {
-        let (distance, unfiltered) = match filtered {
-            Some(filtered) => (filtered, Some(unfiltered)),
-            None => (unfiltered, None),
-        };
-        Self {
-            distance,
-            unfiltered,
-            extras: Vec::new(),
-        }
-    }
 }

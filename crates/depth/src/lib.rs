@@ -22,6 +22,7 @@ pub mod filter;
 #[cfg(test)]
 mod fixture;
 pub mod imager;
+mod kind;
 pub mod parameters;
 pub mod preset;
 pub mod random;
@@ -37,8 +38,9 @@ pub mod time_of_flight;
 mod turns;
 
 pub use capture::{Capture, FixedDisparity, Layer};
-pub use engine::{BatchEngine, Comparable, Engine, EngineInput, EngineKind, Input, Technology};
+pub use engine::{BatchEngine, Comparable, Engine, Input};
 pub use error::{BatchError, ParameterError, ShotError};
+pub use kind::{EngineInput, EngineKind, EngineRef, Factory, Technology};
 pub use reason::{Reason, ReasonCodes};
 pub use sensor::{DriftedPair, OutputCamera, Sensor};
 pub use setup::{PresetConfig, Setup};

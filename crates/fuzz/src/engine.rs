@@ -18,7 +18,8 @@ use crate::random::Random;
 pub(crate) fn depth(bytes: &[u8]) {
     let mut random = Random::new(bytes);
     let kinds: Vec<&'static EngineKind> = ENGINES
-        .into_iter()
+        .iter()
+        .copied()
         .filter(|kind| kind.input == EngineInput::Depth)
         .collect();
     let kind = random.pick(&kinds);

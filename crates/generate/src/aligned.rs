@@ -30,46 +30,44 @@ impl Context {
         }
     }
 
-    /// Finds the camera that depth is aligned to, and adds the camera that measures it to `cameras` if it is not among them.
+    /// Finds the camera that depth is aligned to and the camera that measures it, and returns the name of the latter if it is not among
+    /// the `cameras` of the recipe and must be added after them.
     ///
     /// # Errors
     /// Returns an error if the recipe does not write the camera, or the device has no depth sensor.
-    pub(crate) fn add_aligned(
+    pub(crate) fn find_aligned(
         &self,
         twin: &Twin,
-        world_from_body: &RigidTransform,
-        cameras: &mut Vec<PlacedCamera>,
-    ) -> Result<Option<Aligned>, GenerateError> {
+        cameras: &[PlacedCamera],
+    ) -> Result<(Option<Aligned>, Option<String>), GenerateError> {
         let Some(target) = &self.file.recipe.sensor.align else {
-            return Ok(None);
+            return Ok((None, None));
         };
-        let of = |name: String| {
+        let place = |name: String| {
             let options = OakOptions {
                 cameras: &[name],
                 size: self.file.recipe.camera.size(),
                 ..OakOptions::default()
             };
-            Ok::<_, GenerateError>(oak_cameras(twin, world_from_body, &options)?.0)
+            let found = oak_cameras(twin, &RigidTransform::IDENTITY, &options)?.0;
+            let wanted = found.first().map(|camera| &camera.path);
+            let place = cameras.iter().position(|camera| Some(&camera.path) == wanted);
+            Ok::<_, GenerateError>(place)
         };
-        let place = |wanted: &PlacedCamera, cameras: &[PlacedCamera]| {
-            cameras.iter().position(|camera| camera.path == wanted.path)
-        };
-        let found = of(target.to_string())?;
-        let Some(target) = found.first().and_then(|camera| place(camera, cameras)) else {
+        let Some(target_place) = place(target.to_string())? else {
             return Err(self.unfit(
                 "sensor.align",
                 format!("{target} is none of the cameras of the recipe"),
                 "add it to camera.cameras",
             ));
         };
-        let sensor = depth_sensor(twin, None)?;
-        let source = of(sensor.spec.prim.clone())?.into_iter().next();
-        let Some(source) = source else { return Ok(None) };
-        let source = place(&source, cameras).unwrap_or_else(|| {
-            cameras.push(source);
-            cameras.len() - 1
-        });
-        Ok(Some(Aligned { target, source }))
+        let prim = &depth_sensor(twin, None)?.spec.prim;
+        let source = place(prim.clone())?;
+        let aligned = Aligned {
+            target: target_place,
+            source: source.unwrap_or(cameras.len()),
+        };
+        Ok((Some(aligned), source.is_none().then(|| prim.clone())))
     }
 
     /// Reports the cameras whose frames have no measured depth, although the recipe asks for it.

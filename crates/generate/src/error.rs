@@ -6,8 +6,7 @@ use oaktwin_catalog::UnknownModel;
 use oaktwin_dataset::WriteError;
 use oaktwin_files::FileError;
 use oaktwin_files::memory::Shortage;
-use oaktwin_pipeline::pair::PairError;
-use oaktwin_pipeline::render::{CameraError, DepthSensorError, SceneFileError, UnknownAnnotator};
+use oaktwin_pipeline::render::{CameraError, RigError, SceneFileError, UnknownAnnotator};
 use oaktwin_pipeline::sensor::ParameterError;
 use oaktwin_pipeline::unit::UnitError;
 
@@ -85,15 +84,12 @@ pub enum GenerateError {
     /// An annotator is unknown.
     #[error(transparent)]
     Annotator(#[from] UnknownAnnotator),
-    /// The depth sensor cannot be created.
+    /// The rig of the recipe cannot be created, or cannot measure.
     #[error(transparent)]
-    Sensor(#[from] DepthSensorError),
+    Rig(#[from] RigError),
     /// A parameter of the depth sensor is invalid.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
-    /// The stereo pair cannot be rendered.
-    #[error(transparent)]
-    Pair(#[from] PairError),
     /// The calibration does not describe a unit of the model.
     #[error(transparent)]
     Unit(#[from] UnitError),

@@ -5,16 +5,14 @@ use std::path::PathBuf;
 use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::DVec3;
-use oaktwin_catalog::{Twin, TwinDepthSensor};
+use oaktwin_catalog::Twin;
 use oaktwin_dataset::Shot;
-use oaktwin_depth::filter::Filter;
 use oaktwin_image::annotation::Annotator;
-use oaktwin_pipeline::pair::{PairCameras, PairOptions, dot_contrast};
+use oaktwin_pipeline::pair::PairOptions;
 use oaktwin_pipeline::render::{
-    Backend, DepthSensorOptions, DepthSensorSource, FrameOptions, OakOptions, PlacedCamera, depth_sensors,
-    oak_cameras, put_pair, render_shot,
+    OakOptions, PairUse, PlacedCamera, Rig, RigSpec, depth_sensor_of, oak_cameras,
 };
-use oaktwin_pipeline::sensor::{EngineInput, EngineKind, Sensor, SensorOptions, default_engine};
+use oaktwin_pipeline::sensor::{EngineKind, EngineRef, Sensor, SensorOptions};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -64,17 +62,15 @@ struct Explained<'a> {
     parameters: Vec<(String, String)>,
 }
 
-/// The cameras and sensors of a frame.
-struct Rig {
+/// The rig of a frame.
+struct FrameRig {
     /// The cameras of the recipe, and then the camera that measures aligned depth if it is not among them.
-    cameras: Vec<PlacedCamera>,
+    rig: Rig,
     /// The number of cameras of the recipe.
     written: usize,
     aligned: Option<Aligned>,
     /// Whether each camera is the one that the stereo pair measures for.
     has_pair: Vec<bool>,
-    sensors: Vec<Option<Sensor>>,
-    pair: Option<PairCameras>,
     findings: Vec<Finding>,
 }
 
@@ -135,38 +131,38 @@ impl<'a> FrameMaker<'a> {
             biases,
         } = shown;
         let view = context.view(shown, frame)?;
-        let mut rig = context.rig(arrangement, twin, &view.world_from_body, frame)?;
         let mut annotators = wanted.to_vec();
         if context.needs.objects && !annotators.contains(&Annotator::InstanceIdSegmentation) {
             annotators.push(Annotator::InstanceIdSegmentation);
         }
-        let options = FrameOptions {
-            annotators: &annotators,
-            sensors: &rig.sensors,
-            pair: rig.pair.as_ref(),
-            sweep: None,
-            backend: Backend::Auto,
-            writes_pair: false,
-            describes_pair: context.needs.stereo,
-            strict: false,
-        };
-        rig.findings.extend(arrangement.findings.iter().cloned());
+        let made = context.rig(arrangement, twin, annotators, frame)?;
+        let FrameRig {
+            rig,
+            written,
+            aligned,
+            has_pair,
+            mut findings,
+        } = made;
+        let mut rig = rig.at(&view.world_from_body);
+        let annotators = rig.annotators().to_vec();
+        findings.extend(arrangement.findings.iter().cloned());
         let recipe = &context.file.recipe;
         let place = usize::try_from(frame % recipe.frames_per_scene).unwrap_or(usize::MAX);
         let mut shots = Vec::new();
-        let number = usize::try_from(frame).unwrap_or(usize::MAX);
-        for index in 0..rig.written {
-            let cameras = &rig.cameras[..rig.written];
-            let (mut shot, more) = render_shot(stage.renderer(), cameras, index, number, &options);
-            rig.findings.extend(more);
-            if !rig.has_pair[index] {
+        for (index, has_pair) in has_pair.iter().enumerate().take(written) {
+            let (mut shot, more) = rig.shoot_camera(stage.renderer(), index, None, frame, &annotators)?;
+            findings.extend(more);
+            if !has_pair {
                 shot.stereo = None;
+            }
+            if written == 1 {
+                shot.render_product = None;
             }
             shot.sequence = arrangement.number;
             shot.time_ns = context.time_ns(frame % recipe.frames_per_scene);
             shot.imu_biases = biases.get(place).copied();
             if context.needs.objects {
-                let camera = &rig.cameras[index];
+                let camera = &rig.cameras()[index];
                 let view = camera.view(&camera.world_from_mount);
                 let ids = match wanted.contains(&Annotator::InstanceIdSegmentation) {
                     true => shot.frame.instance_id_segmentation.clone(),
@@ -176,25 +172,24 @@ impl<'a> FrameMaker<'a> {
             }
             shots.push(shot);
         }
-        if let Some(Aligned { target, source }) = rig.aligned
+        if let Some(Aligned { target, source }) = aligned
             && wanted.contains(&Annotator::DepthSensorDistance)
-            && let Some(sensor) = &rig.sensors[source]
+            && let Some(sensor) = rig.sensors()[source].clone()
         {
             let own = shots
                 .get(source)
                 .and_then(|shot| shot.frame.depth_sensor_distance.clone());
-            let depth = own.or_else(|| {
-                let options = FrameOptions {
-                    annotators: &[Annotator::DepthSensorDistance],
-                    describes_pair: false,
-                    ..options
-                };
-                let (shot, more) = render_shot(stage.renderer(), &rig.cameras, source, number, &options);
-                rig.findings.extend(more);
-                shot.frame.depth_sensor_distance
-            });
+            let depth = match own {
+                Some(depth) => Some(depth),
+                None => {
+                    let wanted = [Annotator::DepthSensorDistance];
+                    let (shot, more) = rig.shoot_camera(stage.renderer(), source, None, frame, &wanted)?;
+                    findings.extend(more);
+                    shot.frame.depth_sensor_distance
+                }
+            };
             if let Some(depth) = depth {
-                let from = (&rig.cameras[source], sensor);
+                let from = (&rig.cameras()[source], &sensor);
                 let shot = &mut shots[target];
                 shot.frame.depth_sensor_distance = context.aligned(twin, from, &depth)?;
                 shot.sensor_view.clone_from(&shot.view);
@@ -204,7 +199,7 @@ impl<'a> FrameMaker<'a> {
         Ok(Made {
             shots,
             unit: arrangement.unit.clone(),
-            findings: rig.findings,
+            findings,
         })
     }
 
@@ -289,23 +284,27 @@ impl Context {
             .collect()
     }
 
+    /// Creates the rig of a frame, with its body at the origin.
     fn rig(
         &self,
         arrangement: &Arrangement,
         twin: &Twin,
-        world_from_body: &RigidTransform,
+        annotators: Vec<Annotator>,
         frame: u64,
-    ) -> Result<Rig, GenerateError> {
+    ) -> Result<FrameRig, GenerateError> {
         let recipe = &self.file.recipe;
-        let (mut cameras, mut findings) = self.cameras(twin, world_from_body)?;
-        let written = cameras.len();
-        let aligned = self.add_aligned(twin, world_from_body, &mut cameras)?;
-        let engine = match &recipe.sensor.engine {
-            Some(name) => Some(EngineKind::parse(name)?),
-            None => None,
-        };
-        let options = SensorOptions {
-            engine,
+        let (written, _) = self.cameras(twin, &RigidTransform::IDENTITY)?;
+        let (aligned, added) = self.find_aligned(twin, &written)?;
+        let mut names = self.camera_names();
+        names.extend(added);
+        let engine = recipe
+            .sensor
+            .engine
+            .as_deref()
+            .map(EngineKind::parse)
+            .transpose()?;
+        let sensor = SensorOptions {
+            engine: engine.map(EngineRef::from),
             preset: recipe.sensor.preset.clone(),
             filters: recipe.sensor.filters.0.clone(),
             parameters: self.parameters(frame),
@@ -314,79 +313,55 @@ impl Context {
             drift: Some(arrangement.unit.drift),
             ..SensorOptions::default()
         };
-        let kinds: Vec<_> = cameras
-            .iter()
-            .map(|camera| engine_of(twin, camera, engine))
-            .collect();
-        let is_matching = kinds.iter().flatten().any(|kind| kind.input == EngineInput::Pair);
-        let pair = (is_matching || self.needs.stereo).then(|| {
-            let pair = PairOptions {
+        let spec = RigSpec {
+            cameras: names,
+            size: recipe.camera.size(),
+            annotators,
+            is_sensor_optional: true,
+            sensor,
+            pair: PairOptions {
                 projector: arrangement.projector,
                 ambient: arrangement.infrared_ambient,
-                size: recipe.camera.size(),
                 ..PairOptions::default()
-            };
-            let pair = pair.of_sensor(&options)?;
-            Ok::<_, GenerateError>(put_pair(twin, &mut cameras, &pair)?)
-        });
-        let pair = pair.transpose()?.map(|(pair, more)| {
-            findings.extend(more);
-            pair
-        });
-        let dots = dot_contrast(twin, arrangement.projector, arrangement.infrared_ambient)?;
-        let mut sensors = Vec::new();
-        for (camera, kind) in cameras.iter().zip(kinds) {
-            let options = SensorOptions {
-                engine: kind,
-                ..options.clone()
-            };
-            let options = options.with_dots(dots);
-            let options = DepthSensorOptions {
-                twin: Some(twin),
-                sensor: &options,
-            };
-            let (made, more) = depth_sensors(std::slice::from_ref(camera), &options)?;
-            findings.extend(more);
-            sensors.extend(made);
-        }
-        self.reject_memory(&sensors)?;
-        findings.extend(self.without_measurement(&cameras[..written], &sensors, aligned.as_ref()));
+            },
+            pair_use: match self.needs.stereo {
+                true => PairUse::Described,
+                false => PairUse::Matched,
+            },
+            ..RigSpec::default()
+        };
+        let (rig, mut findings) = Rig::new(twin, &spec)?;
+        let written = written.len();
+        self.reject_memory(rig.sensors())?;
+        let cameras = &rig.cameras()[..written];
+        findings.extend(self.without_measurement(cameras, rig.sensors(), aligned.as_ref()));
         let has_pair: Vec<bool> = cameras.iter().map(|camera| is_stereo(twin, camera)).collect();
         if self.needs.stereo {
-            if !has_pair[..written].contains(&true) {
+            if !has_pair.contains(&true) {
                 return Err(self.unfit(
                     "output.formats",
                     "a stereo format describes a pair, and no camera of the recipe is a stereo depth sensor",
                     "add depth to camera.cameras, or remove the format",
                 ));
             }
-            let without = cameras[..written].iter().zip(&has_pair).filter(|(_, has)| !**has);
+            let without = cameras.iter().zip(&has_pair).filter(|(_, has)| !**has);
             findings.extend(without.map(|(camera, _)| {
                 let what = "is not part of a stereo pair; stereo formats leave it out";
                 Finding::new("no-pair", Level::Note, &camera.path, what, "")
             }));
         }
-        Ok(Rig {
-            cameras,
-            has_pair,
+        Ok(FrameRig {
+            rig,
             written,
             aligned,
-            sensors,
-            pair,
+            has_pair,
             findings,
         })
     }
 
     /// Rejects filters that remember earlier frames.
     fn reject_memory(&self, sensors: &[Option<Sensor>]) -> Result<(), GenerateError> {
-        let filters = |sensor: &Sensor| {
-            sensor
-                .filters()
-                .filters()
-                .iter()
-                .any(|one| matches!(one, Filter::Temporal(_)))
-        };
-        if !sensors.iter().flatten().any(filters) {
+        if !sensors.iter().flatten().any(Sensor::remembers) {
             return Ok(());
         }
         Err(self.unfit(
@@ -397,25 +372,7 @@ impl Context {
     }
 }
 
-/// Returns the depth sensor that measures with a camera; `None` for a camera without one.
-fn sensor_of<'a>(twin: &'a Twin, camera: &PlacedCamera) -> Option<&'a TwinDepthSensor> {
-    let DepthSensorSource::Twin(prim) = camera.depth_sensor.as_ref()? else {
-        return None;
-    };
-    twin.depth_sensors.iter().find(|sensor| sensor.spec.prim == *prim)
-}
-
 /// Whether a stereo depth sensor measures with a camera.
 fn is_stereo(twin: &Twin, camera: &PlacedCamera) -> bool {
-    sensor_of(twin, camera).is_some_and(|sensor| sensor.spec.pair().is_some())
-}
-
-/// Returns the engine of a camera's depth sensor; `None` for a camera without one.
-fn engine_of(
-    twin: &Twin,
-    camera: &PlacedCamera,
-    chosen: Option<&'static EngineKind>,
-) -> Option<&'static EngineKind> {
-    let sensor = sensor_of(twin, camera)?;
-    Some(chosen.unwrap_or_else(|| default_engine(sensor.spec.kind)))
+    depth_sensor_of(twin, camera).is_some_and(|sensor| sensor.spec.pair().is_some())
 }

@@ -219,10 +219,10 @@ impl DepthSensor {
         };
         let suits = |kind: &EngineKind| kind.models.is_none_or(|models| models == technology);
         let mut engines: Vec<&str> = (ENGINES.iter().filter(|kind| suits(kind)))
-            .map(|kind| kind.name)
+            .map(|kind| &*kind.name)
             .collect();
-        let default = default_engine(spec.kind).name;
-        engines.sort_by_key(|name| *name != default);
+        let default = &default_engine(spec.kind).name;
+        engines.sort_by_key(|name| name != default);
         let (from, to) = spec.ideal_range_m;
         Some(Self {
             id: sensor_id(twin, sensor),
@@ -253,12 +253,12 @@ pub(crate) fn bands(published: Option<&Bands>) -> Vec<Band> {
 }
 
 impl Engine {
-    fn new(kind: &EngineKind) -> Self {
+    fn new(kind: &'static EngineKind) -> Self {
         Self {
-            name: kind.name,
-            help: kind.help,
+            name: &kind.name,
+            help: &kind.help,
             is_matcher: kind.input == EngineInput::Pair,
-            parameters: listings(kind.name).iter().map(Parameter::new).collect(),
+            parameters: listings(&kind.name).iter().map(Parameter::new).collect(),
         }
     }
 }

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DVec3;
-use oaktwin::coverage::{self, Candidate, CoverageError, Options, PATCHES, Patches, Region, Rig, RigOptions};
+use oaktwin::coverage::{self, Candidate, CoverageError, MeasuringRig, Options, PATCHES, Patches, Region};
 use oaktwin::scene::Bounds;
 use serde::{Deserialize, Serialize};
 
@@ -86,17 +86,11 @@ pub(crate) fn surface(studio: &Studio, request: &SurfaceRequest) -> Result<Vec<u
 }
 
 /// Returns the OAK of a state, and its pose.
-fn rig(studio: &Studio, state: &OakState) -> Result<(Rig, RigidTransform), Failure> {
+fn rig(studio: &Studio, state: &OakState) -> Result<(MeasuringRig, RigidTransform), Failure> {
     let twin = state.twin(studio)?;
-    let pair = state.pair_options(None)?;
-    let options = RigOptions {
-        sensor: Some(state.sensor_kind().to_owned()),
-        engine: state.options()?,
-        size: None,
-        projector: Some(pair.projector),
-        pair,
-    };
-    let (rig, _) = Rig::new(&twin, &options).map_err(|error| Failure::of("engine", &error))?;
+    let (spec, sensor) = (state.spec(None)?, Some(state.sensor_kind()));
+    let made = MeasuringRig::new(&twin, sensor, Some(state.projector), &spec);
+    let (rig, _) = made.map_err(|error| Failure::of("engine", &error))?;
     Ok((rig, state.pose.transform()?))
 }
 

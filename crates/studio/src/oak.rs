@@ -4,11 +4,10 @@ use oaktwin::camera::ImageSize;
 use oaktwin::catalog::{Device, LensChoice, Twin};
 use oaktwin::depth::parameters::choose;
 use oaktwin::diagnostic::Finding;
+use oaktwin::image::annotation::Annotator;
 use oaktwin::pair::{PairCameras, PairOptions};
-use oaktwin::render::{
-    self, DepthSensorOptions, OakOptions, PlacedCamera, check_size, depth_sensors, oak_cameras, put_pair,
-};
-use oaktwin::sensor::{EngineInput, EngineKind, Sensor, SensorOptions};
+use oaktwin::render::{self, PairUse, PlacedCamera, Rig, RigError, RigSpec, check_size};
+use oaktwin::sensor::{EngineKind, Sensor, SensorOptions};
 
 use crate::protocol::{Failure, OakState};
 use crate::studio::Studio;
@@ -65,7 +64,7 @@ impl OakState {
     pub(crate) fn options(&self) -> Result<SensorOptions, Failure> {
         let parameters = self.parameters.iter();
         Ok(SensorOptions {
-            engine: Some(self.engine()?),
+            engine: Some(self.engine()?.into()),
             preset: self.preset.clone(),
             filters: self.filters.clone().unwrap_or_default(),
             parameters: parameters
@@ -84,17 +83,21 @@ impl OakState {
         self.sensor.strip_prefix("depth_").unwrap_or(&self.sensor)
     }
 
-    /// Returns the options of the stereo pair.
-    pub(crate) fn pair_options(&self, size: Option<ImageSize>) -> Result<PairOptions, Failure> {
-        let options = PairOptions {
-            projector: self.projector,
-            ambient: self.ambient,
-            lens: self.lens()?,
+    /// Returns the specification of the rig, with images of a size.
+    pub(crate) fn spec(&self, size: Option<ImageSize>) -> Result<RigSpec, Failure> {
+        Ok(RigSpec {
+            cameras: vec![self.sensor.clone()],
             size,
-            ..PairOptions::default()
-        };
-        let options = options.of_sensor(&self.options()?);
-        options.map_err(|error| Failure::of(&error.name, &error))
+            annotators: vec![Annotator::DepthSensorDistance],
+            sensor: self.options()?,
+            pair: PairOptions {
+                projector: self.projector,
+                ambient: self.ambient,
+                lens: self.lens()?,
+                ..PairOptions::default()
+            },
+            ..RigSpec::default()
+        })
     }
 }
 
@@ -119,55 +122,27 @@ impl Oak {
         let twin = state.twin(studio)?;
         let lens = state.lens()?;
         render::check_lens(&twin, lens).map_err(|error| Failure::of("lens", &error))?;
-        let names = [state.sensor.clone()];
-        let options = OakOptions {
-            cameras: &names,
-            lens,
-            size,
-        };
-        let placed = oak_cameras(&twin, &state.pose.transform()?, &options);
-        let (mut cameras, mut findings) = placed.map_err(|error| Failure::of("sensor", &error))?;
-        findings.extend(state.drawn(studio)?.map(|drawn| drawn.finding()));
-        let is_matching = state.engine()?.input == EngineInput::Pair;
-        let pair = match is_matching || needs_pair {
-            // Only a matcher reports the depth of the rectified camera.
-            true => {
-                let mut unused = Vec::new();
-                let moved = if is_matching { &mut cameras } else { &mut unused };
-                match put_pair(&twin, moved, &state.pair_options(size)?) {
-                    Ok((pair, more)) => {
-                        findings.extend(more);
-                        Some(pair)
-                    }
-                    Err(error) if is_matching => return Err(Failure::of("engine", &error)),
-                    Err(_) => None,
-                }
-            }
-            false => None,
-        };
-        let sensor_options = state.options()?;
-        let made = depth_sensors(
-            &cameras,
-            &DepthSensorOptions {
-                twin: Some(&twin),
-                sensor: &sensor_options,
+        let spec = RigSpec {
+            pair_use: match needs_pair {
+                true => PairUse::Beside,
+                false => PairUse::Matched,
             },
-        );
-        let (sensors, more) = made.map_err(|error| Failure::of(&error.error.name, &error.error))?;
-        findings.extend(more);
-        let both = cameras.into_iter().zip(sensors);
-        let Some((camera, sensor)) = both
-            .into_iter()
-            .find_map(|(camera, sensor)| Some((camera, sensor?)))
-        else {
-            let error = format!(
-                "{} has no depth sensor '{}'; choose a model with one: {}",
-                state.model,
-                state.sensor,
-                twin.device.models_with_depth(None)
-            );
+            ..state.spec(size)?
+        };
+        let made = Rig::new(&twin, &spec).map_err(|error| match &error {
+            RigError::Camera(_) | RigError::Option(_) => Failure::of("sensor", &error),
+            RigError::Pair(_) => Failure::of("engine", &error),
+            RigError::Sensor(inner) => Failure::of(&inner.error.name, &inner.error),
+            RigError::Parameter(inner) => Failure::of(&inner.name, inner),
+        });
+        let (rig, mut findings) = made?;
+        findings.extend(state.drawn(studio)?.map(|drawn| drawn.finding()));
+        let rig = rig.at(&state.pose.transform()?);
+        let Some((camera, sensor)) = rig.depth_sensor() else {
+            let error = format!("{} has no depth sensor '{}'", state.model, state.sensor);
             return Err(Failure::of("sensor", &error));
         };
+        let (camera, sensor, pair) = (camera.clone(), sensor.clone(), rig.pair().cloned());
         Ok(Self {
             twin,
             camera,

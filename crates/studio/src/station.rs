@@ -126,12 +126,8 @@ impl Station {
             .as_ref()
             .filter(|_| oak.pair.is_some())
             .map(|(_, pair)| Arc::clone(pair));
-        let input = sensor_input(&oak.sensor, &seen.frame, 0, pair.as_deref()).ok_or_else(|| {
-            Failure::of(
-                "engine",
-                "the images of the pair do not fit each other; choose another engine",
-            )
-        })?;
+        let input = sensor_input(&oak.sensor, &seen.frame, 0, pair.as_deref());
+        let input = input.map_err(|error| Failure::of("engine", &error))?;
         let offered = oak.sensor.engine().outputs();
         let extras: Vec<Annotator> = [Annotator::Confidence, Annotator::DepthSensorReason]
             .into_iter()

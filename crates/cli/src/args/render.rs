@@ -30,10 +30,11 @@ fn after_help() -> String {
 #[command(
     next_line_help = true,
     mut_arg("engine", |arg| arg.hide_possible_values(true).help(
-        "The error model: stereo-noise, time-of-flight, stereo-matching, single-view [default: single-view]"
+        "The error model [default: the one of the model's technology; single-view without --model]"
     ).long_help(
-        "The error model: stereo-noise, time-of-flight, stereo-matching, single-view [default: single-view]\n\n\
-         stereo-matching requires --model and renders its stereo pair."
+        "The error model: stereo-noise, time-of-flight, stereo-matching, single-view [default: the one of the model's technology; \
+         single-view without --model]\n\n\
+         stereo-matching requires --model and renders its stereo pair. single-view is Isaac Sim's DepthSensorDistance."
     )),
     mut_arg("isaac", |arg| arg.help(
         "Use single-view's defaults of this Isaac Sim version [default: the version of the scene's asset]"

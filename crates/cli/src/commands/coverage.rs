@@ -3,24 +3,15 @@ mod text;
 
 use std::path::Path;
 
-use oaktwin::coverage::{self, Coverage, Options, Rig};
+use oaktwin::coverage::{self, Coverage, MeasuringRig, Options};
 use oaktwin::files::{OutputFiles, WrittenFile};
-use oaktwin::image::annotation::Annotator;
 use oaktwin::image::{Image, png};
-use oaktwin::memory;
-use oaktwin::render::{self, OpenOptions, Renderer, SceneFile};
+use oaktwin::render::{OpenOptions, Renderer, SceneFile};
 use serde::Serialize;
 
 use crate::args::CoverageArgs;
 use crate::context::{Context, Exit, Result};
 use crate::{output, progress};
-
-/// The images of a candidate.
-const MADE: [Annotator; 3] = [
-    Annotator::Rgb,
-    Annotator::DistanceToImagePlane,
-    Annotator::DepthSensorDistance,
-];
 
 /// The result of the command.
 #[derive(Serialize)]
@@ -45,7 +36,7 @@ pub(crate) fn run(context: &Context, args: &CoverageArgs) -> Result<Exit> {
     let mut findings = std::mem::take(&mut scene.findings);
     findings.extend(models.findings);
     let placements = asked::placements(args, &sweep, scene.scene.up)?;
-    let rigs: Vec<Rig> = if args.model.is_empty() {
+    let rigs: Vec<MeasuringRig> = if args.model.is_empty() {
         let (rigs, more) = asked::own_rigs(args, &scene)?;
         findings.extend(more);
         rigs
@@ -60,7 +51,7 @@ pub(crate) fn run(context: &Context, args: &CoverageArgs) -> Result<Exit> {
         .transpose()?
         .unwrap_or_default();
     files.protect([args.scene.as_path()].into_iter().chain(args.poses.as_deref()));
-    check_memory(&rigs)?;
+    rigs.iter().try_for_each(MeasuringRig::check_memory)?;
     let renderer = Renderer::new(scene.scene);
     let options = Options {
         samples: args.samples,
@@ -96,24 +87,6 @@ pub(crate) fn run(context: &Context, args: &CoverageArgs) -> Result<Exit> {
         Exit::Interrupted
     } else {
         Exit::Success
-    })
-}
-
-/// Rejects images that need more memory than is available, if that is known.
-fn check_memory(rigs: &[Rig]) -> Result<()> {
-    let needed = |rig: &Rig| render::frame_bytes(rig.camera().camera.intrinsics.size, &MADE);
-    let largest = rigs.iter().max_by_key(|rig| needed(rig));
-    largest.map_or(Ok(()), |rig| {
-        memory::check(needed(rig)).map_err(|shortage| {
-            format!(
-                "{}: images of {}: {}; choose a smaller --resolution, or {}",
-                rig.camera().path,
-                rig.camera().camera.intrinsics.size,
-                shortage.what(),
-                shortage.remedy()
-            )
-            .into()
-        })
     })
 }
 

@@ -50,7 +50,7 @@ fn listings(context: &Context, args: &ParamsArgs, name: &str) -> Result<Vec<List
     let mut list = group.list(args.platform.or_else(|| twin.platform()).unwrap_or_default());
     if let Ok(engine) = EngineKind::parse(name) {
         let options = SensorOptions {
-            engine: Some(engine),
+            engine: Some(engine.into()),
             ..SensorOptions::default()
         };
         let sensors = twin.depth_sensors.iter().map(|own| sensor(&twin, own, &options));

@@ -49,7 +49,7 @@ fn the_files_hold_what_the_sensor_saw() {
         let catalog = Catalog::builtin();
         let twin = catalog.nominal(catalog.device("OAK-D Pro PoE").unwrap());
         let options = SensorOptions {
-            engine: Some(engine),
+            engine: Some(engine.into()),
             seed: 9,
             ..SensorOptions::default()
         };

@@ -1,13 +1,16 @@
 //! The registry of engines.
 //!
-//! A new engine needs its own module, an adapter here that implements [`Engine`], and a line in [`ENGINES`].
+//! A new engine needs its own module, an adapter here that implements [`Engine`], and a line in [`ENGINES`]. Engines of other crates need
+//! neither: their [`EngineKind`] is passed wherever one is chosen.
 
 mod filters;
+mod measured;
 mod single_view;
 mod stereo_matching;
 mod stereo_noise;
 mod time_of_flight;
 
+use std::ptr;
 use std::sync::Arc;
 
 use oaktwin_base::diagnostic::{fold_name, suggest};
@@ -22,8 +25,8 @@ pub use time_of_flight::TIME_OF_FLIGHT;
 #[cfg(test)]
 pub(crate) use filters::spread;
 
-/// All engines.
-pub static ENGINES: [&EngineKind; 4] = [&SINGLE_VIEW, &STEREO_NOISE, &STEREO_MATCHING, &TIME_OF_FLIGHT];
+/// The engines of this crate.
+pub static ENGINES: &[&EngineKind] = &[&SINGLE_VIEW, &STEREO_NOISE, &STEREO_MATCHING, &TIME_OF_FLIGHT];
 
 impl EngineKind {
     /// Returns the engine of a name; case, hyphens and underscores are ignored.
@@ -33,9 +36,9 @@ impl EngineKind {
     pub fn parse(name: &str) -> Result<&'static Self, ParameterError> {
         let found = ENGINES
             .iter()
-            .find(|kind| fold_name(kind.name) == fold_name(name));
+            .find(|kind| fold_name(&kind.name) == fold_name(name));
         found.copied().ok_or_else(|| {
-            let remedy = suggest(name, ENGINES.map(|kind| kind.name));
+            let remedy = suggest(name, ENGINES.iter().map(|kind| &*kind.name));
             ParameterError::new("engine", format!("unknown engine '{name}'"), remedy)
         })
     }
@@ -51,13 +54,19 @@ impl EngineKind {
     /// Creates the engine.
     ///
     /// # Errors
-    /// Returns an error if a parameter is unknown, has an invalid value, or is out of range.
+    /// Returns an error if a parameter is unknown, has an invalid value, or is out of range, or if the kind has the name of one of
+    /// [`ENGINES`] and is another.
     pub fn create(&self, setup: &Setup) -> Result<Arc<dyn Engine>, ParameterError> {
+        let mut others = ENGINES.iter().filter(|other| !ptr::eq(**other, self));
+        if others.any(|other| fold_name(&other.name) == fold_name(&self.name)) {
+            let what = format!("there is already an engine named {self}");
+            return Err(ParameterError::new("engine", what, "give it another name"));
+        }
         let mut setup = setup.clone();
         for (name, _) in &mut setup.parameters {
             self.resolve(name)?.clone_into(name);
         }
-        (self.create)(&setup)
+        self.factory.create(&setup)
     }
 
     fn find(&self, name: &str) -> Option<&'static str> {

@@ -1,3 +1,4 @@
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use oaktwin_camera::Intrinsics;
@@ -7,12 +8,12 @@ use super::filters::run_on_metres;
 use crate::filter::Chain;
 use crate::random::Stream;
 use crate::single_view::{Assumptions, Direction, OutputMode, Parameters, SingleView, Wanted};
-use crate::{BatchEngine, Capture, Engine, EngineInput, EngineKind, Input, ParameterError, Setup};
+use crate::{BatchEngine, Capture, Engine, EngineInput, EngineKind, Factory, Input, ParameterError, Setup};
 
 /// Isaac Sim's `DepthSensorDistance`: [`crate::single_view`].
 pub static SINGLE_VIEW: EngineKind = EngineKind {
-    name: "single-view",
-    help: "Isaac Sim's DepthSensorDistance",
+    name: Cow::Borrowed("single-view"),
+    help: Cow::Borrowed("Isaac Sim's DepthSensorDistance"),
     input: EngineInput::Depth,
     models: None,
     is_default: false,
@@ -20,7 +21,7 @@ pub static SINGLE_VIEW: EngineKind = EngineKind {
         let alias = vec!["outlierRemovalRange"];
         [Parameters::names(), alias, Assumptions::names()].concat()
     },
-    create: |setup: &Setup| {
+    factory: Factory::Function(|setup: &Setup| {
         let (mut parameters, mut assumptions) = (setup.attributes, Assumptions::default());
         for (name, value) in &setup.parameters {
             if Assumptions::names().contains(&name.as_str()) {
@@ -30,11 +31,11 @@ pub static SINGLE_VIEW: EngineKind = EngineKind {
             }
         }
         Ok(Arc::new(SingleView::new(parameters, assumptions)?))
-    },
+    }),
 };
 
 impl Engine for SingleView {
-    fn kind(&self) -> &'static EngineKind {
+    fn kind(&self) -> &EngineKind {
         &SINGLE_VIEW
     }
 

@@ -1,3 +1,4 @@
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use oaktwin_base::diagnostic::{Finding, Level, fold_name};
@@ -11,19 +12,19 @@ use crate::filter::{Chain, Filter};
 use crate::random::Stream;
 use crate::stereo_matching::{Parameters, StereoMatching, inspect, platform_of};
 use crate::{
-    Capture, Engine, EngineInput, EngineKind, FixedDisparity, Input, ParameterError, PresetConfig, Setup,
-    Technology, stereo_noise,
+    Capture, Engine, EngineInput, EngineKind, Factory, FixedDisparity, Input, ParameterError, PresetConfig,
+    Setup, Technology, stereo_noise,
 };
 
 /// The stereo matcher: [`crate::stereo_matching`].
 pub static STEREO_MATCHING: EngineKind = EngineKind {
-    name: "stereo-matching",
-    help: "Stereo matching of a rectified pair, as on the device",
+    name: Cow::Borrowed("stereo-matching"),
+    help: Cow::Borrowed("Stereo matching of a rectified pair, as on the device"),
     input: EngineInput::Pair,
     models: Some(Technology::Stereo),
     is_default: false,
     parameters: || [Parameters::names(), vec![CALIBRATION_ERROR]].concat(),
-    create: |setup: &Setup| {
+    factory: Factory::Function(|setup: &Setup| {
         let mut parameters = Parameters::new(setup.platform, setup.stereo(), setup.width_px);
         if let Some(PresetConfig::Stereo(config)) = &setup.preset {
             config.apply_to_matching(&mut parameters);
@@ -36,7 +37,7 @@ pub static STEREO_MATCHING: EngineKind = EngineKind {
             }
         }
         Ok(Arc::new(StereoMatching::new(parameters)?))
-    },
+    }),
 };
 
 /// The parameter that belongs to the pair and not to its matcher.
@@ -71,7 +72,7 @@ pub fn calibration_error_px(setup: &Setup) -> Result<f64, ParameterError> {
 }
 
 impl Engine for StereoMatching {
-    fn kind(&self) -> &'static EngineKind {
+    fn kind(&self) -> &EngineKind {
         &STEREO_MATCHING
     }
 

@@ -1,3 +1,4 @@
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use oaktwin_camera::Intrinsics;
@@ -9,19 +10,19 @@ use crate::filter::{Chain, Filter};
 use crate::random::Stream;
 use crate::stereo_noise::{self, Parameters, StereoNoise};
 use crate::{
-    BatchEngine, Capture, Engine, EngineInput, EngineKind, Input, ParameterError, PresetConfig, Setup,
-    Technology,
+    BatchEngine, Capture, Engine, EngineInput, EngineKind, Factory, Input, ParameterError, PresetConfig,
+    Setup, Technology,
 };
 
 /// The parametric stereo error model: [`crate::stereo_noise`].
 pub static STEREO_NOISE: EngineKind = EngineKind {
-    name: "stereo-noise",
-    help: "Parametric stereo error model",
+    name: Cow::Borrowed("stereo-noise"),
+    help: Cow::Borrowed("Parametric stereo error model"),
     input: EngineInput::Depth,
     models: Some(Technology::Stereo),
     is_default: true,
     parameters: Parameters::names,
-    create: |setup: &Setup| {
+    factory: Factory::Function(|setup: &Setup| {
         let mut parameters = Parameters::new(setup.platform, setup.stereo(), setup.width_px);
         if let Some(PresetConfig::Stereo(config)) = &setup.preset {
             config.apply_to(&mut parameters);
@@ -43,7 +44,7 @@ pub static STEREO_NOISE: EngineKind = EngineKind {
             follow_width(&mut parameters, setup);
         }
         Ok(Arc::new(StereoNoise::new(parameters)?))
-    },
+    }),
 };
 
 /// Changes what depends on the width of the matcher's mode, unless it is given by name.
@@ -60,7 +61,7 @@ fn follow_width(parameters: &mut Parameters, setup: &Setup) {
 }
 
 impl Engine for StereoNoise {
-    fn kind(&self) -> &'static EngineKind {
+    fn kind(&self) -> &EngineKind {
         &STEREO_NOISE
     }
 

@@ -1,3 +1,4 @@
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use oaktwin_camera::{Intrinsics, Usd};
@@ -8,19 +9,19 @@ use crate::filter::Chain;
 use crate::random::Stream;
 use crate::time_of_flight::{Parameters, TimeOfFlight};
 use crate::{
-    BatchEngine, Capture, Engine, EngineInput, EngineKind, Input, ParameterError, PresetConfig, Setup,
-    Technology,
+    BatchEngine, Capture, Engine, EngineInput, EngineKind, Factory, Input, ParameterError, PresetConfig,
+    Setup, Technology,
 };
 
 /// The phase model of a time-of-flight camera: [`crate::time_of_flight`].
 pub static TIME_OF_FLIGHT: EngineKind = EngineKind {
-    name: "time-of-flight",
-    help: "Time-of-flight phase model",
+    name: Cow::Borrowed("time-of-flight"),
+    help: Cow::Borrowed("Time-of-flight phase model"),
     input: EngineInput::Depth,
     models: Some(Technology::TimeOfFlight),
     is_default: true,
     parameters: Parameters::names,
-    create: |setup: &Setup| {
+    factory: Factory::Function(|setup: &Setup| {
         let mut parameters = Parameters {
             principal_point_px: setup.principal_point_px,
             ..Parameters::new(setup.focal_length_px, setup.width_px)
@@ -35,11 +36,11 @@ pub static TIME_OF_FLIGHT: EngineKind = EngineKind {
             parameters.set(name, value)?;
         }
         Ok(Arc::new(TimeOfFlight::new(parameters)?))
-    },
+    }),
 };
 
 impl Engine for TimeOfFlight {
-    fn kind(&self) -> &'static EngineKind {
+    fn kind(&self) -> &EngineKind {
         &TIME_OF_FLIGHT
     }
 

@@ -61,8 +61,9 @@ impl Luminance<'_> {
         Image::new(self.width(), self.height(), grey.collect()).unwrap_or_else(none)
     }
 
-    /// The pixels, row by row.
-    pub(super) fn levels(&self) -> Vec<i16> {
+    /// Returns the pixels, row by row: 0 to 255 of 8 bits, 0 to 1023 of 10 bits.
+    #[must_use]
+    pub fn levels(&self) -> Vec<i16> {
         match self {
             Self::Bits8(image) => image.pixels().iter().map(|&level| level.into()).collect(),
             #[expect(clippy::cast_possible_wrap, reason = "10 bits")]

@@ -15,7 +15,7 @@ use super::{
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_pipeline::progress::{Progress, Watch};
-use oaktwin_pipeline::sensor::{default_engine, depth_sensor};
+use oaktwin_pipeline::sensor::depth_sensor;
 
 /// A depth sensor of a twin, ready to be measured.
 #[derive(Debug)]
@@ -59,14 +59,10 @@ impl Bench {
             Some(distances) => distances.clone(),
             None => default_distances(rig, &depth, published.as_ref()),
         };
-        let kind = options
-            .engine
-            .engine
-            .unwrap_or_else(|| default_engine(depth.spec.kind));
         let report = Report {
             model: twin.device.name.clone(),
             sensor: depth.spec.prim.clone(),
-            engine: kind.name,
+            engine: options.engine.engine_for(depth.spec.kind).name.to_string(),
             carries_depth: rig.carries_depth(),
             devices,
             focal_length_px: intrinsics.fx,

@@ -14,7 +14,7 @@ pub struct Report {
     /// The prim of the depth sensor.
     pub sensor: String,
     /// The name of the engine, such as `stereo-noise`.
-    pub engine: &'static str,
+    pub engine: String,
     /// Whether Isaac Sim's sensor carries the rendered depth along (in each row's own reading) instead of computing it from
     /// disparity; `None` for other engines.
     #[serde(skip_serializing_if = "Option::is_none")]

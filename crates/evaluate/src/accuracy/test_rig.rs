@@ -197,7 +197,8 @@ impl TestRig {
         let is_filtered = self.units.iter().any(|unit| !unit.filters.is_empty());
         let engines = || self.units.iter().map(|unit| &unit.engine);
         let around = engines().map(|engine| engine.support_px()).max().unwrap_or(0);
-        let around = around + if is_filtered { AROUND_FILTERS_PX } else { AROUND_PX };
+        let margin = if is_filtered { AROUND_FILTERS_PX } else { AROUND_PX };
+        let around = around.saturating_add(margin);
         let rows = grown(&self.region.rows, around, size.height);
         let reach = engines()
             .map(|engine| engine.reach_px(size.width, distance_m).abs())
@@ -208,7 +209,7 @@ impl TestRig {
             clippy::cast_sign_loss,
             reason = "within the image"
         )]
-        let sideways = around + reach.ceil() as u32;
+        let sideways = around.saturating_add(reach.ceil() as u32);
         let columns = if engines().any(|engine| engine.needs_full_width(size.width)) {
             0..size.width
         } else {

@@ -31,7 +31,7 @@ fn with_parameters(parameters: &[(&str, &str)]) -> SensorOptions {
 
 fn matching(parameters: &[(&str, &str)]) -> SensorOptions {
     SensorOptions {
-        engine: Some(&STEREO_MATCHING),
+        engine: Some((&STEREO_MATCHING).into()),
         ..with_parameters(parameters)
     }
 }
@@ -169,7 +169,7 @@ fn both_readings_of_the_time_of_flight_parameters() {
     let options = Options {
         distances_m: Some(vec![0.2, 5.0]),
         engine: SensorOptions {
-            engine: Some(&SINGLE_VIEW),
+            engine: Some((&SINGLE_VIEW).into()),
             ..SensorOptions::default()
         },
         ..Options::default()
@@ -193,7 +193,7 @@ fn both_readings_of_the_time_of_flight_parameters() {
 
     let recomputed = Options {
         engine: SensorOptions {
-            engine: Some(&SINGLE_VIEW),
+            engine: Some((&SINGLE_VIEW).into()),
             ..with_parameters(&[("depth", "recomputed")])
         },
         ..options
@@ -212,7 +212,7 @@ fn time_of_flight_is_within_its_bands() {
         ..Options::default()
     };
     let report = measured("oak-d-tof", &options);
-    assert_eq!((report.engine, report.carries_depth), ("time-of-flight", None));
+    assert_eq!((&*report.engine, report.carries_depth), ("time-of-flight", None));
     for row in &report.distances {
         assert_eq!(row.verdict, Verdict::Inside, "{row:?}");
     }

@@ -173,8 +173,13 @@ fn rig(
     scale: f64,
 ) -> Result<TestRig, AccuracyError> {
     let intrinsics = intrinsics(twin, depth)?;
-    let baseline_m = units.first().and_then(|unit| unit.engine.baseline_m());
-    let camera = baseline_m
+    let pair = units.first().and_then(|unit| {
+        let engine = &unit.engine;
+        let matches = engine.kind().input == EngineInput::Pair;
+        let of_twin = || twin.depth_baseline_m(depth.spec.pair()?);
+        engine.baseline_m().or_else(of_twin).filter(|_| matches)
+    });
+    let camera = pair
         .map(|baseline_m| StereoCamera::new((baseline_m, drift), scale, options.engine.seed))
         .transpose()?;
     Ok(TestRig {

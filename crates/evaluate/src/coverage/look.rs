@@ -5,15 +5,12 @@ use std::collections::BTreeMap;
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::{PixelPoint, Usd};
 use oaktwin_image::ZDepth;
-use oaktwin_image::annotation::{Annotator, Reasons};
-use oaktwin_pipeline::render::{AnnotateOptions, Backend, Renderer, View, scene_annotators, sense_frame};
+use oaktwin_image::annotation::Reasons;
+use oaktwin_pipeline::render::{Backend, Renderer, RigError, View};
 use rayon::prelude::*;
 
 use super::sight::{Line, Sight};
 use super::{Candidate, Outcome, SurfacePoint};
-
-/// The outputs of the depth sensor that are requested.
-const ASKED: [Annotator; 2] = [Annotator::DepthSensorDistance, Annotator::DepthSensorReason];
 
 /// The cosine of the angle of incidence below which a face is seen edge-on.
 const EDGE_ON: f64 = 1e-6;
@@ -33,8 +30,15 @@ pub(super) struct Look {
 }
 
 /// Simulates the depth sensor of a candidate and assesses each point.
-pub(super) fn look(renderer: &Renderer, candidate: &Candidate<'_>, points: &[SurfacePoint]) -> Look {
-    let (image, findings) = SensorImage::capture(renderer, candidate);
+///
+/// # Errors
+/// Returns an error if the sensor cannot measure what was rendered.
+pub(super) fn look(
+    renderer: &Renderer,
+    candidate: &Candidate<'_>,
+    points: &[SurfacePoint],
+) -> Result<Look, RigError> {
+    let (image, findings) = SensorImage::capture(renderer, candidate)?;
     let lines = image.sight.lines(renderer, points);
     let assessed: Vec<(Outcome, f32)> = points
         .par_iter()
@@ -48,12 +52,12 @@ pub(super) fn look(renderer: &Renderer, candidate: &Candidate<'_>, points: &[Sur
         }
     }
     let (outcomes, errors_m) = assessed.into_iter().unzip();
-    Look {
+    Ok(Look {
         outcomes,
         errors_m,
         occluders,
         findings,
-    }
+    })
 }
 
 /// The image of a depth sensor.
@@ -67,21 +71,19 @@ struct SensorImage {
 }
 
 impl SensorImage {
-    fn capture(renderer: &Renderer, candidate: &Candidate<'_>) -> (Self, Vec<Finding>) {
-        let (rig, pose) = (candidate.rig, &candidate.world_from_body);
-        let input = rig.camera.view(pose);
-        let annotators = scene_annotators(&ASKED, true);
-        let (mut frame, mut findings) =
-            renderer.annotate(&input, &annotators, Backend::Auto, &AnnotateOptions::default());
-        let pair = rig.pair.as_ref().map(|pair| pair.look(renderer, pose, 0));
-        // Each candidate has a new sensor, so that its result does not depend on the others.
-        let mut sensor = rig.sensor.clone();
-        sense_frame(&mut sensor, &input.camera, 0, pair.as_ref(), &ASKED, &mut frame);
+    fn capture(renderer: &Renderer, candidate: &Candidate<'_>) -> Result<(Self, Vec<Finding>), RigError> {
+        let pose = &candidate.world_from_body;
+        // Each candidate has a new rig, so that its result does not depend on the others.
+        let (shots, findings) = candidate.rig.rig.clone().shoot(renderer, Some(pose), 0)?;
+        let frame = shots
+            .into_iter()
+            .next()
+            .map(|shot| shot.frame)
+            .unwrap_or_default();
         let view = candidate.view();
-        findings.extend(pair.into_iter().flat_map(|pair| pair.findings));
         let truth = frame
             .distance_to_image_plane
-            .filter(|_| view == input)
+            .filter(|_| view == candidate.rig.camera.view(pose))
             .unwrap_or_else(|| renderer.depth(&view, Backend::Auto));
         let image = Self {
             sight: Sight::new(view),
@@ -89,7 +91,7 @@ impl SensorImage {
             measured: frame.depth_sensor_distance,
             reasons: frame.depth_sensor_reason,
         };
-        (image, findings)
+        Ok((image, findings))
     }
 
     /// Returns the outcome at a point and the error of its measurement.

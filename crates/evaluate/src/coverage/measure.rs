@@ -104,7 +104,7 @@ pub fn measure(
             is_interrupted = true;
             break;
         }
-        let seen = look(renderer, candidate, &samples.points);
+        let seen = look(renderer, candidate, &samples.points)?;
         tally.add(renderer.scene(), candidate, seen);
     }
     if !is_interrupted {
@@ -157,8 +157,8 @@ impl Tally {
         let axis = rig.camera.view(pose).world_from_camera.rotation.z_axis;
         self.candidates.push(CandidateCoverage {
             name: candidate.name.clone(),
-            model: rig.model.clone(),
-            engine: rig.sensor.engine().kind().name,
+            model: rig.name().to_owned(),
+            engine: rig.sensor.engine().kind().name.to_string(),
             position_m: pose.translation.to_array(),
             orientation: pose.quaternion().to_array(),
             height_m: pose.translation.dot(up),

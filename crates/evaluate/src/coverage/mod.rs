@@ -7,8 +7,8 @@
 //! ```
 //! use oaktwin_camera::math::DVec3;
 //! use oaktwin_catalog::Catalog;
-//! use oaktwin_evaluate::coverage::{self, Candidate, Options, Region, Rig, RigOptions};
-//! use oaktwin_pipeline::render::{Renderer, look_at};
+//! use oaktwin_evaluate::coverage::{self, Candidate, MeasuringRig, Options, Region};
+//! use oaktwin_pipeline::render::{Renderer, RigSpec, look_at};
 //! use oaktwin_scene::{Instance, Scene, shape};
 //! use std::ops::ControlFlow;
 //!
@@ -24,7 +24,7 @@
 //!
 //! let catalog = Catalog::builtin();
 //! let twin = catalog.nominal(catalog.device("OAK4-D")?);
-//! let (rig, _) = Rig::new(&twin, &RigOptions::default())?;
+//! let (rig, _) = MeasuringRig::new(&twin, None, None, &RigSpec::default())?;
 //! let ahead = Candidate::new(&rig, "ahead", look_at(DVec3::ZERO, DVec3::X, DVec3::Z)?);
 //! let aside = Candidate::new(&rig, "aside", look_at(DVec3::ZERO, DVec3::Y, DVec3::Z)?);
 //!
@@ -64,5 +64,5 @@ pub use picture::picture;
 pub use placement::{Base, Placement, Sweep};
 pub use region::Region;
 pub use report::{CandidateCoverage, Coverage, Occluder, PointOutcomes, SampledRegion, Selected, Shares};
-pub use rig::{Candidate, Rig, RigOptions, candidates};
+pub use rig::{Candidate, MeasuringRig, candidates};
 pub use surface::{Samples, SurfacePoint};

@@ -53,7 +53,7 @@ impl Patches {
                     .map(|&[a, b, c]| SurfacePoint::new(scene, place, part.corners, (a + b + c) / 3.0)),
             );
         }
-        let seen = look(renderer, candidate, &points);
+        let seen = look(renderer, candidate, &points)?;
         Ok(Self {
             corners,
             outcomes: seen.outcomes,

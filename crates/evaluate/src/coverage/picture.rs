@@ -56,7 +56,7 @@ pub fn picture(
         camera: Camera::new(own.camera.intrinsics.resized(size, false), own.camera.lens),
         ..own
     };
-    let outcomes = look(renderer, candidate, &samples.points).outcomes;
+    let outcomes = look(renderer, candidate, &samples.points)?.outcomes;
     let outside = vantage(
         renderer,
         &samples.points,
@@ -71,13 +71,13 @@ pub fn picture(
     let titled: Vec<(&str, Image<[u8; 3]>)> = panels
         .into_iter()
         .map(|(title, view)| {
-            let mut panel = painted(renderer, region, &members, candidate, &view, &palette);
+            let mut panel = painted(renderer, region, &members, candidate, &view, &palette)?;
             if view == outside {
                 draw_frustum(&mut panel, &view, candidate);
             }
-            (title, panel)
+            Ok((title, panel))
         })
-        .collect();
+        .collect::<Result<_, CoverageError>>()?;
     let legend = legend(shares, &palette);
     Ok(sheet(&heading(candidate, shares), &titled, &legend))
 }
@@ -90,7 +90,7 @@ fn painted(
     candidate: &Candidate<'_>,
     view: &View,
     palette: &Palette,
-) -> Image<[u8; 3]> {
+) -> Result<Image<[u8; 3]>, CoverageError> {
     let seen = renderer.visibility(view, Backend::Auto);
     let options = AnnotateOptions::default();
     let (frame, _) = renderer.annotate(view, &[Annotator::Rgb], Backend::Auto, &options);
@@ -111,7 +111,7 @@ fn painted(
             points.push(point);
         }
     }
-    let outcomes = look(renderer, candidate, &points).outcomes;
+    let outcomes = look(renderer, candidate, &points)?.outcomes;
     let mut image = frame.rgb.map_or_else(
         || Image::filled(seen.hits.width(), seen.hits.height(), PAPER),
         |rgb| rgb.map(|pixel| [grey(*pixel, 0.5); 3]),
@@ -129,7 +129,7 @@ fn painted(
             .color(outcome)
             .map(|channel| byte(f32::from(channel) * light));
     }
-    image
+    Ok(image)
 }
 
 /// The point of the surface at the centre of a pixel.
@@ -211,7 +211,7 @@ fn heading(candidate: &Candidate<'_>, shares: &Shares) -> String {
     let error = error.map_or_else(String::new, |error| format!(", median error {error:.1} mm"));
     format!(
         "{}, {}: {:.1} % measured, {:.1} % seen{error}",
-        candidate.rig.model,
+        candidate.rig.name(),
         candidate.name,
         100.0 * shares.measured,
         100.0 * shares.seen

@@ -58,7 +58,7 @@ pub struct CandidateCoverage {
     /// The name of the model.
     pub model: String,
     /// The name of the engine, such as `stereo-noise`.
-    pub engine: &'static str,
+    pub engine: String,
     /// The position of the body in the world.
     pub position_m: [f64; 3],
     /// The rotation of the body (x forward, y left, z up) as a quaternion `qx qy qz qw`.

@@ -1,129 +1,89 @@
-use oaktwin_base::diagnostic::Finding;
-use oaktwin_camera::{ImageSize, RigidTransform};
+use oaktwin_base::diagnostic::{Finding, message, opt};
+use oaktwin_camera::RigidTransform;
 use oaktwin_catalog::Twin;
-use oaktwin_pipeline::pair::{PairCameras, PairOptions, default_projector, dot_contrast};
-use oaktwin_pipeline::render::{
-    DepthSensorOptions, OakOptions, PlacedCamera, depth_sensors, oak_cameras, put_pair,
-};
-use oaktwin_pipeline::sensor::{EngineInput, Sensor, SensorOptions, default_engine, depth_sensor};
+use oaktwin_image::annotation::Annotator;
+use oaktwin_pipeline::pair::{PairOptions, default_projector};
+use oaktwin_pipeline::render::{PlacedCamera, Rig, RigError, RigSpec, SceneFile};
+use oaktwin_pipeline::sensor::{Sensor, depth_sensor};
 
 use super::{CoverageError, Placement};
 
-/// The depth sensor of an OAK with its camera, which can be placed anywhere.
+/// What is made of each view.
+const MADE: [Annotator; 3] = [
+    Annotator::DistanceToImagePlane,
+    Annotator::DepthSensorDistance,
+    Annotator::DepthSensorReason,
+];
+
+/// A rig with one depth sensor, whose coverage is measured wherever it is placed.
 #[derive(Clone, Debug)]
-pub struct Rig {
-    pub(super) model: String,
+pub struct MeasuringRig {
+    pub(super) rig: Rig,
     pub(super) camera: PlacedCamera,
     pub(super) sensor: Sensor,
-    /// The stereo pair, for an engine that matches one.
-    pub(super) pair: Option<PairCameras>,
 }
 
-/// The settings of a depth sensor.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct RigOptions {
-    /// The depth sensor by prim or kind (`stereo`, `tof`); by default the device's own.
-    pub sensor: Option<String>,
-    /// The engine and its settings; by default the engine that models the sensor.
-    pub engine: SensorOptions,
-    /// The image size, resized by `DepthAI`'s rule; by default the sensor's own.
-    pub size: Option<ImageSize>,
-    /// The intensity of the dot projector, 0 (off) to 1; by default full on the models that have one.
-    pub projector: Option<f64>,
-    /// The recording of pairs, for an engine that matches them. The size, projector, seed and bias are set by the other options.
-    pub pair: PairOptions,
-}
-
-impl Rig {
-    /// Creates the depth sensor of a twin. The findings report where it deviates from the twin.
+impl MeasuringRig {
+    /// Creates the rig of a twin's depth sensor, which is named by its prim or kind (`stereo`, `tof`) and by default the device's own. The
+    /// intensity of the dot projector is by default full on the models that have one. Of the specification, the cameras, the annotators
+    /// and the projector are set by the other arguments. The findings report where the sensor deviates from the twin.
     ///
     /// # Errors
     /// Returns an error if the device has no such depth sensor or an option is invalid.
-    pub fn new(twin: &Twin, options: &RigOptions) -> Result<(Self, Vec<Finding>), CoverageError> {
-        let own = depth_sensor(twin, options.sensor.as_deref())?;
-        let engine = options
-            .engine
-            .engine
-            .unwrap_or_else(|| default_engine(own.spec.kind));
-        let oak = OakOptions {
-            cameras: std::slice::from_ref(&own.spec.prim),
-            size: options.size,
-            lens: options.pair.lens,
+    pub fn new(
+        twin: &Twin,
+        sensor: Option<&str>,
+        projector: Option<f64>,
+        spec: &RigSpec,
+    ) -> Result<(Self, Vec<Finding>), CoverageError> {
+        let own = depth_sensor(twin, sensor)?;
+        let spec = RigSpec {
+            cameras: vec![own.spec.prim.clone()],
+            annotators: MADE.to_vec(),
+            pair: PairOptions {
+                projector: projector.unwrap_or_else(|| default_projector(twin)),
+                ..spec.pair
+            },
+            ..spec.clone()
         };
-        let (mut cameras, mut findings) = oak_cameras(twin, &RigidTransform::IDENTITY, &oak)?;
-        let projector = options.projector.unwrap_or_else(|| default_projector(twin));
-        let dots = dot_contrast(twin, projector, options.pair.ambient)?;
-        let pair = if engine.input == EngineInput::Pair {
-            let pair = PairOptions {
-                size: options.size,
-                projector,
-                ..options.pair.of_sensor(&options.engine)?
-            };
-            let (pair, more) = put_pair(twin, &mut cameras, &pair)?;
-            findings.extend(more);
-            Some(pair)
-        } else {
-            None
-        };
-        let sensor = SensorOptions {
-            engine: Some(engine),
-            ..options.engine.clone()
-        };
-        let sensor = sensor.with_dots(dots);
-        let sensor = DepthSensorOptions {
-            twin: Some(twin),
-            sensor: &sensor,
-        };
-        let (mut sensors, more) = depth_sensors(&cameras, &sensor)?;
-        findings.extend(more);
-        match (cameras.pop(), sensors.pop().flatten()) {
-            (Some(camera), Some(sensor)) => Ok((
-                Self {
-                    model: twin.device.name.clone(),
-                    camera,
-                    sensor,
-                    pair,
-                },
-                findings,
-            )),
-            _ => Err(CoverageError::Option(
-                format!(
-                    "{}: the depth sensor {} has no camera; choose another one",
-                    twin.device.name, own.spec.prim
-                )
-                .into(),
-            )),
-        }
+        let (rig, findings) = Rig::new(twin, &spec)?;
+        Ok((Self::of(rig)?, findings))
     }
 
-    /// Creates the depth sensors of those cameras of a stage that have one, by default with Isaac Sim's engine.
+    /// Creates a rig for each depth sensor of a stage, by default with Isaac Sim's engine; none if the stage has no depth sensor.
     ///
     /// # Errors
     /// Returns an error if an option is invalid.
-    pub fn of_stage(
-        cameras: &[PlacedCamera],
-        options: &SensorOptions,
-    ) -> Result<(Vec<Self>, Vec<Finding>), CoverageError> {
-        let sensors = DepthSensorOptions {
-            twin: None,
-            sensor: options,
+    pub fn of_stage(stage: &SceneFile, spec: &RigSpec) -> Result<(Vec<Self>, Vec<Finding>), CoverageError> {
+        let spec = RigSpec {
+            annotators: MADE.to_vec(),
+            is_sensor_optional: true,
+            ..spec.clone()
         };
-        let (sensors, findings) = depth_sensors(cameras, &sensors)?;
-        let rigs = cameras.iter().zip(sensors).filter_map(|(camera, sensor)| {
-            Some(Self {
-                model: camera.path.clone(),
-                camera: camera.clone(),
-                sensor: sensor?,
-                pair: None,
-            })
-        });
-        Ok((rigs.collect(), findings))
+        let (rig, findings) = Rig::of_stage(stage, &spec)?;
+        let rigs = rig.split().into_iter().map(Self::of);
+        Ok((rigs.collect::<Result<_, _>>()?, findings))
+    }
+
+    fn of(rig: Rig) -> Result<Self, CoverageError> {
+        let Some((camera, sensor)) = rig.depth_sensor() else {
+            let what = format!(
+                ": the depth sensor of {} has no camera; choose another one",
+                rig.name()
+            );
+            return Err(message![opt("sensor"), what].into());
+        };
+        Ok(Self {
+            camera: camera.clone(),
+            sensor: sensor.clone(),
+            rig,
+        })
     }
 
     /// The name of the model, or the path of a stage's camera.
     #[must_use]
-    pub fn model(&self) -> &str {
-        &self.model
+    pub fn name(&self) -> &str {
+        self.rig.name()
     }
 
     /// The camera of the depth sensor; its mount is the body of an OAK, or the camera of a stage.
@@ -137,13 +97,21 @@ impl Rig {
     pub fn sensor(&self) -> &Sensor {
         &self.sensor
     }
+
+    /// Rejects images that need more memory than is available, if that is known.
+    ///
+    /// # Errors
+    /// Returns an error that names the camera.
+    pub fn check_memory(&self) -> Result<(), RigError> {
+        self.rig.check_memory(false)
+    }
 }
 
 /// An OAK at a pose.
 #[derive(Clone, Debug)]
 pub struct Candidate<'a> {
     /// The OAK.
-    pub rig: &'a Rig,
+    pub rig: &'a MeasuringRig,
     /// A name for reports.
     pub name: String,
     /// The pose of the body (x forward, y left, z up), or of a stage's camera, in the world, in metres.
@@ -153,7 +121,7 @@ pub struct Candidate<'a> {
 impl<'a> Candidate<'a> {
     /// Creates a candidate from its parts.
     #[must_use]
-    pub fn new(rig: &'a Rig, name: impl Into<String>, world_from_body: RigidTransform) -> Self {
+    pub fn new(rig: &'a MeasuringRig, name: impl Into<String>, world_from_body: RigidTransform) -> Self {
         Self {
             rig,
             name: name.into(),
@@ -164,8 +132,8 @@ impl<'a> Candidate<'a> {
 
 /// Returns every rig at every placement as a candidate, beginning with the first rig.
 #[must_use]
-pub fn candidates<'a>(rigs: &'a [Rig], placements: &[Placement]) -> Vec<Candidate<'a>> {
-    let placed = |rig: &'a Rig| {
+pub fn candidates<'a>(rigs: &'a [MeasuringRig], placements: &[Placement]) -> Vec<Candidate<'a>> {
+    let placed = |rig: &'a MeasuringRig| {
         let at = move |place: &Placement| Candidate::new(rig, &place.name, place.world_from_body);
         placements.iter().map(at)
     };

@@ -48,7 +48,7 @@ fn row(rank: usize, candidate: &CandidateCoverage, reasons: &[&str]) -> Vec<Stri
     let shares = &candidate.shares;
     let number = |value: f64| value.to_string();
     let maybe = |value: Option<f64>| value.map(number).unwrap_or_default();
-    let texts = [&candidate.model, candidate.engine, &candidate.name].map(str::to_owned);
+    let texts = [&candidate.model, &candidate.engine, &candidate.name].map(String::clone);
     let mut row = vec![rank.to_string()];
     row.extend(texts);
     row.extend(candidate.position_m.map(number));

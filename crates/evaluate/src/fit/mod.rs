@@ -60,9 +60,7 @@ use oaktwin_depth::time_of_flight::TimeOfFlight;
 use oaktwin_files::FileError;
 use oaktwin_pipeline::input::check_depth_scale;
 use oaktwin_pipeline::progress::Watch;
-use oaktwin_pipeline::sensor::{
-    ParameterError, SensorOptions, Technology, default_engine, depth_sensor, sensor,
-};
+use oaktwin_pipeline::sensor::{ParameterError, SensorOptions, Technology, depth_sensor, sensor};
 use recording::Recording;
 use stereo_noise::Stereo;
 use time_of_flight::Tof;
@@ -155,19 +153,16 @@ pub fn fit(
 ) -> Result<(Fit, Vec<Finding>), FitError> {
     check(options)?;
     let mut twin = twin.clone();
-    let of_engine = options.engine.engine.and_then(|kind| kind.models);
+    let of_engine = options.engine.engine.as_ref().and_then(|kind| kind.models);
     let of_engine = of_engine.map(|models| match models {
         Technology::Stereo => DepthKind::Stereo.as_str(),
         Technology::TimeOfFlight => DepthKind::Tof.as_str(),
     });
     let depth = depth_sensor(&twin, options.sensor.as_deref().or(of_engine))?.clone();
     let depth = options.optics.apply(&mut twin, &depth)?;
-    let kind = options
-        .engine
-        .engine
-        .unwrap_or_else(|| default_engine(depth.spec.kind));
+    let kind = options.engine.engine_for(depth.spec.kind);
     let settings = SensorOptions {
-        engine: Some(kind),
+        engine: Some(kind.clone()),
         ..options.engine.clone()
     };
     let (sensor, mut findings) = sensor(&twin, &depth, &settings)?;
@@ -189,7 +184,7 @@ pub fn fit(
     let report = Report {
         model: twin.device.name.clone(),
         sensor: depth.spec.prim.clone(),
-        engine: kind.name,
+        engine: kind.name.to_string(),
         unit: method.error_domain().unit(),
         parameters: Vec::new(),
         not_found: Vec::new(),

@@ -12,7 +12,7 @@ pub struct Report {
     /// The prim of the depth sensor.
     pub sensor: String,
     /// The name of the engine: `stereo-noise` or `time-of-flight`.
-    pub engine: &'static str,
+    pub engine: String,
     /// The unit of errors and noise: pixels of disparity, or metres of depth along the optical axis.
     pub unit: &'static str,
     /// The fitted parameters.
@@ -157,7 +157,7 @@ impl Report {
     /// Returns the engine.
     #[must_use]
     pub fn engine_kind(&self) -> Option<&'static EngineKind> {
-        EngineKind::parse(self.engine).ok()
+        EngineKind::parse(&self.engine).ok()
     }
 
     /// Formats the parameters as a file for `--params`.
@@ -169,7 +169,7 @@ impl Report {
                 "# Fitted to recordings of {}: load with `oaktwin … --params FILE`.",
                 self.model
             ),
-            format!("engine = {}", text(self.engine)),
+            format!("engine = {}", text(&self.engine)),
             String::new(),
             "[parameters]".to_owned(),
         ];

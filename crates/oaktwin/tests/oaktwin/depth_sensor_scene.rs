@@ -61,6 +61,7 @@ fn sensed(parameters: &[(&str, &str)]) -> Image<f32> {
     let options = DepthSensorOptions {
         twin: None,
         sensor: &options,
+        dot_contrast: 0.0,
     };
     let (mut sensors, _) = depth_sensors(cameras, &options).unwrap();
     let shot = Shot::new((&truth().0).into());

@@ -134,7 +134,7 @@ fn the_error_oscillates_with_the_period_of_a_pixel() {
     let disparities = [10.0, 10.25, 10.75, 11.0];
     let options = accuracy::Options {
         engine: SensorOptions {
-            engine: Some(&STEREO_MATCHING),
+            engine: Some((&STEREO_MATCHING).into()),
             parameters: vec![("bias".to_owned(), "0".to_owned())],
             ..SensorOptions::default()
         },

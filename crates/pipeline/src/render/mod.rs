@@ -45,6 +45,7 @@ mod oak;
 mod pair;
 mod pose;
 mod recorder;
+mod rig;
 mod save;
 mod scene_camera;
 mod scene_file;
@@ -58,7 +59,7 @@ pub use camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera}
 pub use depth_sensor::{
     DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators, sense_frame, sensor_input,
 };
-pub use frames::{FrameOptions, FramesError, Outputs, Written, render_shot, write_frames};
+pub use frames::{FramesError, Outputs, Written, write_frames};
 pub use names::folder_names;
 pub use oak::{OakOptions, check_lens, oak_cameras};
 pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Ray, Renderer, View, texture_pixels};
@@ -66,6 +67,7 @@ pub use oaktwin_usd::scene_file::ImageFiles;
 pub use pair::put_pair;
 pub use pose::{PoseError, look_at, pose};
 pub use recorder::{FrameRecorder, record_annotators};
+pub use rig::{PairUse, Rig, RigError, RigSpec, depth_sensor_of};
 pub use save::{check_saved_name, save_usd, usd_files};
 pub use scene_camera::{SceneCameraOptions, scene_cameras};
 pub use scene_file::{OpenOptions, SceneFile, SceneFileError};

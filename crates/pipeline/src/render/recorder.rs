@@ -4,6 +4,7 @@ use std::iter::Peekable;
 use std::path::{Path, PathBuf};
 
 use super::camera::PlacedCamera;
+use super::rig::Rig;
 use super::trajectory::TimedPose;
 use crate::imu::ImuSimulation;
 use crate::recording::{
@@ -48,7 +49,7 @@ pub struct FrameRecorder {
 }
 
 impl FrameRecorder {
-    /// Begins a recording of these cameras with their depth sensors along a trajectory, or at their own poses if it is empty. Annotators that a
+    /// Begins a recording of a rig along a trajectory, or at their own poses if it is empty. Annotators that a
     /// recording cannot hold are a warning if it is the only output (`is_alone`).
     ///
     /// The times come from the trajectory if all its poses have one, else there are 30 frames per second from 0.
@@ -57,10 +58,8 @@ impl FrameRecorder {
     /// Returns an error if the file cannot be written or a time is out of range.
     pub fn create(
         path: &Path,
-        cameras: &[PlacedCamera],
-        sensors: &[Option<Sensor>],
+        rig: &Rig,
         poses: &[TimedPose],
-        annotators: &[Annotator],
         is_alone: bool,
     ) -> Result<(Self, Vec<Finding>), RecordingFileError> {
         check_path(path)?;
@@ -69,8 +68,9 @@ impl FrameRecorder {
             error,
         };
         let (times, mut findings) = times(poses).map_err(in_file)?;
+        let annotators = rig.annotators();
         findings.extend(not_recorded(annotators, is_alone));
-        let lost = cameras.iter().filter_map(|camera| {
+        let lost = rig.cameras().iter().filter_map(|camera| {
             let loss = ros_lens_loss(&camera.camera.lens)?;
             Some(Finding::new(
                 "lens-not-recorded",
@@ -82,13 +82,9 @@ impl FrameRecorder {
         });
         findings.extend(lost);
         let mut file = RecordingFile::create(path)?;
+        let cameras = rig.cameras().iter().zip(rig.sensors());
         let cameras = cameras
-            .iter()
-            .enumerate()
-            .map(|(at, camera)| {
-                let sensor = sensors.get(at).and_then(Option::as_ref);
-                file.add_camera(&recorded(camera, sensor))
-            })
+            .map(|(camera, sensor)| file.add_camera(&recorded(camera, sensor.as_ref())))
             .collect::<Result<_, _>>()?;
         let recorder = Self {
             file: Some(file),

@@ -105,8 +105,8 @@ impl ImageSensor {
 
     /// Returns the name of the engine.
     #[must_use]
-    pub fn engine(&self) -> &'static str {
-        self.sensor.engine().kind().name
+    pub fn engine(&self) -> &str {
+        &self.sensor.engine().kind().name
     }
 
     /// Forgets all earlier frames.
@@ -117,7 +117,7 @@ impl ImageSensor {
 
 /// Rejects engines that match image pairs.
 pub(super) fn check_engine(options: &SenseOptions) -> Result<(), SenseError> {
-    match options.sensor.engine {
+    match options.sensor.engine.as_deref() {
         Some(engine) if engine.input == EngineInput::Pair => {
             Err(needs_a_pair(engine, "the input is a depth image").into())
         }

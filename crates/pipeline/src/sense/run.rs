@@ -50,7 +50,7 @@ pub struct Sensed {
     /// The findings, without duplicates.
     pub findings: Vec<Finding>,
     /// The prims of the sensors, and the names of their engines.
-    pub sensors: Vec<(String, &'static str)>,
+    pub sensors: Vec<(String, String)>,
     /// Whether the task was interrupted.
     pub is_interrupted: bool,
 }
@@ -123,7 +123,7 @@ struct Run<'a, 'b, 'c> {
     options: &'a SenseOptions,
     producer: &'b mut Producer<'c>,
     findings: &'b mut Vec<Finding>,
-    sensors: &'b mut Vec<(String, &'static str)>,
+    sensors: &'b mut Vec<(String, String)>,
 }
 
 /// The state of a sequence that does not change from frame to frame.
@@ -208,7 +208,7 @@ impl<'a> Run<'a, '_, '_> {
         };
         let (images, sensor) = Images::open(self.twin, sequence.sensor, given, options, self.findings)?;
         let looked = images.measured;
-        let engine = sensor.engine().kind().name;
+        let engine = sensor.engine().kind().name.to_string();
         let used = (prim.clone(), engine);
         if !self.sensors.contains(&used) {
             self.sensors.push(used);

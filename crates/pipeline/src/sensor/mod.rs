@@ -18,8 +18,8 @@ pub use oaktwin_depth::engines::{
     ENGINES, SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, TIME_OF_FLIGHT, calibration_error_px,
 };
 pub use oaktwin_depth::{
-    Capture, Engine, EngineInput, EngineKind, FixedDisparity, Input, Layer, OutputCamera, ParameterError,
-    Sensor, Setup, Shot, Technology, single_view,
+    Capture, Engine, EngineInput, EngineKind, EngineRef, Factory, FixedDisparity, Input, Layer, OutputCamera,
+    ParameterError, Sensor, Setup, Shot, Technology, single_view,
 };
 
 pub use choose::{depth_sensor, stereo_cameras};
@@ -52,7 +52,7 @@ pub fn sensor(
     sensor: &TwinDepthSensor,
     options: &SensorOptions,
 ) -> Result<(Sensor, Vec<Finding>), ParameterError> {
-    let kind = options.engine.unwrap_or_else(|| default_engine(sensor.spec.kind));
+    let kind = &options.engine_for(sensor.spec.kind);
     let source = Source::twin(twin, sensor, options);
     let (made, mut findings) = create(kind, &source, options, &sensor.spec.prim)?;
     findings.extend(foreign_processing(twin, kind, &sensor.spec.prim));
@@ -92,7 +92,7 @@ pub fn of_render_product(
     attributes: single_view::Parameters,
     options: &SensorOptions,
 ) -> Result<(Sensor, Vec<Finding>), ParameterError> {
-    let kind = options.engine.unwrap_or(&SINGLE_VIEW);
+    let kind = options.engine.as_deref().unwrap_or(&SINGLE_VIEW);
     if kind.input == EngineInput::Pair {
         return Err(needs_a_pair(kind, "a render product has one camera"));
     }

@@ -58,7 +58,7 @@ pub static SENSOR_OPTIONS: &[SensorOption] = &[
         name: "engine",
         flag: "engine",
         value: OptionValue::Choice("ENGINE", || {
-            ENGINES.iter().map(|kind| (kind.name, kind.help)).collect()
+            ENGINES.iter().map(|kind| (&*kind.name, &*kind.help)).collect()
         }),
         help: "The error model [default: stereo-noise, or time-of-flight for a time-of-flight sensor]",
         names: None,
@@ -66,8 +66,8 @@ pub static SENSOR_OPTIONS: &[SensorOption] = &[
               of flight) or \"single-view\" (Isaac Sim's DepthSensorDistance). StereoMatcher matches pairs of images; only \
               `accuracy` has \"stereo-matching\", which renders and matches pairs of its board.",
         is_of_matcher: false,
-        set: |options, name| EngineKind::parse(name).map(|kind| options.engine = Some(kind)),
-        get: |options| texts(options.engine),
+        set: |options, name| EngineKind::parse(name).map(|kind| options.engine = Some(kind.into())),
+        get: |options| texts(options.engine.as_ref()),
     },
     SensorOption {
         name: "preset",

@@ -1,7 +1,7 @@
 use oaktwin_camera::{Intrinsics, StereoDrift};
 use oaktwin_catalog::DepthKind;
 use oaktwin_depth::engines::{STEREO_NOISE, calibration_error_px};
-use oaktwin_depth::{EngineKind, ParameterError, Setup, Technology};
+use oaktwin_depth::{EngineKind, EngineRef, ParameterError, Setup, Technology};
 use oaktwin_usd::asset::IsaacVersion;
 
 /// Returns the default engine for a kind of depth sensor.
@@ -21,7 +21,7 @@ pub(super) fn technology(kind: DepthKind) -> Technology {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SensorOptions {
     /// The engine; by default [`default_engine`] of the sensor's kind.
-    pub engine: Option<&'static EngineKind>,
+    pub engine: Option<EngineRef>,
     /// The name of a `DepthAI` preset for the device's platform: the mode of the matcher, and its filters.
     pub preset: Option<String>,
     /// Filters as text, first to last; they replace the preset's.
@@ -46,11 +46,18 @@ pub struct SensorOptions {
 }
 
 impl SensorOptions {
+    /// Returns the engine, or the default one for a kind of depth sensor.
+    #[must_use]
+    pub fn engine_for(&self, kind: DepthKind) -> EngineRef {
+        let default = || default_engine(kind).into();
+        self.engine.clone().unwrap_or_else(default)
+    }
+
     /// Returns the options with this `dotContrast` for `stereo-noise`, which a parameter that is given overrides. Other engines
     /// render dots or have none.
     #[must_use]
     pub fn with_dots(mut self, contrast: f64) -> Self {
-        if contrast > 0.0 && self.engine.is_some_and(|engine| engine.name == STEREO_NOISE.name) {
+        if contrast > 0.0 && self.engine.as_ref().is_some_and(|engine| *engine == STEREO_NOISE) {
             let parameter = ("dotContrast".to_owned(), contrast.to_string());
             self.parameters.insert(0, parameter);
         }

@@ -112,8 +112,8 @@ impl ParameterFile {
     /// # Errors
     /// The options ask for another engine.
     pub fn apply(&self, options: &mut SensorOptions) -> Result<(), ParameterError> {
-        match options.engine {
-            Some(engine) if engine != self.engine => Err(ParameterError {
+        match &options.engine {
+            Some(engine) if **engine != *self.engine => Err(ParameterError {
                 name: "engine".to_owned(),
                 what: format!(
                     "the parameter file is for {}, but {engine} is chosen",
@@ -122,7 +122,7 @@ impl ParameterFile {
                 remedy: "remove one of the two".to_owned(),
             }),
             _ => {
-                options.engine = Some(self.engine);
+                options.engine = Some(self.engine.into());
                 let named = std::mem::replace(&mut options.parameters, self.parameters.clone());
                 options.parameters.extend(named);
                 Ok(())
@@ -157,7 +157,7 @@ mod tests {
             ..SensorOptions::default()
         };
         file.apply(&mut options).unwrap();
-        assert_eq!(options.engine, Some(&STEREO_NOISE));
+        assert_eq!(options.engine, Some((&STEREO_NOISE).into()));
         let last = options
             .parameters
             .iter()
@@ -165,7 +165,7 @@ mod tests {
             .unwrap();
         assert_eq!(last.1, "0.1");
         assert_eq!(options.parameters.len(), 5);
-        options.engine = Some(&SINGLE_VIEW);
+        options.engine = Some((&SINGLE_VIEW).into());
         assert!(
             file.apply(&mut options)
                 .unwrap_err()

@@ -181,7 +181,7 @@ fn of_twin(
     let is_own = technology(sensor.spec.kind);
     let suits = |kind: &EngineKind| kind.models.is_none_or(|models| models == is_own);
     if !suits(kind) || (kind.models.is_some() && geometry.is_none()) {
-        let suitable = ENGINES.iter().filter(|kind| suits(kind)).map(|kind| kind.name);
+        let suitable = ENGINES.iter().filter(|kind| suits(kind)).map(|kind| &*kind.name);
         return Err(ParameterError {
             name: "engine".to_owned(),
             what: format!(

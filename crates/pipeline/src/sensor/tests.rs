@@ -53,7 +53,7 @@ fn defaults_are_the_devices() {
     assert_eq!((p.width_px, p.principal_point_px), (640, Some([320.0, 240.0])));
     assert!((p.focal_length_px - 457.0).abs() < 0.1, "{}", p.focal_length_px);
     let parity = SensorOptions {
-        engine: Some(&SINGLE_VIEW),
+        engine: Some((&SINGLE_VIEW).into()),
         ..options.clone()
     };
     let (tof, _) = of("OAK-D ToF", 1, &parity).unwrap();
@@ -62,7 +62,7 @@ fn defaults_are_the_devices() {
     assert!((stereo(&near).stereo.baseline_m - 0.02).abs() < 1e-12);
     let wrong = |engine: &'static EngineKind, index| {
         let options = SensorOptions {
-            engine: Some(engine),
+            engine: Some(engine.into()),
             ..options.clone()
         };
         of("OAK-D ToF", index, &options).unwrap_err()
@@ -100,7 +100,7 @@ fn the_images_own_focal_length_is_said() {
     assert_eq!(findings[0].code, "own-focal-length");
     assert_eq!(stereo(&other).stereo.focal_length_px, 600.0);
     let single = SensorOptions {
-        engine: Some(&SINGLE_VIEW),
+        engine: Some((&SINGLE_VIEW).into()),
         ..image(640, 300.0)
     };
     assert_eq!(
@@ -110,7 +110,7 @@ fn the_images_own_focal_length_is_said() {
     for wrong in [0.0, f64::NAN, -3.0] {
         for engine in [&SINGLE_VIEW, &STEREO_NOISE] {
             let options = SensorOptions {
-                engine: Some(engine),
+                engine: Some(engine.into()),
                 ..image(640, wrong)
             };
             assert!(
@@ -174,7 +174,7 @@ fn presets_are_the_platforms() {
         ["median", "speckle"]
     );
     let extended = SensorOptions {
-        engine: Some(&SINGLE_VIEW),
+        engine: Some((&SINGLE_VIEW).into()),
         ..preset("face")
     };
     assert_eq!(
@@ -187,7 +187,7 @@ fn presets_are_the_platforms() {
 fn parameters_by_name_belong_to_their_engine() {
     let with = |engine: &'static EngineKind, name: &str, value: &str| {
         let options = SensorOptions {
-            engine: Some(engine),
+            engine: Some(engine.into()),
             parameters: vec![(name.to_owned(), value.to_owned())],
             ..SensorOptions::default()
         };
@@ -242,7 +242,7 @@ fn devices_differ_by_their_seed_alone() {
 #[test]
 fn reports_parameters_of_another_processor() {
     let set = |name: &str| SensorOptions {
-        engine: Some(&STEREO_MATCHING),
+        engine: Some((&STEREO_MATCHING).into()),
         parameters: vec![(name.to_owned(), "20".to_owned())],
         ..SensorOptions::default()
     };

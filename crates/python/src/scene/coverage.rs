@@ -5,11 +5,10 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use oaktwin::camera::ImageSize;
 use oaktwin::camera::math::DVec3;
 use oaktwin::coverage::{
-    Base, CoverageError, Options, Outcome, PointOutcomes, Region, Rig, RigOptions, Samples, Sweep,
-    candidates, measure, reasons,
+    Base, CoverageError, MeasuringRig, Options, Outcome, PointOutcomes, Region, Samples, Sweep, candidates,
+    measure, reasons,
 };
-use oaktwin::image::annotation::Annotator;
-use oaktwin::render::frame_bytes;
+use oaktwin::render::RigSpec;
 use oaktwin::scene::{self, Bounds};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
@@ -20,18 +19,10 @@ use crate::device::Device;
 use crate::error::{error, wrong};
 use crate::finding;
 use crate::json;
-use crate::memory::check_free;
 use crate::pair::PairSettings;
 use crate::pose::poses;
 use crate::settings::{sensor_options, strings};
 use crate::threads;
-
-/// The images of a candidate.
-const MADE: [Annotator; 3] = [
-    Annotator::Rgb,
-    Annotator::DistanceToImagePlane,
-    Annotator::DepthSensorDistance,
-];
 
 /// The arguments besides the options of the sensor.
 const ARGUMENTS: [&str; 11] = [
@@ -86,16 +77,15 @@ pub(crate) fn coverage<'py>(
             device_seed: engine.device_seed,
             drift: None,
         };
-        let options = RigOptions {
-            sensor: sensor.clone(),
-            engine: engine.clone(),
+        let spec = RigSpec {
+            sensor: engine.clone(),
             size: size.map(|Size(width, height)| ImageSize::new(width, height)),
-            projector,
             pair: pair.options(device)?,
+            ..RigSpec::default()
         };
-        let (rig, findings) = Rig::new(&device.twin, &options).map_err(error)?;
-        let needed = frame_bytes(rig.camera().camera.intrinsics.size, &MADE);
-        check_free(&rig.camera().path, needed, "reduce the image size")?;
+        let made = MeasuringRig::new(&device.twin, sensor.as_deref(), projector, &spec);
+        let (rig, findings) = made.map_err(error)?;
+        rig.check_memory().map_err(error)?;
         finding::warn(py, &findings)?;
         rigs.push(rig);
     }

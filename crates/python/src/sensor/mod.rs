@@ -123,7 +123,11 @@ impl DepthSensor {
         let twin = &device.twin;
         let depth = depth_sensor(twin, sensor).map_err(error)?.clone();
         let camera = camera.map(|camera| camera.get().clone());
-        if let Some(engine) = options.engine.filter(|kind| kind.input == EngineInput::Pair) {
+        if let Some(engine) = options
+            .engine
+            .as_ref()
+            .filter(|kind| kind.input == EngineInput::Pair)
+        {
             let is = format!("{engine} requires a stereo pair, not depth");
             return Err(wrong("engine", is, "use StereoMatcher, or stereo-noise"));
         }
@@ -257,7 +261,10 @@ impl DepthSensor {
             let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
             let eye = self.look(&mut eye, shape.size)?;
             let sensor = Arc::make_mut(&mut eye.sensor);
-            threads::install(|| sense_frame(sensor, &eye.camera, frame, None, &asked, &mut seen))
+            let missing =
+                threads::install(|| sense_frame(sensor, &eye.camera, frame, None, &asked, &mut seen));
+            // What is missing is reported below.
+            missing.map(drop).map_err(error)
         })?;
         let distance = seen.depth_sensor_distance.as_ref();
         let is_lost = distance.is_some_and(|z| z.0.pixels().iter().all(|metres| *metres == 0.0));
@@ -354,8 +361,8 @@ impl DepthSensor {
 
     /// The engine: "stereo-noise", "time-of-flight" or "single-view".
     #[getter]
-    fn engine(&self, py: Python<'_>) -> PyResult<&'static str> {
-        Ok(self.now(py, None)?.sensor.engine().kind().name)
+    fn engine(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(self.now(py, None)?.sensor.engine().kind().name.to_string())
     }
 
     /// The engine's parameters by name, with values of their types, for the most recent image size.
@@ -364,7 +371,7 @@ impl DepthSensor {
         let sensor = self.now(py, None)?.sensor;
         let engine = sensor.engine();
         let values = engine.parameters().into_iter().chain(engine.assumptions());
-        by_name(py, engine.kind().name, values)
+        by_name(py, &engine.kind().name, values)
     }
 
     /// The filters, in the format of `filters=`.

@@ -2,9 +2,9 @@
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DVec3;
-use oaktwin::coverage::{self, Base, Candidate, Placement, Region, Rig, RigOptions, Sweep};
+use oaktwin::coverage::{self, Base, Candidate, CoverageError, MeasuringRig, Placement, Region, Sweep};
 use oaktwin::diagnostic::Finding;
-use oaktwin::render::{SceneCameraOptions, SceneFile, scene_cameras, trajectory};
+use oaktwin::render::{RigError, RigSpec, SceneFile, trajectory};
 use oaktwin::scene::{Bounds, Up};
 use oaktwin::sensor::EngineInput;
 use oaktwin::usd::asset::LensChoice;
@@ -16,7 +16,7 @@ use crate::size;
 /// The models to compare.
 #[derive(Default)]
 pub(super) struct Models {
-    pub(super) rigs: Vec<Rig>,
+    pub(super) rigs: Vec<MeasuringRig>,
     pub(super) findings: Vec<Finding>,
     pub(super) calibration_findings: Vec<Finding>,
 }
@@ -60,23 +60,23 @@ pub(super) fn models(context: &Context, args: &CoverageArgs) -> Result<Models> {
     let engine = args.engine.options()?;
     let is_pair = engine
         .engine
+        .as_deref()
         .is_some_and(|engine| engine.input == EngineInput::Pair);
     if !args.pair.imager.is_empty() && !is_pair {
         return Err("--imager requires --engine stereo-matching".into());
     }
-    let options = RigOptions {
-        sensor: args.sensor.clone(),
-        engine,
+    let spec = RigSpec {
+        sensor: engine,
         size: size::parse("--resolution", args.resolution.as_deref())?,
-        projector: args.pair.projector,
         pair: args.pair.options(args.unit.lens)?,
+        ..RigSpec::default()
     };
     let mut models = Models::default();
     for name in &args.model {
         let (twin, findings) = context.twin(name, &args.unit)?;
         models.calibration_findings.extend(findings);
-        let (rig, findings) = Rig::new(&twin, &options)?;
-        if !models.rigs.iter().any(|known| known.model() == rig.model()) {
+        let (rig, findings) = MeasuringRig::new(&twin, args.sensor.as_deref(), args.pair.projector, &spec)?;
+        if !models.rigs.iter().any(|known| known.name() == rig.name()) {
             models.rigs.push(rig);
             models.findings.extend(findings);
         }
@@ -85,11 +85,16 @@ pub(super) fn models(context: &Context, args: &CoverageArgs) -> Result<Models> {
 }
 
 /// The depth sensors of the scene.
-pub(super) fn own_rigs(args: &CoverageArgs, scene: &SceneFile) -> Result<(Vec<Rig>, Vec<Finding>)> {
-    let (cameras, mut findings) = scene_cameras(scene, &SceneCameraOptions::default())?;
-    let (rigs, more) = Rig::of_stage(&cameras, &args.engine.options()?)
-        .map_err(|error| format!("{}: {error}", args.scene.display()))?;
-    findings.extend(more);
+pub(super) fn own_rigs(args: &CoverageArgs, scene: &SceneFile) -> Result<(Vec<MeasuringRig>, Vec<Finding>)> {
+    let spec = RigSpec {
+        sensor: args.engine.options()?,
+        ..RigSpec::default()
+    };
+    let made = MeasuringRig::of_stage(scene, &spec);
+    let (rigs, findings) = made.map_err(|error| match error {
+        CoverageError::Rig(RigError::Sensor(error)) => format!("{}: {error}", args.scene.display()).into(),
+        error => Box::<dyn std::error::Error>::from(error),
+    })?;
     if rigs.is_empty() {
         return Err(format!(
             "{}: the scene has no depth sensor; place an OAK with --model and --look-at",
@@ -116,11 +121,11 @@ pub(super) fn placements(args: &CoverageArgs, sweep: &Sweep, up: Up) -> Result<V
 /// Every rig at every pose; a rig of the scene at its own.
 pub(super) fn candidates<'a>(
     args: &CoverageArgs,
-    rigs: &'a [Rig],
+    rigs: &'a [MeasuringRig],
     placements: &[Placement],
 ) -> Vec<Candidate<'a>> {
     if args.model.is_empty() {
-        let own = |rig: &'a Rig| Candidate::new(rig, "in the scene", rig.camera().world_from_mount);
+        let own = |rig: &'a MeasuringRig| Candidate::new(rig, "in the scene", rig.camera().world_from_mount);
         return rigs.iter().map(own).collect();
     }
     coverage::candidates(rigs, placements)

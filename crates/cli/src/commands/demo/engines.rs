@@ -2,16 +2,11 @@
 
 use std::error::Error;
 
-use oaktwin::camera::ImageSize;
-use oaktwin::catalog::Twin;
-use oaktwin::depth::stereo_matching;
 use oaktwin::image::contact_sheet::{Picture, panels};
 use oaktwin::image::{Image, ZDepth, png};
-use oaktwin::pair::{Pair, PairCameras, PairOptions};
-use oaktwin::render::Renderer;
-use oaktwin::sensor::{
-    self, EngineKind, Input, SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, SensorOptions, Shot,
-};
+use oaktwin::pair::PairOptions;
+use oaktwin::render::{Renderer, Rig, RigSpec};
+use oaktwin::sensor::{EngineKind, SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, SensorOptions};
 use oaktwin_demo as demo_room;
 
 use super::room::{self, RANGE_M};
@@ -19,8 +14,8 @@ use crate::context::{Context, Result};
 
 /// The model with a dot projector, and the one with a time-of-flight camera.
 const MODELS: [&str; 2] = ["oak_d_pro_poe", "oak_d_tof"];
-/// The size of the pair at 400P, twice the size of the panels.
-const SIZE: ImageSize = ImageSize::new(640, 400);
+/// The height of the pair at 400P, twice the height of the panels.
+const HEIGHT: u32 = 400;
 /// The share of the room's light that remains at night.
 const NIGHT: f64 = 0.02;
 
@@ -29,41 +24,44 @@ const NIGHT: f64 = 0.02;
 pub(super) fn sheet(context: &Context, renderer: &Renderer) -> Result<Vec<u8>> {
     let twin = |id| Ok::<_, Box<dyn Error>>(context.catalog.nominal(context.device(id)?));
     let (pro, tof) = (twin(MODELS[0])?, twin(MODELS[1])?);
-    let day = look(renderer, &pro, &PairOptions::default())?;
-    let night = look(
-        renderer,
-        &pro,
-        &PairOptions {
-            ambient: NIGHT,
-            projector: 1.0,
-            ..PairOptions::default()
-        },
-    )?;
-    let sensor = sensor::depth_sensor(&pro, None)?;
-    let camera = room::depth_camera(&pro, sensor, SIZE.height)?;
-    let (rgb, exact) = room::seen(renderer, &camera)?;
-    let by = |kind: &'static EngineKind, pair: Option<&Pair>| -> Result<ZDepth> {
-        let options = SensorOptions {
-            engine: Some(kind),
-            image: Some(camera.camera.intrinsics),
-            ..SensorOptions::default()
+    let by = |kind: &'static EngineKind, light: &PairOptions| {
+        let spec = RigSpec {
+            sensor: SensorOptions {
+                engine: Some(kind.into()),
+                ..SensorOptions::default()
+            },
+            pair: *light,
+            ..RigSpec::default()
         };
-        let (mut sensor, _) = sensor::sensor(&pro, sensor, &options)?;
-        let input = match pair {
-            None => Input::Depth(Shot::new((&exact.0).into()).with_rgb((&rgb).into())?),
-            Some(pair) => Input::Pair(stereo_matching::Pair::new(
-                &pair.rectified_left,
-                &pair.rectified_right,
-            )?),
-        };
-        Ok(sensor.capture(input, &[])?.distance)
+        room::rig(&pro, HEIGHT, &spec)
     };
-    let single_view = by(&SINGLE_VIEW, None)?;
-    let stereo_noise = by(&STEREO_NOISE, None)?;
-    let by_day = by(&STEREO_MATCHING, Some(&day))?;
-    let by_night = by(&STEREO_MATCHING, Some(&night))?;
-    let dots: Image<u8> = night.left.to_eight();
-    let time_of_flight = room::measured_by(renderer, &tof, SIZE.height)?;
+    let measured = |rig: Rig| -> Result<ZDepth> {
+        let frame = room::shoot(renderer, rig)?;
+        Ok(frame.depth_sensor_distance.ok_or("nothing was measured")?)
+    };
+    let day = PairOptions::default();
+    let night = PairOptions {
+        ambient: NIGHT,
+        projector: 1.0,
+        ..day
+    };
+    let exact = room::shoot(renderer, by(&SINGLE_VIEW, &day)?)?;
+    let images = (
+        exact.rgb,
+        exact.distance_to_image_plane,
+        exact.depth_sensor_distance,
+    );
+    let (Some(rgb), Some(exact), Some(single_view)) = images else {
+        return Err("nothing was rendered".into());
+    };
+    let stereo_noise = measured(by(&STEREO_NOISE, &day)?)?;
+    let by_day = measured(by(&STEREO_MATCHING, &day)?)?;
+    let at_night = by(&STEREO_MATCHING, &night)?;
+    let pair = at_night.pair().ok_or("no stereo pair")?;
+    let pair = pair.look(renderer, &demo_room::world_from_body(), 0);
+    let dots: Image<u8> = pair.left.to_eight();
+    let by_night = measured(at_night)?;
+    let time_of_flight = measured(room::rig(&tof, HEIGHT, &RigSpec::default())?)?;
     let all = [
         ("colour", Picture::Rgb(&rgb)),
         ("exact depth", Picture::Depth(&exact)),
@@ -75,13 +73,4 @@ pub(super) fn sheet(context: &Context, renderer: &Renderer) -> Result<Vec<u8>> {
         ("time-of-flight (OAK-D ToF)", Picture::Depth(&time_of_flight)),
     ];
     Ok(png::encode(&panels(&all, 4, RANGE_M))?)
-}
-
-/// Renders a pair.
-fn look(renderer: &Renderer, twin: &Twin, options: &PairOptions) -> Result<Pair> {
-    let options = PairOptions {
-        size: Some(SIZE),
-        ..*options
-    };
-    Ok(PairCameras::new(twin, &options)?.look(renderer, &demo_room::world_from_body(), 0))
 }

@@ -2,16 +2,14 @@
 
 use std::path::Path;
 
-use oaktwin::catalog::{Device, Twin, TwinDepthSensor};
+use oaktwin::catalog::{Device, Twin};
 use oaktwin::dataset::{Extras, FlatWriter, InputName, Options, Shot, Writer};
 use oaktwin::files::{self, OutputFiles};
 use oaktwin::image::annotation::{Annotator, Frame};
 use oaktwin::image::contact_sheet::{Column, contact_sheet};
-use oaktwin::image::{Image, ZDepth, png};
-use oaktwin::render::{
-    AnnotateOptions, Backend, OakOptions, OpenOptions, PlacedCamera, Renderer, SceneFile, oak_cameras,
-};
-use oaktwin::sensor::{self, SensorOptions};
+use oaktwin::image::png;
+use oaktwin::render::{OpenOptions, Renderer, Rig, RigSpec, SceneFile};
+use oaktwin::sensor;
 use oaktwin_demo as demo_room;
 
 use crate::context::Result;
@@ -21,7 +19,11 @@ use crate::destination;
 const HEIGHT: u32 = 500;
 /// What the room holds, metres: the same colours in every picture.
 pub(super) const RANGE_M: (f32, f32) = (0.3, 8.0);
-const ANNOTATORS: [Annotator; 2] = [Annotator::Rgb, Annotator::DistanceToImagePlane];
+const ANNOTATORS: [Annotator; 3] = [
+    Annotator::Rgb,
+    Annotator::DistanceToImagePlane,
+    Annotator::DepthSensorDistance,
+];
 
 /// The folder of the room, and in it one for each model's images.
 pub(super) const FOLDER: &str = "demo_room";
@@ -53,16 +55,7 @@ pub(super) fn render(
     };
     let mut columns = Vec::new();
     for (device, twin) in devices.iter().zip(twins) {
-        let sensor = sensor::depth_sensor(twin, None)?;
-        let camera = depth_camera(twin, sensor, HEIGHT)?;
-        let (rgb, depth) = seen(renderer, &camera)?;
-        let measured = measured(twin, sensor, &camera, (&rgb, &depth))?;
-        let frame = Frame {
-            rgb: Some(rgb.clone()),
-            distance_to_image_plane: Some(depth.clone()),
-            depth_sensor_distance: Some(measured.clone()),
-            ..Frame::default()
-        };
+        let frame = shoot(renderer, rig(twin, HEIGHT, &RigSpec::default())?)?;
         let mut output = OutputFiles::in_folder(&folder.join(&device.id))?;
         let input = InputName {
             suffix: "_0000".to_owned(),
@@ -73,6 +66,15 @@ pub(super) fn render(
             ..Shot::new(frame, 0)
         };
         FlatWriter::new(options).write(&shot, &mut output)?;
+        let frame = shot.frame;
+        let images = (
+            frame.rgb,
+            frame.distance_to_image_plane,
+            frame.depth_sensor_distance,
+        );
+        let (Some(rgb), Some(depth), Some(measured)) = images else {
+            return Err("nothing was rendered".into());
+        };
         columns.push(Column {
             title: device.name.clone(),
             rgb,
@@ -83,47 +85,22 @@ pub(super) fn render(
     Ok(png::encode(&contact_sheet(&columns, RANGE_M))?)
 }
 
-/// What a model's own depth sensor reports of the room, in images so high.
-pub(super) fn measured_by(renderer: &Renderer, twin: &Twin, height: u32) -> Result<ZDepth> {
+/// Makes the rig of a model's own depth sensor, with images so high.
+pub(super) fn rig(twin: &Twin, height: u32, spec: &RigSpec) -> Result<Rig> {
     let sensor = sensor::depth_sensor(twin, None)?;
-    let camera = depth_camera(twin, sensor, height)?;
-    let (rgb, depth) = seen(renderer, &camera)?;
-    measured(twin, sensor, &camera, (&rgb, &depth))
-}
-
-/// The picture that a camera takes, and its depth.
-pub(super) fn seen(renderer: &Renderer, camera: &PlacedCamera) -> Result<(Image<[u8; 4]>, ZDepth)> {
-    let view = camera.view(&camera.world_from_mount);
-    let (frame, _) = renderer.annotate(&view, &ANNOTATORS, Backend::Auto, &AnnotateOptions::default());
-    let both = frame.rgb.zip(frame.distance_to_image_plane);
-    Ok(both.ok_or("nothing was rendered")?)
-}
-
-pub(super) fn depth_camera(twin: &Twin, sensor: &TwinDepthSensor, height: u32) -> Result<PlacedCamera> {
-    let own = twin
-        .camera(sensor.spec.camera)
-        .map(|camera| camera.intrinsics.size);
-    let options = OakOptions {
-        cameras: std::slice::from_ref(&sensor.spec.prim),
-        size: own.and_then(|size| size.scaled_to_height(height)),
-        ..OakOptions::default()
+    let own = twin.camera(sensor.spec.camera);
+    let spec = RigSpec {
+        cameras: vec![sensor.spec.prim.clone()],
+        size: own.and_then(|camera| camera.intrinsics.size.scaled_to_height(height)),
+        annotators: ANNOTATORS.to_vec(),
+        ..spec.clone()
     };
-    let (cameras, _) = oak_cameras(twin, &demo_room::world_from_body(), &options)?;
-    Ok(cameras.into_iter().next().ok_or("no camera")?)
+    Ok(Rig::new(twin, &spec)?.0)
 }
 
-/// What the sensor reports of a picture and its depth, by the model of its errors that is nearest to the device.
-fn measured(
-    twin: &Twin,
-    depth_sensor: &TwinDepthSensor,
-    camera: &PlacedCamera,
-    (rgb, depth): (&Image<[u8; 4]>, &ZDepth),
-) -> Result<ZDepth> {
-    let options = SensorOptions {
-        image: Some(camera.camera.intrinsics),
-        ..SensorOptions::default()
-    };
-    let (mut sensor, _) = sensor::sensor(twin, depth_sensor, &options)?;
-    let shot = sensor::Shot::new((&depth.0).into()).with_rgb(rgb.into())?;
-    Ok(sensor.capture(shot, &[])?.distance)
+/// What a rig sees and measures of the room.
+pub(super) fn shoot(renderer: &Renderer, mut rig: Rig) -> Result<Frame> {
+    let (shots, _) = rig.shoot(renderer, Some(&demo_room::world_from_body()), 0)?;
+    let shot = shots.into_iter().next().ok_or("no camera")?;
+    Ok(shot.frame)
 }

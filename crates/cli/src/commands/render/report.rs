@@ -4,8 +4,7 @@ use std::path::{Path, PathBuf};
 use oaktwin::camera::Usd;
 use oaktwin::diagnostic::Finding;
 use oaktwin::files::WrittenFile;
-use oaktwin::image::annotation::Annotator;
-use oaktwin::render::{PlacedCamera, Written};
+use oaktwin::render::{PlacedCamera, Rig, Written};
 use oaktwin::sensor::Sensor;
 use serde::Serialize;
 
@@ -58,7 +57,7 @@ struct CameraReport<'a> {
 
 #[derive(Debug, Serialize)]
 struct SensorReport {
-    engine: &'static str,
+    engine: String,
     /// The parameters by the names of `--param`.
     parameters: BTreeMap<&'static str, String>,
 }
@@ -66,13 +65,13 @@ struct SensorReport {
 impl<'a> Report<'a> {
     pub(super) fn new(
         (args, output): (&'a RenderArgs, Option<&'a Path>),
-        annotators: &[Annotator],
-        (cameras, sensors): (&'a [PlacedCamera], &[Option<Sensor>]),
+        rig: &'a Rig,
         (written, files, imu): (Written, Option<Vec<WrittenFile>>, Option<ImuReport>),
         wanted_frames: usize,
         findings: Vec<Finding>,
         calibration_findings: Vec<Finding>,
     ) -> Self {
+        let cameras = rig.cameras().iter().zip(rig.sensors());
         let is_flat = cameras.len() == 1;
         Self {
             scene: &args.scene,
@@ -82,14 +81,13 @@ impl<'a> Report<'a> {
             frames: written.frames,
             wanted_frames,
             is_interrupted: written.is_interrupted,
-            annotators: annotators.iter().map(|annotator| annotator.name()).collect(),
-            cameras: cameras
+            annotators: rig
+                .annotators()
                 .iter()
-                .enumerate()
-                .map(|(at, camera)| {
-                    let sensor = sensors.get(at).and_then(Option::as_ref);
-                    CameraReport::new(camera, sensor, output, is_flat)
-                })
+                .map(|annotator| annotator.name())
+                .collect(),
+            cameras: cameras
+                .map(|(camera, sensor)| CameraReport::new(camera, sensor.as_ref(), output, is_flat))
                 .collect(),
             files: files.unwrap_or_default(),
             findings,
@@ -174,7 +172,7 @@ impl<'a> CameraReport<'a> {
 impl SensorReport {
     fn new(sensor: &Sensor) -> Self {
         Self {
-            engine: sensor.engine().kind().name,
+            engine: sensor.engine().kind().name.to_string(),
             parameters: sensor.engine().parameters().into_iter().collect(),
         }
     }

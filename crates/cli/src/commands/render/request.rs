@@ -5,11 +5,13 @@ use std::path::PathBuf;
 use oaktwin::camera::RigidTransform;
 use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::image::annotation::Annotator;
-use oaktwin::render::{self, Sweep};
+use oaktwin::render::{self, PairUse, RigSpec, Sweep};
 use oaktwin::scene::Up;
+use oaktwin::sensor::{EngineInput, STEREO_NOISE, SensorOptions};
 
 use crate::args::RenderArgs;
 use crate::context::Result;
+use crate::size;
 
 /// The output folder, if there is one.
 pub(super) fn output(args: &RenderArgs) -> Result<Option<PathBuf>> {
@@ -33,8 +35,59 @@ pub(super) fn output(args: &RenderArgs) -> Result<Option<PathBuf>> {
     }
 }
 
+/// The cameras, their sensors and what is made of them.
+pub(super) fn spec(args: &RenderArgs) -> Result<RigSpec> {
+    let sensor = args.sensor.options()?;
+    reject_pair_options(args, &sensor)?;
+    Ok(RigSpec {
+        cameras: args.camera.clone(),
+        size: size::parse("--resolution", args.resolution.as_deref())?,
+        projection: args.projection,
+        annotators: annotators(args)?,
+        is_sensor_optional: everything(args),
+        sensor,
+        pair: args.pair.options(args.unit.lens)?,
+        pair_use: match args.writes_pair {
+            true => PairUse::Written,
+            false => PairUse::Matched,
+        },
+        sweep: sweep(args)?,
+        backend: args.backend,
+    })
+}
+
+/// Rejects options of the pair and its light without effect.
+fn reject_pair_options(args: &RenderArgs, sensor: &SensorOptions) -> Result<()> {
+    let given = args.pair.given().or(args.writes_pair.then_some("--pair"));
+    let Some(option) = given else { return Ok(()) };
+    if args.model.is_none() {
+        return Err(format!("{option} requires --model, whose stereo pair it is about").into());
+    }
+    let sweeps_engine = args
+        .sweep
+        .iter()
+        .any(|sweep| sweep.trim_start().starts_with("engine"));
+    let engine = sensor
+        .engine
+        .as_deref()
+        .map(|kind| (kind.input, kind == &STEREO_NOISE));
+    let error = match engine {
+        Some((EngineInput::Pair, _)) => None,
+        _ if args.writes_pair || sweeps_engine => None,
+        _ if !args.pair.imager.is_empty() => Some("--imager requires --engine stereo-matching or --pair"),
+        Some((_, false)) => {
+            Some("--projector and --ambient require --engine stereo-matching or stereo-noise")
+        }
+        _ if args.pair.projector.is_none() => {
+            Some("--ambient requires --projector, or --engine stereo-matching")
+        }
+        _ => None,
+    };
+    error.map_or(Ok(()), |error| Err(error.into()))
+}
+
 /// The annotators that are named, and those that additional files require.
-pub(super) fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
+fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
     let mut chosen = Vec::new();
     if args.outputs.annotators.is_empty() {
         chosen.extend(render::DEFAULT_ANNOTATORS);
@@ -98,7 +151,7 @@ pub(super) fn unused(args: &RenderArgs, annotators: &[Annotator]) -> Option<Find
 }
 
 /// Whether sensor outputs are optional, because none is named.
-pub(super) fn everything(args: &RenderArgs) -> bool {
+fn everything(args: &RenderArgs) -> bool {
     if senses(args) {
         return false;
     }
@@ -111,7 +164,7 @@ pub(super) fn everything(args: &RenderArgs) -> bool {
 }
 
 /// The sweep, if there is one.
-pub(super) fn sweep(args: &RenderArgs) -> Result<Option<Sweep>> {
+fn sweep(args: &RenderArgs) -> Result<Option<Sweep>> {
     if args.sweep.is_empty() {
         return Ok(None);
     }

@@ -26,7 +26,7 @@ pub(super) struct Report {
 #[derive(Debug, Serialize)]
 struct SensorReport {
     prim: String,
-    engine: &'static str,
+    engine: String,
 }
 
 impl Report {

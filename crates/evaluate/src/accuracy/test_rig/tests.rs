@@ -17,7 +17,7 @@ fn test_rig(model: &str, engine: &'static EngineKind, parameters: &[(&str, &str)
     let twin = catalog.nominal(catalog.device(model).unwrap());
     let depth = twin.depth_sensors.last().unwrap();
     let options = SensorOptions {
-        engine: Some(engine),
+        engine: Some(engine.into()),
         parameters: parameters
             .iter()
             .map(|(a, b)| ((*a).to_owned(), (*b).to_owned()))

@@ -8,7 +8,7 @@ use oaktwin_pipeline::sensor::{SINGLE_VIEW, STEREO_MATCHING};
 use super::*;
 
 /// A thin box, 2 m in front of and behind which two cameras face it.
-fn sandwich() -> (Renderer, Rig, [RigidTransform; 2]) {
+fn sandwich() -> (Renderer, MeasuringRig, [RigidTransform; 2]) {
     let thin = DVec3::new(0.01, 0.5, 0.5);
     let rig = rig_of("OAK4-D", &[]);
     let poses = [-2.0, 2.0].map(|x| facing(&rig, DVec3::new(x, 0.0, 0.0), DVec3::ZERO));
@@ -116,27 +116,27 @@ fn every_engine_measures() {
     let plate = Stage::default().plate("/Plate", DVec3::new(1.5, 0.0, 0.0));
     let renderer = Renderer::new(plate.0);
     let catalog = Catalog::builtin();
-    let mut small = RigOptions {
+    let mut small = RigSpec {
         size: Some(ImageSize::new(320, 200)),
-        ..RigOptions::default()
+        ..RigSpec::default()
     };
     let untextured = ("confidenceThreshold".to_owned(), "0".to_owned());
-    small.engine.parameters.push(untextured);
+    small.sensor.parameters.push(untextured);
     let mut decimated = small.clone();
-    decimated.engine.filters.push("decimation".to_owned());
+    decimated.sensor.filters.push("decimation".to_owned());
     let mut matching = small.clone();
-    matching.engine.engine = Some(&STEREO_MATCHING);
+    matching.sensor.engine = Some((&STEREO_MATCHING).into());
     let mut single = small.clone();
-    single.engine.engine = Some(&SINGLE_VIEW);
-    single.engine.parameters = vec![("confidenceThreshold".to_owned(), "1".to_owned())];
+    single.sensor.engine = Some((&SINGLE_VIEW).into());
+    single.sensor.parameters = vec![("confidenceThreshold".to_owned(), "1".to_owned())];
     for (model, options) in [
-        ("OAK-D ToF", &RigOptions::default()),
+        ("OAK-D ToF", &RigSpec::default()),
         ("OAK-D Pro PoE", &decimated),
         ("OAK-D Pro PoE", &single),
         ("OAK4-D", &matching),
     ] {
         let twin = catalog.nominal(catalog.device(model).unwrap());
-        let (rig, _) = Rig::new(&twin, options).unwrap();
+        let (rig, _) = MeasuringRig::new(&twin, None, None, options).unwrap();
         let candidate = Candidate::new(&rig, model, facing(&rig, DVec3::ZERO, DVec3::X));
         let all = Region::default();
         let coverage = measure(&renderer, &all, &[candidate], &Options::default(), &go_on).unwrap();

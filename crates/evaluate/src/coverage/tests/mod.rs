@@ -12,7 +12,7 @@ use oaktwin_camera::math::{DAffine3, DVec3};
 use oaktwin_camera::{ImageSize, RigidTransform};
 use oaktwin_catalog::Catalog;
 use oaktwin_pipeline::progress::Progress;
-use oaktwin_pipeline::render::{Renderer, look_at};
+use oaktwin_pipeline::render::{Renderer, RigSpec, look_at};
 use oaktwin_scene::{Instance, Mesh, Scene, shape};
 
 use super::*;
@@ -47,26 +47,24 @@ impl Stage {
     }
 }
 
-fn rig_of(model: &str, set: &[(&str, &str)]) -> Rig {
+fn rig_of(model: &str, set: &[(&str, &str)]) -> MeasuringRig {
     let catalog = Catalog::builtin();
-    let mut options = RigOptions {
+    let mut spec = RigSpec {
         size: Some(ImageSize::new(640, 400)),
-        ..RigOptions::default()
+        ..RigSpec::default()
     };
     // The plates have no texture.
     for (name, value) in [("confidenceThreshold", "0")].iter().chain(set) {
-        options
-            .engine
+        spec.sensor
             .parameters
             .push(((*name).to_owned(), (*value).to_owned()));
     }
-    Rig::new(&catalog.nominal(catalog.device(model).unwrap()), &options)
-        .unwrap()
-        .0
+    let twin = catalog.nominal(catalog.device(model).unwrap());
+    MeasuringRig::new(&twin, None, None, &spec).unwrap().0
 }
 
 /// The pose of a rig whose depth camera is at `eye` and faces `target`.
-fn facing(rig: &Rig, eye: DVec3, target: DVec3) -> RigidTransform {
+fn facing(rig: &MeasuringRig, eye: DVec3, target: DVec3) -> RigidTransform {
     let mut body = look_at(eye, target, DVec3::Z).unwrap();
     let camera = rig.camera().view(&body).world_from_camera.translation;
     body.translation += eye - camera;

@@ -21,7 +21,7 @@ const MODEL: &str = "oak-d-tof";
 fn options() -> Options {
     Options {
         engine: SensorOptions {
-            engine: Some(&TIME_OF_FLIGHT),
+            engine: Some((&TIME_OF_FLIGHT).into()),
             parameters: CROP
                 .map(|(name, value)| (name.to_owned(), value.to_owned()))
                 .to_vec(),

@@ -1,7 +1,7 @@
 //! The depth sensor's outputs for a rendered frame.
 
 use crate::pair::Pair;
-use crate::sensor::{self, EngineInput, Input, Sensor, Shot};
+use crate::sensor::{self, EngineInput, Input, ParameterError, Sensor, Shot, needs_a_pair};
 use oaktwin_camera::Camera;
 use oaktwin_depth::stereo_matching;
 use oaktwin_image::ImageView;
@@ -24,39 +24,45 @@ pub fn scene_annotators(annotators: &[Annotator], is_sensed: bool) -> Vec<Annota
     needed
 }
 
-/// Returns the input of a sensor in a frame of this number; `None` if the frame lacks it.
-#[must_use]
+/// Returns the input of a sensor in a frame of this number.
+///
+/// # Errors
+/// Returns an error if the frame has no depth, or if there is no pair and the engine requires one.
 pub fn sensor_input<'a>(
     sensor: &Sensor,
     frame: &'a Frame,
     number: u64,
     pair: Option<&'a Pair>,
-) -> Option<Input<'a>> {
-    match sensor.engine().kind().input {
-        EngineInput::Depth => shot(frame, number).map(Input::Depth),
-        EngineInput::Pair => {
-            let pair = pair?;
-            // Both have the same bit depth.
-            let pair = stereo_matching::Pair::new(&pair.rectified_left, &pair.rectified_right);
-            pair.ok().map(Input::Pair)
+) -> Result<Input<'a>, ParameterError> {
+    let kind = sensor.engine().kind();
+    let unfit = |what: String| ParameterError::new("engine", what, "choose another engine");
+    match kind.input {
+        EngineInput::Depth => {
+            let depth = frame.distance_to_image_plane.as_ref();
+            let depth = depth.ok_or_else(|| unfit(format!("{kind} requires depth, and there is none")))?;
+            let mut shot = Shot::new((&depth.0).into());
+            shot.frame = number;
+            let shot = match &frame.rgb {
+                Some(rgb) => shot.with_rgb(rgb.into()),
+                None => Ok(shot),
+            };
+            let shot = shot.map_err(|error| unfit(format!("{kind}: {error}")))?;
+            Ok(Input::Depth(shot))
         }
-    }
-}
-
-/// The depth and colour of a frame of this number.
-fn shot(frame: &Frame, number: u64) -> Option<Shot<'_>> {
-    let depth = frame.distance_to_image_plane.as_ref()?;
-    let mut shot = Shot::new((&depth.0).into());
-    shot.frame = number;
-    match &frame.rgb {
-        // Both are of the same camera and size.
-        Some(rgb) => shot.with_rgb(rgb.into()).ok(),
-        None => Some(shot),
+        EngineInput::Pair => {
+            let pair = pair.ok_or_else(|| needs_a_pair(kind, "the input is a depth image"))?;
+            let pair = stereo_matching::Pair::new(&pair.rectified_left, &pair.rectified_right);
+            let pair = pair.map_err(|error| unfit(format!("{kind}: {error}")))?;
+            Ok(Input::Pair(pair))
+        }
     }
 }
 
 /// Adds the sensor outputs that are `requested` to a frame with depth, and optionally colours, of `camera`; `pair` is the stereo
 /// pair for engines that match one. They are images of [`Sensor::output_camera`]. Returns the annotators that cannot be produced.
+///
+/// # Errors
+/// Returns the errors of [`sensor_input`] and of the engine.
 pub fn sense_frame(
     sensor: &mut Sensor,
     camera: &Camera,
@@ -64,18 +70,15 @@ pub fn sense_frame(
     pair: Option<&Pair>,
     requested: &[Annotator],
     frame: &mut Frame,
-) -> Vec<Annotator> {
-    if let Some(input) = sensor_input(sensor, frame, number, pair) {
-        let captured = sensor::capture(sensor, camera, input, requested);
-        let rgb = frame.rgb.as_ref().map(ImageView::from);
-        if let Ok(capture) = captured {
-            frame.update(sensor::frame(sensor, camera, capture, rgb, requested));
-        }
-    }
+) -> Result<Vec<Annotator>, ParameterError> {
+    let input = sensor_input(sensor, frame, number, pair)?;
+    let capture = sensor::capture(sensor, camera, input, requested)?;
+    let rgb = frame.rgb.as_ref().map(ImageView::from);
+    frame.update(sensor::frame(sensor, camera, capture, rgb, requested));
     let is_missing = |annotator: &Annotator| {
         annotator.is_depth_sensor() && !frame.annotations().any(|(present, _)| present == *annotator)
     };
-    requested.iter().copied().filter(is_missing).collect()
+    Ok(requested.iter().copied().filter(is_missing).collect())
 }
 
 #[cfg(test)]

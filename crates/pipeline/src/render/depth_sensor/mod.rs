@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 pub use capture::{scene_annotators, sense_frame, sensor_input};
 
 use super::camera::{DepthSensorSource, PlacedCamera};
-use crate::sensor::{self, ParameterError, SINGLE_VIEW, Sensor, SensorOptions};
+use crate::sensor::{self, ParameterError, Sensor, SensorOptions};
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_catalog::Twin;
 
@@ -17,9 +17,11 @@ use oaktwin_catalog::Twin;
 pub struct DepthSensorOptions<'a> {
     /// The device, if the cameras belong to an OAK.
     pub twin: Option<&'a Twin>,
-    /// The sensor options. The default engine is [`SINGLE_VIEW`], because Isaac Sim's annotators of these names are its
-    /// outputs; the image is the camera's own, and the default name its prim's.
+    /// The sensor options. The default engine of an OAK's sensor is its technology's, and that of a stage's sensor Isaac Sim's. The
+    /// image is the camera's own, and the default name its prim's.
     pub sensor: &'a SensorOptions,
+    /// The light of a dot of the projector relative to the ambient light: [`dot_contrast`](crate::pair::dot_contrast).
+    pub dot_contrast: f64,
 }
 
 /// An invalid depth sensor: `CAMERA: PARAMETER: what is wrong; what to do`.
@@ -71,10 +73,11 @@ fn of_twin(
         return Ok(None);
     };
     let own = SensorOptions {
-        engine: Some(options.sensor.engine.unwrap_or(&SINGLE_VIEW)),
+        engine: Some(options.sensor.engine_for(spec.spec.kind)),
         image: Some(camera.camera.intrinsics),
         ..options.sensor.clone()
     };
+    let own = own.with_dots(options.dot_contrast);
     let sensor = sensor::sensor(twin, spec, &own).map_err(|error| DepthSensorError {
         place: camera.path.clone(),
         error,
@@ -111,12 +114,12 @@ fn names(cameras: &[PlacedCamera]) -> Vec<String> {
 mod tests {
     use super::*;
     use crate::render::{OakOptions, oak_cameras};
-    use crate::sensor::STEREO_NOISE;
+    use crate::sensor::{STEREO_NOISE, TIME_OF_FLIGHT};
     use oaktwin_camera::RigidTransform;
     use oaktwin_catalog::Catalog;
 
     #[test]
-    fn single_view_is_the_default_engine() {
+    fn an_oak_has_the_engines_of_its_technologies() {
         let catalog = Catalog::builtin();
         let twin = catalog.nominal(catalog.device("OAK-D ToF").unwrap());
         let names = ["left".to_owned(), "depth".to_owned()];
@@ -129,14 +132,16 @@ mod tests {
         let options = DepthSensorOptions {
             twin: Some(&twin),
             sensor: &sensor,
+            dot_contrast: 0.0,
         };
         let (sensors, _) = depth_sensors(&cameras, &options).unwrap();
         assert!(sensors[0].is_none());
-        for sensor in &sensors[1..] {
-            assert_eq!(sensor.as_ref().unwrap().engine().kind(), &SINGLE_VIEW);
-        }
+        let engines = sensors[1..]
+            .iter()
+            .map(|sensor| sensor.as_ref().unwrap().engine().kind());
+        assert_eq!(engines.collect::<Vec<_>>(), [&STEREO_NOISE, &TIME_OF_FLIGHT]);
         let stereo = SensorOptions {
-            engine: Some(&STEREO_NOISE),
+            engine: Some((&STEREO_NOISE).into()),
             ..sensor.clone()
         };
         let options = DepthSensorOptions {

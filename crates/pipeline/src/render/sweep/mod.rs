@@ -135,7 +135,7 @@ fn set(options: &mut SensorOptions, name: &str, value: &str) -> Result<(), Param
         remedy: remedy.to_owned(),
     };
     match fold_name(name).as_str() {
-        "engine" => options.engine = Some(EngineKind::parse(value)?),
+        "engine" => options.engine = Some(EngineKind::parse(value)?.into()),
         "preset" => options.preset = Some(value.to_owned()),
         "seed" => options.seed = value.parse().map_err(|_| wrong("give a whole number"))?,
         _ => options.parameters.push((name.to_owned(), value.to_owned())),
@@ -192,24 +192,30 @@ impl SweptSensors {
     }
 
     /// The sheet of a camera's frame; `None` if the camera has no depth sensor.
+    ///
+    /// # Errors
+    /// Returns an error if a sensor cannot measure the frame.
     pub(super) fn sheet(
         &mut self,
         camera: usize,
         frame: &Frame,
         number: u64,
         pair: Option<&Pair>,
-    ) -> Option<Image<[u8; 3]>> {
-        let width = frame.distance_to_image_plane.as_ref()?.0.width();
+    ) -> Result<Option<Image<[u8; 3]>>, ParameterError> {
+        let Some(depth) = &frame.distance_to_image_plane else {
+            return Ok(None);
+        };
+        let width = depth.0.width();
         let factor = sheet::factor(&self.sweep, width);
         let mut cells = Vec::new();
         for sensors in &mut self.sensors {
-            let sensor = sensors.get_mut(camera)?.as_mut()?;
-            let captured = sensor
-                .capture(sensor_input(sensor, frame, number, pair)?, &[])
-                .ok()?;
+            let Some(sensor) = sensors.get_mut(camera).and_then(Option::as_mut) else {
+                return Ok(None);
+            };
+            let captured = sensor.capture(sensor_input(sensor, frame, number, pair)?, &[])?;
             cells.push(Thumbnail::new(&captured.distance, factor));
         }
-        Some(sheet::sheet(&self.sweep, frame, factor, &cells))
+        Ok(Some(sheet::sheet(&self.sweep, frame, factor, &cells)))
     }
 }
 
@@ -244,7 +250,7 @@ mod tests {
         );
         let engines = sweep(&["engine=single-view,stereo_noise", "seed=7"]).unwrap();
         let options = engines.options(&SensorOptions::default()).unwrap();
-        assert_eq!(options[1].engine, Some(&STEREO_NOISE));
+        assert_eq!(options[1].engine, Some((&STEREO_NOISE).into()));
         assert_eq!((options[0].seed, options[0].parameters.len()), (7, 0));
         for wrong in ["engine=stereo", "seed=-1"] {
             assert!(

@@ -1,0 +1,174 @@
+//! From a specification to a rig: the only place that chooses engines, the pair and the light of a depth sensor.
+
+use std::sync::Arc;
+
+use oaktwin_base::diagnostic::{Finding, message, opt};
+use oaktwin_camera::RigidTransform;
+use oaktwin_catalog::Twin;
+
+use super::spec::engine_of;
+use super::{PairUse, Rig, RigError, RigSpec};
+use crate::pair::{PairCameras, PairOptions, dot_contrast};
+use crate::render::sweep::SweptSensors;
+use crate::render::{
+    DepthSensorOptions, OakOptions, PlacedCamera, SceneCameraOptions, SceneFile, depth_sensors, oak_cameras,
+    put_pair, scene_cameras,
+};
+use crate::sensor::{EngineInput, SensorOptions};
+
+impl Rig {
+    /// Makes the rig of an OAK, with its body at the origin. The findings report where it deviates from the twin.
+    ///
+    /// # Errors
+    /// Returns an error if the device lacks a camera, a sensor or a pair that the specification requires, or an option is invalid.
+    pub fn new(twin: &Twin, spec: &RigSpec) -> Result<(Self, Vec<Finding>), RigError> {
+        let options = OakOptions {
+            cameras: &spec.cameras,
+            lens: spec.pair.lens,
+            size: spec.size,
+        };
+        let (mut cameras, mut findings) = oak_cameras(twin, &RigidTransform::IDENTITY, &options)?;
+        let all = spec.all_sensors()?;
+        let pair = pair(twin, &mut cameras, spec, &all)?.map(|(pair, more)| {
+            findings.extend(more);
+            pair
+        });
+        // The light of the projector is in the images of a pair; other engines have a parameter for it.
+        let dots = dot_contrast(twin, spec.pair.projector, spec.pair.ambient)?;
+        let options = DepthSensorOptions {
+            twin: Some(twin),
+            sensor: &spec.sensor,
+            dot_contrast: dots,
+        };
+        let rig = Self::with_sensors(
+            twin.device.name.clone(),
+            cameras,
+            pair,
+            spec,
+            &options,
+            &mut findings,
+        )?;
+        findings.extend(rig.without_sensor(Some(twin), spec)?);
+        Ok((rig, findings))
+    }
+
+    /// Makes the rig of a stage's own cameras, at their poses. The findings report unusual attributes.
+    ///
+    /// # Errors
+    /// Returns an error if the stage lacks a camera or a sensor that the specification requires, or an attribute or option is invalid.
+    pub fn of_stage(stage: &SceneFile, spec: &RigSpec) -> Result<(Self, Vec<Finding>), RigError> {
+        for options in spec.all_sensors()? {
+            if let Some(engine) = options
+                .engine
+                .as_deref()
+                .filter(|kind| kind.input == EngineInput::Pair)
+            {
+                return Err(RigError::Option(message![
+                    opt("engine").with(engine),
+                    " requires the stereo pair of an OAK; place one in the scene with ",
+                    opt("model"),
+                    ", or use stereo-noise"
+                ]));
+            }
+        }
+        let options = SceneCameraOptions {
+            cameras: &spec.cameras,
+            size: spec.size,
+            projection: spec.projection,
+        };
+        let (cameras, mut findings) = scene_cameras(stage, &options)?;
+        let options = DepthSensorOptions {
+            twin: None,
+            sensor: &spec.sensor,
+            dot_contrast: 0.0,
+        };
+        let rig = Self::with_sensors(
+            stage.path.display().to_string(),
+            cameras,
+            None,
+            spec,
+            &options,
+            &mut findings,
+        )?;
+        findings.extend(rig.without_sensor(None, spec)?);
+        Ok((rig, findings))
+    }
+
+    fn with_sensors(
+        name: String,
+        cameras: Vec<PlacedCamera>,
+        pair: Option<PairCameras>,
+        spec: &RigSpec,
+        options: &DepthSensorOptions<'_>,
+        findings: &mut Vec<Finding>,
+    ) -> Result<Self, RigError> {
+        let mut sensors = Vec::new();
+        let mut swept = None;
+        if spec.senses() {
+            let (own, more) = depth_sensors(&cameras, options)?;
+            findings.extend(more);
+            sensors = own;
+            let sweep = spec.sweep.clone();
+            swept = sweep
+                .map(|sweep| SweptSensors::new(sweep, &cameras, options))
+                .transpose()?;
+        }
+        sensors.resize(cameras.len(), None);
+        Ok(Self {
+            name,
+            cameras,
+            sensors,
+            swept,
+            pair: pair.map(Arc::new),
+            pair_use: spec.pair_use,
+            annotators: spec.annotators.clone(),
+            backend: spec.backend,
+        })
+    }
+}
+
+/// The pair, if the specification has a use for it. The cameras of depth sensors that match it become its left camera.
+fn pair(
+    twin: &Twin,
+    cameras: &mut [PlacedCamera],
+    spec: &RigSpec,
+    all: &[SensorOptions],
+) -> Result<Option<(PairCameras, Vec<Finding>)>, RigError> {
+    let matches = |options: &SensorOptions| {
+        let mut kinds = cameras
+            .iter()
+            .filter_map(|camera| engine_of(twin, camera, options));
+        kinds.any(|kind| kind.input == EngineInput::Pair)
+    };
+    let is_matched = all.iter().any(matches);
+    let is_beside = !is_matched && spec.pair_use == PairUse::Beside;
+    if !is_matched && spec.pair_use == PairUse::Matched {
+        return Ok(None);
+    }
+    let options = PairOptions {
+        size: spec.size,
+        ..spec.pair.of_sensor(&spec.sensor)?
+    };
+    if is_matched {
+        same_bias(options.bias_px, all)?;
+    }
+    if is_beside {
+        // Only a matcher reports the depth of the rectified camera.
+        return Ok(put_pair(twin, &mut cameras.to_vec(), &options).ok());
+    }
+    Ok(Some(put_pair(twin, cameras, &options)?))
+}
+
+/// Rejects a sweep of the pair's own calibration error.
+fn same_bias(bias_px: f64, all: &[SensorOptions]) -> Result<(), RigError> {
+    for swept in all {
+        if swept.calibration_error_px()?.to_bits() != bias_px.to_bits() {
+            return Err(RigError::Option(message![
+                opt("sweep").with("bias"),
+                ": not supported with stereo-matching, which renders the pair once; run with each ",
+                opt("param").with("bias=")
+            ]));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,118 @@
+//! An OAK, or the cameras of a stage, with everything that makes images of a scene.
+
+mod build;
+mod error;
+mod findings;
+mod measure;
+mod shoot;
+mod spec;
+#[cfg(test)]
+mod tests;
+
+pub use error::RigError;
+pub use spec::{PairUse, RigSpec, depth_sensor_of};
+
+use std::sync::Arc;
+
+use oaktwin_camera::RigidTransform;
+use oaktwin_image::annotation::Annotator;
+use oaktwin_render::Backend;
+
+use super::PlacedCamera;
+use super::sweep::SweptSensors;
+use crate::pair::PairCameras;
+use crate::sensor::Sensor;
+
+/// Cameras with their depth sensors and the stereo pair that these match, which can be placed in any scene.
+///
+/// [`Rig::new`] makes the rig of an OAK, and [`Rig::of_stage`] the rig of a stage's own cameras; [`Rig::shoot`] renders and measures
+/// one frame, [`Rig::measure`] measures images that were rendered elsewhere, and [`write_frames`](super::write_frames) is the loop over
+/// the frames of a data set.
+///
+/// A rig is mutable where its sensors remember earlier frames, which only temporal filters do; a clone continues on its own.
+#[derive(Clone, Debug)]
+pub struct Rig {
+    /// The name of the model, or of the stage's file.
+    name: String,
+    cameras: Vec<PlacedCamera>,
+    /// The depth sensor of each camera.
+    sensors: Vec<Option<Sensor>>,
+    swept: Option<SweptSensors>,
+    /// Shared, because a pair has large tables.
+    pair: Option<Arc<PairCameras>>,
+    pair_use: PairUse,
+    annotators: Vec<Annotator>,
+    backend: Backend,
+}
+
+impl Rig {
+    /// Returns the name of the model, or of the stage's file.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Returns the cameras.
+    #[must_use]
+    pub fn cameras(&self) -> &[PlacedCamera] {
+        &self.cameras
+    }
+
+    /// Returns the depth sensor of each camera; none of a camera without one, or if no annotator requires them.
+    #[must_use]
+    pub fn sensors(&self) -> &[Option<Sensor>] {
+        &self.sensors
+    }
+
+    /// Returns the first camera with a depth sensor, and its sensor.
+    #[must_use]
+    pub fn depth_sensor(&self) -> Option<(&PlacedCamera, &Sensor)> {
+        let mut both = self.cameras.iter().zip(&self.sensors);
+        both.find_map(|(camera, sensor)| Some((camera, sensor.as_ref()?)))
+    }
+
+    /// Returns the stereo pair, if it is used.
+    #[must_use]
+    pub fn pair(&self) -> Option<&PairCameras> {
+        self.pair.as_deref()
+    }
+
+    /// Returns the annotators of a shot.
+    #[must_use]
+    pub fn annotators(&self) -> &[Annotator] {
+        &self.annotators
+    }
+
+    /// Returns the rig with the body of its OAK (x forward, y left, z up), or each of a stage's cameras, at a pose in metres.
+    #[must_use]
+    pub fn at(mut self, world_from_body: &RigidTransform) -> Self {
+        for camera in &mut self.cameras {
+            camera.world_from_mount = *world_from_body;
+        }
+        self
+    }
+
+    /// Returns each camera as a rig of its own. Cameras without a depth sensor are left out.
+    #[must_use]
+    pub fn split(self) -> Vec<Self> {
+        let cameras = self.cameras.iter().zip(&self.sensors);
+        let measuring = cameras.filter(|(_, sensor)| sensor.is_some());
+        let alone = measuring.map(|(camera, sensor)| Self {
+            name: camera.path.clone(),
+            cameras: vec![camera.clone()],
+            sensors: vec![sensor.clone()],
+            swept: None,
+            pair: self.pair.clone(),
+            annotators: self.annotators.clone(),
+            ..self
+        });
+        alone.collect()
+    }
+
+    /// Forgets all earlier frames.
+    pub fn reset(&mut self) {
+        for sensor in self.sensors.iter_mut().flatten() {
+            sensor.reset();
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! Renders and measures what a rig sees.
+
+use oaktwin_base::diagnostic::Finding;
+use oaktwin_camera::RigidTransform;
+use oaktwin_dataset::{self as dataset, CameraParams, Layer, LayerData, Shot};
+use oaktwin_image::annotation::Annotator;
+use oaktwin_image::{Image, png};
+use oaktwin_render::{AnnotateOptions, Renderer, View};
+
+use super::findings::not_produced;
+use super::{PairUse, Rig, RigError};
+use crate::pair::Pair;
+use crate::render::PlacedCamera;
+use crate::render::depth_sensor::{scene_annotators, sense_frame};
+use crate::sensor::{EngineInput, sensor_view};
+
+impl Rig {
+    /// Renders a frame of this number with the body, or each camera of a stage, at a pose in metres, and measures its depth: a shot for
+    /// each camera. Without a pose, the cameras are where [`Rig::at`] or the stage put them.
+    ///
+    /// Frames of different numbers differ in their noise, and equal frames are equal.
+    ///
+    /// # Errors
+    /// Returns an error if a depth sensor cannot measure what was rendered.
+    pub fn shoot(
+        &mut self,
+        renderer: &Renderer,
+        world_from_body: Option<&RigidTransform>,
+        number: u64,
+    ) -> Result<(Vec<Shot>, Vec<Finding>), RigError> {
+        let annotators = self.annotators.clone();
+        let mut shots = Vec::new();
+        let mut findings = Vec::new();
+        for index in 0..self.cameras.len() {
+            let (shot, more) = self.shoot_camera(renderer, index, world_from_body, number, &annotators)?;
+            shots.push(shot);
+            findings.extend(more);
+        }
+        Ok((shots, findings))
+    }
+
+    /// Renders and measures a frame of one camera, with other annotators than the rig's.
+    ///
+    /// # Errors
+    /// Returns an error if the depth sensor cannot measure what was rendered.
+    pub fn shoot_camera(
+        &mut self,
+        renderer: &Renderer,
+        index: usize,
+        world_from_body: Option<&RigidTransform>,
+        number: u64,
+        annotators: &[Annotator],
+    ) -> Result<(Shot, Vec<Finding>), RigError> {
+        let camera = &self.cameras[index];
+        let mount = *world_from_body.unwrap_or(&camera.world_from_mount);
+        let view = camera.view(&mount);
+        let is_requested = annotators.iter().any(|one| one.is_depth_sensor());
+        let sensor = self.sensors[index].as_mut().filter(|_| is_requested);
+        let swept = self.swept.as_mut().filter(|swept| swept.has(index));
+        let is_matched = (sensor.iter()).any(|sensor| sensor.engine().kind().input == EngineInput::Pair)
+            || (swept.iter()).any(|swept| swept.matches(index));
+        let is_described = self.pair_use == PairUse::Described;
+        let pair = self.pair.as_ref().filter(|_| is_matched || is_described);
+        let pair = pair.map(|pair| pair.look(renderer, &mount, number));
+        let needed = scene_annotators(annotators, sensor.is_some() || swept.is_some());
+        let (mut frame, mut findings) =
+            renderer.annotate(&view, &needed, self.backend, &AnnotateOptions::default());
+        let sheet = match swept {
+            Some(swept) => swept.sheet(index, &frame, number, pair.as_ref())?,
+            None => None,
+        };
+        let described = described(camera, &view, renderer.scene().meters_per_unit.0);
+        let mut sensor_view_of = None;
+        if let Some(sensor) = sensor {
+            let missing = sense_frame(
+                sensor,
+                &view.camera,
+                number,
+                pair.as_ref(),
+                annotators,
+                &mut frame,
+            )?;
+            findings.extend(not_produced(&camera.path, sensor, &missing));
+            sensor_view_of = Some(sensor_view(&sensor.output_camera(&view.camera), &described));
+        }
+        frame.rgb = frame.rgb.filter(|_| annotators.contains(&Annotator::Rgb));
+        frame.distance_to_image_plane = frame
+            .distance_to_image_plane
+            .filter(|_| annotators.contains(&Annotator::DistanceToImagePlane));
+        findings.extend(pair.iter().flat_map(|pair| pair.findings.clone()));
+        let stereo = (pair.as_ref().filter(|_| is_described)).map(|pair| pair.images(renderer, &view));
+        let mut layers: Vec<Layer> = sheet.into_iter().map(sheet_layer).collect();
+        if let Some(pair) = pair.filter(|_| self.pair_use == PairUse::Written) {
+            layers.extend(pair_layers(pair));
+        }
+        let wants_params = annotators.contains(&Annotator::CameraParams);
+        let shot = Shot {
+            layers,
+            camera_params: wants_params.then(|| CameraParams::new(&described)),
+            sensor_params: sensor_view_of
+                .as_ref()
+                .filter(|_| wants_params)
+                .map(CameraParams::new),
+            view: Some(described),
+            stereo,
+            sensor_view: sensor_view_of,
+            camera: index,
+            world_from_mount: mount,
+            render_product: (self.cameras.len() > 1).then(|| camera.folder.clone()),
+            ..Shot::new(frame, number)
+        };
+        Ok((shot, findings))
+    }
+}
+
+fn sheet_layer(sheet: Image<[u8; 3]>) -> Layer {
+    Layer {
+        folder: "sweep",
+        name: "sweep".to_owned(),
+        data: LayerData::Png(Box::new(move || png::encode(&sheet))),
+    }
+}
+
+fn pair_layers(pair: Pair) -> impl Iterator<Item = Layer> {
+    let images = [
+        ("left", pair.left),
+        ("right", pair.right),
+        ("rectified_left", pair.rectified_left),
+        ("rectified_right", pair.rectified_right),
+    ];
+    images.into_iter().map(|(name, image)| Layer {
+        folder: "pair",
+        name: name.to_owned(),
+        data: LayerData::Png(Box::new(move || image.to_png())),
+    })
+}
+
+fn described(camera: &PlacedCamera, view: &View, meters_per_unit: f64) -> dataset::View {
+    let (attributes, clip) = (&camera.attributes, &camera.clip);
+    dataset::View {
+        optics: attributes.optics,
+        camera: view.camera,
+        world_from_camera: view.world_from_camera,
+        clipping_range: [clip.near_m, clip.far_m].map(|metres| metres / meters_per_unit),
+        meters_per_unit,
+        focus_distance: attributes.focus_distance,
+        f_stop: attributes.f_stop,
+    }
+}

@@ -1,0 +1,88 @@
+use oaktwin_camera::ImageSize;
+use oaktwin_catalog::{Twin, TwinDepthSensor};
+use oaktwin_image::annotation::Annotator;
+use oaktwin_render::Backend;
+use oaktwin_usd::optics::Projection;
+
+use super::RigError;
+use crate::pair::PairOptions;
+use crate::render::sweep::Sweep;
+use crate::render::{DepthSensorSource, PlacedCamera};
+use crate::sensor::{EngineRef, SensorOptions};
+use oaktwin_base::diagnostic::{message, opt};
+
+/// What a [`Rig`](super::Rig) has and what its shots contain. The default is a device's depth sensors, which render nothing yet.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RigSpec {
+    /// The cameras by name; by default every depth sensor's, or all cameras if there is none. Those of an OAK are named as in
+    /// [`OakOptions`](crate::render::OakOptions), those of a stage by their paths or unique names.
+    pub cameras: Vec<String>,
+    /// The image size; by default each camera's own. Images of an OAK are resized by `DepthAI`'s rule.
+    pub size: Option<ImageSize>,
+    /// How the apertures of a stage's cameras are interpreted.
+    pub projection: Projection,
+    /// The annotators of each shot. Depth sensors are created if one of them, or a sweep, requires them.
+    pub annotators: Vec<Annotator>,
+    /// Whether the outputs of depth sensors are left out where there is none; otherwise a rig without any is an error.
+    pub is_sensor_optional: bool,
+    /// The engine of the depth sensors and its settings. An OAK's sensor has the engine of its technology by default, a stage's has
+    /// Isaac Sim's.
+    pub sensor: SensorOptions,
+    /// How the pair is recorded, with the light of the scene and of the dot projector for every engine, and the lens. The cameras, the
+    /// size, the bias, the drift and the seed are set by the other fields.
+    pub pair: PairOptions,
+    /// What the pair is for.
+    pub pair_use: PairUse,
+    /// The sweep of a parameter, which adds a sheet to each shot of a depth sensor.
+    pub sweep: Option<Sweep>,
+    /// The visibility backend.
+    pub backend: Backend,
+}
+
+/// What the stereo pair of a rig is for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PairUse {
+    /// For engines that match it; without one there is no pair.
+    #[default]
+    Matched,
+    /// For engines that match it, and as PNG in each shot: `left`, `right`, `rectified_left`, `rectified_right`.
+    Written,
+    /// For engines that match it, and as the description of the pair in each shot, for the formats that have one.
+    Described,
+    /// For engines that match it, and for the caller, if the device has a pair.
+    Beside,
+}
+
+impl RigSpec {
+    /// Whether depth sensors are required.
+    pub(super) fn senses(&self) -> bool {
+        self.sweep.is_some() || self.annotators.iter().any(|one| one.is_depth_sensor())
+    }
+
+    /// The sensor options, followed by those of a sweep's cells.
+    pub(super) fn all_sensors(&self) -> Result<Vec<SensorOptions>, RigError> {
+        let swept = self.sweep.as_ref().map(|sweep| sweep.options(&self.sensor));
+        let swept = swept.transpose().map_err(|error| {
+            let error = format!(": {error}");
+            RigError::Option(message![opt("sweep"), error])
+        })?;
+        let mut all = vec![self.sensor.clone()];
+        all.extend(swept.into_iter().flatten());
+        Ok(all)
+    }
+}
+
+/// Returns the depth sensor that measures with a camera of a twin; `None` for a camera without one.
+#[must_use]
+pub fn depth_sensor_of<'a>(twin: &'a Twin, camera: &PlacedCamera) -> Option<&'a TwinDepthSensor> {
+    let DepthSensorSource::Twin(prim) = camera.depth_sensor.as_ref()? else {
+        return None;
+    };
+    twin.depth_sensors.iter().find(|sensor| sensor.spec.prim == *prim)
+}
+
+/// The engine of a camera's depth sensor; `None` for a camera without one.
+pub(super) fn engine_of(twin: &Twin, camera: &PlacedCamera, options: &SensorOptions) -> Option<EngineRef> {
+    let sensor = depth_sensor_of(twin, camera)?;
+    Some(options.engine_for(sensor.spec.kind))
+}
