@@ -6,7 +6,6 @@
 
 mod accuracy;
 mod answer;
-mod blocking;
 mod calibration;
 mod catalog;
 mod coverage;
@@ -15,9 +14,11 @@ mod file;
 mod frame;
 mod guard;
 mod image;
+mod job;
 mod live;
 mod mesh;
 mod oak;
+mod offline;
 mod page;
 mod pose;
 mod probe;
@@ -25,6 +26,7 @@ mod protocol;
 mod reasons;
 mod scene;
 mod server;
+mod size;
 mod snippet;
 mod station;
 mod studio;
@@ -43,6 +45,7 @@ use oaktwin::catalog::Catalog;
 use oaktwin::render::OpenOptions;
 
 use guard::Guard;
+pub use offline::Offline;
 use scene::{LoadedScene, Scenes};
 use studio::Studio;
 
@@ -150,8 +153,10 @@ pub fn serve(
         ready(&link);
         // While the browser starts.
         let warm = Arc::clone(&studio);
-        drop(tokio::task::spawn_blocking(move || {
-            warm.scenes.first().mesh(server::DEFAULT_TRIANGLES)
+        drop(tokio::spawn(async move {
+            let mesh =
+                |studio: &Studio, job: &job::Job| studio.scenes.first().mesh(server::DEFAULT_TRIANGLES, job);
+            job::run(&warm, job::VIEW, mesh).await
         }));
         tokio::select! {
             ended = serving => ended.map_err(|error| StudioError::System(error.to_string())),

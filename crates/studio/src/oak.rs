@@ -6,13 +6,17 @@ use oaktwin::depth::parameters::choose;
 use oaktwin::diagnostic::Finding;
 use oaktwin::pair::{PairCameras, PairOptions};
 use oaktwin::render::{
-    self, DepthSensorOptions, OakOptions, PlacedCamera, check_size, depth_sensors, oak_cameras, put_pair,
+    self, DepthSensorOptions, OakOptions, PlacedCamera, depth_sensors, oak_cameras, put_pair,
 };
 use oaktwin::sensor::{EngineInput, EngineKind, Sensor, SensorOptions};
 
 use crate::protocol::{Failure, OakState};
+use crate::size::{check_memory, check_pixels};
 use crate::studio::Studio;
 use crate::unit::Drawn;
+
+/// The maximum number of filters of a sensor.
+const MAX_FILTERS: usize = 32;
 
 /// An OAK in a scene, ready to be rendered.
 #[derive(Debug)]
@@ -32,7 +36,12 @@ impl OakState {
         match (&self.calibration, self.drawn(studio)?) {
             (None, None) => Ok(catalog.nominal(device)),
             (None, Some(drawn)) => drawn.twin(catalog, device),
-            (Some(id), None) => studio.calibrations.twin(catalog, device, id),
+            (Some(id), None) => {
+                let twin = studio.calibrations.twin(catalog, device, id)?;
+                let sizes = twin.cameras.iter().map(|camera| camera.intrinsics.size);
+                sizes.map(check_pixels).collect::<Result<(), Failure>>()?;
+                Ok(twin)
+            }
             (Some(_), Some(_)) => {
                 let error =
                     "a calibration describes one unit; choose the calibration or a unit of the population";
@@ -61,13 +70,27 @@ impl OakState {
         EngineKind::parse(&self.engine).map_err(|error| Failure::of("engine", &error))
     }
 
+    fn filters(&self) -> Result<Vec<String>, Failure> {
+        let filters = self.filters.clone().unwrap_or_default();
+        match filters.len() <= MAX_FILTERS {
+            true => Ok(filters),
+            false => {
+                let error = format!(
+                    "{} filters are too many; choose at most {MAX_FILTERS}",
+                    filters.len()
+                );
+                Err(Failure::of("filters", &error))
+            }
+        }
+    }
+
     /// Returns the options of the sensor.
     pub(crate) fn options(&self) -> Result<SensorOptions, Failure> {
         let parameters = self.parameters.iter();
         Ok(SensorOptions {
             engine: Some(self.engine()?),
             preset: self.preset.clone(),
-            filters: self.filters.clone().unwrap_or_default(),
+            filters: self.filters()?,
             parameters: parameters
                 .map(|(name, value)| (name.clone(), value.clone()))
                 .collect(),
@@ -98,16 +121,6 @@ impl OakState {
     }
 }
 
-/// Returns the size of images, if one is chosen.
-pub(crate) fn image_size(size: Option<[u32; 2]>) -> Result<Option<ImageSize>, Failure> {
-    let Some([width, height]) = size else {
-        return Ok(None);
-    };
-    let size = ImageSize::new(width, height);
-    check_size(size).map_err(|error| Failure::of("size", &error))?;
-    Ok(Some(size))
-}
-
 impl Oak {
     /// Places an OAK and creates its sensor. The stereo pair is created if `needs_pair`, or if the engine matches images.
     pub(crate) fn new(
@@ -129,7 +142,11 @@ impl Oak {
         let (mut cameras, mut findings) = placed.map_err(|error| Failure::of("sensor", &error))?;
         findings.extend(state.drawn(studio)?.map(|drawn| drawn.finding()));
         let is_matching = state.engine()?.input == EngineInput::Pair;
-        let pair = match is_matching || needs_pair {
+        let has_pair = is_matching || needs_pair;
+        for camera in &cameras {
+            check_memory(camera.camera.intrinsics.size, has_pair)?;
+        }
+        let pair = match has_pair {
             // Only a matcher reports the depth of the rectified camera.
             true => {
                 let mut unused = Vec::new();
