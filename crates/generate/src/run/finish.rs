@@ -59,10 +59,7 @@ pub(super) fn finish(
 }
 
 /// Returns the files that replace others, by the paths of these.
-fn containers(
-    store: &Store,
-    packed: &[PackedFiles],
-) -> Result<BTreeMap<String, Container>, FileError> {
+fn containers(store: &Store, packed: &[PackedFiles]) -> Result<BTreeMap<String, Container>, FileError> {
     let mut all = BTreeMap::new();
     for files in packed {
         let container = Container {
