@@ -11,7 +11,7 @@ use crate::program::{EXAMPLE, Program};
 use crate::render::program;
 
 /// Ground truth of a pixel that sees nothing.
-const INFINITE: [&str; 3] = ["distance_to_image_plane", "distance_to_camera", "depth_reference"];
+const INFINITE: [&str; 2] = ["distance_to_image_plane", "distance_to_camera"];
 /// The errors of points that nothing measures.
 const WITHOUT_VALUE: [&str; 1] = ["errors"];
 
@@ -123,7 +123,7 @@ fn outputs_are_finite() {
         "render.json",
         &format!(
             "render {room} -o render --json --annotators rgb,distance_to_image_plane,distance_to_camera,normals,\
-             semantic_segmentation,instance_id_segmentation,bounding_box_2d_tight,bounding_box_3d,pointcloud,\
+             semantic_segmentation,instance_id_segmentation,bounding_box_2d_tight,pointcloud,\
              depth_sensor_distance,depth_sensor_reason,camera_params"
         ),
     );
@@ -163,7 +163,7 @@ fn outputs_are_finite() {
         "flat.json",
         "fit flat.csv --model oak4-d -o flat.toml --json",
     );
-    for format in ["urdf", "xacro", "sdf", "mjcf", "webots", "blender"] {
+    for format in ["urdf", "sdf", "drake", "mjcf", "webots", "blender"] {
         keep(
             &program,
             &format!("export_{format}.json"),
@@ -172,7 +172,6 @@ fn outputs_are_finite() {
     }
     keep(&program, "show.json", "show oak-d-tof --json");
     keep(&program, "models.json", "models --json");
-    keep(&program, "compare.json", "compare oak4-d oak-d-pro-poe --json");
     keep(&program, "calibration.json", "calibration show EXAMPLE --json");
     keep(&program, "check.json", "check room.usda --json");
     keep(
