@@ -19,6 +19,8 @@ const KEPT: usize = 3;
 /// The number of objects that the page can name, and of bytes of their paths; others are part of the scene only.
 const MAX_OBJECTS: usize = 20_000;
 const MAX_PATH_BYTES: usize = 4 << 20;
+/// The number of triangles of a dropped scene, counting instances: frames of more take too long.
+const MAX_TRIANGLES: usize = 100_000_000;
 /// The number of findings about a scene that the page lists.
 const MAX_FINDINGS: usize = 1000;
 
@@ -70,6 +72,17 @@ impl LoadedScene {
             argument: argument.to_owned(),
             meshes: Mutex::default(),
         })
+    }
+
+    /// Rejects a scene whose frames would take too long for the page.
+    pub(crate) fn check_triangles(&self) -> Result<(), Failure> {
+        let SceneInfo { name, triangles, .. } = &self.info;
+        match *triangles <= MAX_TRIANGLES {
+            true => Ok(()),
+            false => Err(Failure::from(format!(
+                "{name}: has {triangles} triangles with all instances, more than {MAX_TRIANGLES}; drop a smaller scene, or use the command line"
+            ))),
+        }
     }
 
     /// Sets the pose from which the page first shows the scene.

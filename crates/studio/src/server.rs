@@ -163,6 +163,7 @@ async fn dropped_scene(
     job::run(&studio, job::FILE, move |studio, _| {
         let id = studio.scenes.next_id();
         let scene = LoadedScene::open(&path, &OpenOptions::default(), (&id, &name, &name))?;
+        scene.check_triangles()?;
         // Files that the scene names are not beside it; whatever it contains is in memory now.
         drop(folder);
         Ok(studio.scenes.add(scene).info.clone())

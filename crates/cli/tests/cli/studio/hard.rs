@@ -161,6 +161,41 @@ fn requests_that_ask_for_too_much_are_refused_or_shortened() {
     assert_eq!((status, &answer["field"]), (422, &json!("states")), "{answer}");
 }
 
+/// A file of 0.4 MB with 900 million triangles: 10 000 nodes share a mesh of 10 000 primitives.
+#[test]
+fn a_small_file_of_many_triangles_is_refused_and_the_server_lives() {
+    let program = program();
+    let server = server(&program);
+    let corners = (0..9u8).flat_map(|i| {
+        let x = f32::from(i);
+        [x, 0.0, 0.0, x + 1.0, 0.0, 0.0, x, 1.0, 0.0]
+    });
+    let bytes: String = corners
+        .flat_map(f32::to_le_bytes)
+        .map(|byte| format!("%{byte:02x}"))
+        .collect();
+    let document = json!({
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": (0..10_000).collect::<Vec<u32>>()}],
+        "nodes": vec![json!({"mesh": 0}); 10_000],
+        "meshes": [{"primitives": vec![json!({"attributes": {"POSITION": 0}}); 10_000]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 27, "type": "VEC3"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 324}],
+        "buffers": [{"byteLength": 324, "uri": format!("data:application/octet-stream,{bytes}")}],
+    });
+    let (status, answer) = server.post("/api/scenes?name=a.gltf", document.to_string().as_bytes());
+    assert_eq!(status, 422, "{answer}");
+    let error = answer["error"].as_str().unwrap();
+    assert!(
+        error.starts_with("a.gltf: ") && error.contains("has 900000000 triangles"),
+        "{error}"
+    );
+    let mut page = server.page();
+    send(&mut page, &request(1, &state()));
+    assert_eq!(frame(&mut page).header["id"], 1);
+}
+
 /// A name that a shell, Python or a page might run.
 const NAME: &str = "-$(touch made) `touch made` 'it' \"is\" <img src=x onerror=alert(1)> ; ${HOME} é.obj";
 
