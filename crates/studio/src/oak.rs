@@ -38,8 +38,8 @@ impl OakState {
             (None, Some(drawn)) => drawn.twin(catalog, device),
             (Some(id), None) => {
                 let twin = studio.calibrations.twin(catalog, device, id)?;
-                let sizes = twin.cameras.iter().map(|camera| camera.intrinsics.size);
-                sizes.map(check_pixels).collect::<Result<(), Failure>>()?;
+                let mut sizes = twin.cameras.iter().map(|camera| camera.intrinsics.size);
+                sizes.try_for_each(check_pixels)?;
                 Ok(twin)
             }
             (Some(_), Some(_)) => {

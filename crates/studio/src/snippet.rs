@@ -308,7 +308,6 @@ mod tests {
     }
 
     #[test]
-    #[expect(clippy::print_stderr, reason = "for who runs the tests")]
     fn python_reads_every_name_as_a_string() {
         let names: Vec<String> = NAMES.iter().map(|name| quoted(name)).collect();
         let script = format!("import json\nprint(json.dumps([{}]))\n", names.join(", "));
