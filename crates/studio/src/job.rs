@@ -1,7 +1,6 @@
 //! Computations for the page: how many run at once is limited, and how long a request waits for one.
 
-use std::ops::ControlFlow;
-use std::sync::{Arc, Weak};
+use std::sync::Arc;
 use std::time::Duration;
 
 use oaktwin::diagnostic::{Opt, with_style};
@@ -9,6 +8,7 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
 use crate::protocol::Failure;
 use crate::studio::Studio;
+pub(crate) use crate::task::Job;
 
 /// How long a request waits for its answer once it is computed, and what to do if that is not enough.
 #[derive(Clone, Copy, Debug)]
@@ -43,32 +43,6 @@ pub(crate) const COVERAGE: Budget = Budget {
     remedy: "choose fewer poses, or use `oaktwin coverage`, which has no limit of time",
 };
 
-/// A computation that runs. A request that was answered, with a result or without, has none.
-#[derive(Debug)]
-pub(crate) struct Job {
-    studio: Arc<Studio>,
-    /// Whether the request still waits: its other end is dropped with the request.
-    waits: Weak<()>,
-}
-
-impl Job {
-    /// Returns an error if nobody waits for the result any more. Long loops call this.
-    pub(crate) fn check(&self) -> Result<(), Failure> {
-        match self.waits.strong_count() == 0 || self.studio.is_stopped() {
-            true => Err(Failure::from("interrupted; ask again".to_owned())),
-            false => Ok(()),
-        }
-    }
-
-    /// The same for loops of the library.
-    pub(crate) fn watch(&self) -> ControlFlow<()> {
-        match self.check() {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(_) => ControlFlow::Break(()),
-        }
-    }
-}
-
 /// Computes for a request as soon as fewer than a few others do, without blocking other requests. Options in messages are
 /// spelled as on the command line.
 pub(crate) async fn run<T: Send + 'static>(
@@ -90,11 +64,12 @@ pub(crate) async fn run_in<T: Send + 'static>(
     let permit: Option<OwnedSemaphorePermit> = Arc::clone(counted).acquire_owned().await.ok();
     let waiting = Arc::new(());
     let job = Job {
-        studio: Arc::clone(studio),
         waits: Arc::downgrade(&waiting),
+        stop: studio.stopping(),
     };
+    let studio = Arc::clone(studio);
     let task = tokio::task::spawn_blocking(move || {
-        let result = with_style(flag, || job.check().and_then(|()| compute(&job.studio, &job)));
+        let result = with_style(flag, || job.check().and_then(|()| compute(&studio, &job)));
         // A computation that nobody waits for counts until it ends.
         drop(permit);
         result
@@ -124,7 +99,7 @@ fn flag(option: &Opt) -> String {
 }
 
 #[cfg(test)]
-pub(crate) mod tests {
+mod tests {
     use super::*;
     use crate::studio::tests::studio;
 
@@ -132,17 +107,6 @@ pub(crate) mod tests {
         time: Duration::from_millis(10),
         remedy: "ask for less",
     };
-
-    /// A job whose request waits forever.
-    pub(crate) fn job() -> Job {
-        let waiting = Arc::new(());
-        let waits = Arc::downgrade(&waiting);
-        std::mem::forget(waiting);
-        Job {
-            studio: studio(),
-            waits,
-        }
-    }
 
     fn wait<T>(future: impl Future<Output = T>) -> T {
         let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build();

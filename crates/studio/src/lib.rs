@@ -30,6 +30,7 @@ mod size;
 mod snippet;
 mod station;
 mod studio;
+mod task;
 mod unit;
 mod upload;
 mod wire;

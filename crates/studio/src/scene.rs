@@ -9,10 +9,10 @@ use oaktwin::camera::RigidTransform;
 use oaktwin::render::{OpenOptions, Renderer, SceneFile, look_at, overview};
 use oaktwin::scene::{Bounds, Scene, Up};
 
-use crate::job::Job;
 use crate::mesh;
 use crate::pose::pose_of;
 use crate::protocol::{Failure, Pose, SceneInfo, SceneObject};
+use crate::task::Job;
 
 /// The number of dropped scenes that are kept, besides the command line's.
 const KEPT: usize = 3;

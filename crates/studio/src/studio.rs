@@ -75,8 +75,9 @@ impl Studio {
         self.stop.send_replace(true);
     }
 
-    pub(crate) fn is_stopped(&self) -> bool {
-        *self.stop.borrow()
+    /// Becomes true when the server stops.
+    pub(crate) fn stopping(&self) -> watch::Receiver<bool> {
+        self.stop.subscribe()
     }
 
     /// Completes when the server stops.

@@ -8,8 +8,8 @@ use oaktwin::render::Renderer;
 use oaktwin::scene::Scene;
 
 use super::welded::Welded;
-use crate::job::Job;
 use crate::protocol::{Failure, SceneObject};
+use crate::task::Job;
 
 /// The number of triangles that are welded at once: of larger scenes, each mesh is thinned before it is placed.
 pub(crate) const MAX_WELDED: usize = 1_000_000;
@@ -149,7 +149,6 @@ impl Share {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::tests::job;
     use crate::scene::LoadedScene;
 
     use oaktwin::render::OpenOptions;
@@ -185,7 +184,12 @@ mod tests {
     }
 
     fn header(scene: &LoadedScene, limit: usize, welded: usize) -> Value {
-        let mesh = of_scene(&scene.renderer, &scene.info.objects, (limit, welded), &job()).unwrap();
+        let waiting = std::sync::Arc::new(());
+        let job = Job {
+            waits: std::sync::Arc::downgrade(&waiting),
+            stop: tokio::sync::watch::Sender::new(false).subscribe(),
+        };
+        let mesh = of_scene(&scene.renderer, &scene.info.objects, (limit, welded), &job).unwrap();
         let length = u32::from_le_bytes(mesh[..4].try_into().unwrap()) as usize;
         serde_json::from_slice(&mesh[4..4 + length]).unwrap()
     }
