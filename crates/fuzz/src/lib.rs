@@ -10,6 +10,7 @@ mod filter;
 mod import;
 mod json;
 mod message;
+mod page;
 mod random;
 mod recipe;
 mod renderer;
@@ -183,6 +184,13 @@ pub const TARGETS: &[Target] = &[
         max_len: 4096,
         check: message::check,
         seeds: message::seeds,
+    },
+    Target {
+        name: "page",
+        about: "answers drawn requests of Studio's page, on its socket and over HTTP; none panics",
+        max_len: 1024,
+        check: page::check,
+        seeds: page::seeds,
     },
 ];
 

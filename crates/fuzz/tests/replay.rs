@@ -96,3 +96,23 @@ fn all_corpora_are_small() {
         "{bytes} bytes in the corpora; run cargo fuzz cmin"
     );
 }
+
+/// A short run without libFuzzer, from a fixed sequence of bytes.
+#[test]
+fn drawn_requests_of_the_page_break_no_promise() {
+    let page = TARGETS.iter().find(|target| target.name == "page").unwrap();
+    let mut broken = Vec::new();
+    let mut state = 0x9e37_79b9_7f4a_7c15u64;
+    for number in 0..1000 {
+        let mut bytes = Vec::new();
+        for _ in 0..40 {
+            // Xorshift.
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            bytes.extend(state.to_le_bytes());
+        }
+        replay(page, &format!("{number}: {bytes:?}"), &bytes, &mut broken);
+    }
+    assert!(broken.is_empty(), "{broken:#?}");
+}

@@ -78,6 +78,7 @@ pub(crate) fn readable<'py>(name: &str, object: &Bound<'py, PyAny>) -> PyResult<
     let array = view(name, object)?;
     let is_plain = object.get_type().is(PyUntypedArray::type_object(object.py()));
     if !is_plain && array.hasattr("filled")? {
+        check_copy(name, &array, size_of::<f64>())?;
         return Ok(array.call_method1("filled", (0,))?.cast_into()?);
     }
     Ok(array)
@@ -86,6 +87,19 @@ pub(crate) fn readable<'py>(name: &str, object: &Bound<'py, PyAny>) -> PyResult<
 /// Whether an array has floating-point numbers of any precision.
 pub(crate) fn is_float(array: &Bound<'_, PyUntypedArray>) -> bool {
     array.dtype().kind() == b'f'
+}
+
+/// Returns an error if copies with this many bytes for each number need more memory than is free. Arrays may repeat their
+/// memory (strides of 0), so they may be larger than it.
+pub(crate) fn check_copy(name: &str, object: &Bound<'_, PyAny>, bytes: usize) -> PyResult<()> {
+    let Ok(array) = object.cast::<PyUntypedArray>() else {
+        return Ok(());
+    };
+    let count = array
+        .shape()
+        .iter()
+        .fold(bytes as u64, |count, &length| count.saturating_mul(length as u64));
+    check_free(name, count, "pass a smaller array")
 }
 
 /// A C-contiguous array for reading: the array itself if possible, otherwise a copy.
@@ -98,6 +112,7 @@ pub(crate) fn contiguous<'py, T: Element>(
     let array = match array.cast::<PyArrayDyn<T>>() {
         Ok(array) if is_ready && array.try_readonly().is_ok_and(|it| it.as_slice().is_ok()) => array.clone(),
         _ => {
+            check_copy(name, array, size_of::<T>())?;
             let wants = (array, T::get_dtype(py), ["C", "A"]);
             py.import("numpy")?.call_method1("require", wants)?.cast_into()?
         }
@@ -157,6 +172,8 @@ pub(crate) fn numbers<'py>(
     name: &str,
     object: &Bound<'py, PyAny>,
 ) -> PyResult<(Vec<usize>, PyReadonlyArrayDyn<'py, f64>)> {
+    // The array itself, and what is made of it.
+    check_copy(name, object, 2 * size_of::<f64>())?;
     let array = object
         .py()
         .import("numpy")?
@@ -194,6 +211,7 @@ pub(crate) fn triples<T: Element + Copy>(
         };
         return Err(wrong(name, is, format_args!("pass {numbers} of shape (N, 3)")));
     }
+    check_copy(name, &array, 2 * size_of::<T>())?;
     let cast = array.call_method1("astype", (dtype,))?;
     let array = contiguous::<T>(name, cast.cast::<PyUntypedArray>()?)?;
     let (rows, _) = array.as_slice().map_err(error)?.as_chunks::<3>();

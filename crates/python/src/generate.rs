@@ -157,6 +157,7 @@ impl Recipe {
             resume,
             workers,
             only_frames,
+            ..GenerateOptions::default()
         };
         let made = match ray {
             Ray::Switch(false) => self.generate_here(py, &output, &options),

@@ -59,7 +59,7 @@ pub(crate) fn simulate_imu<'py>(
             error(cause)
         }
     })?;
-    memory::check(samples.sample_count() * SAMPLE_BYTES).map_err(|shortage| {
+    memory::check(samples.sample_count().saturating_mul(SAMPLE_BYTES)).map_err(|shortage| {
         let what = format!("{} samples: {}", samples.sample_count(), shortage.what());
         wrong("poses", what, "pass a shorter trajectory, or a lower rate")
     })?;

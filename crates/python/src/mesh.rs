@@ -8,7 +8,7 @@ use oaktwin::scene::{self, Attribute, ColorSpace, Material, Texture, TextureSour
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::array::numbers;
+use crate::array::{check_copy, numbers};
 use crate::array::{contiguous, is_like, triples, view};
 use crate::error::{error, wrong};
 
@@ -83,6 +83,7 @@ impl Mesh {
             .into_iter()
             .filter_map(|(name, array)| Some((name, array?)))
         {
+            check_copy(name, array, size_of::<f64>())?;
             options.set_item(name, copy.call1((array,))?)?;
         }
         options.set_item("metallic", metallic)?;

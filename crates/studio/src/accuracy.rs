@@ -1,11 +1,10 @@
 //! The accuracy of an OAK over distance, by the vendor's method.
 
-use std::ops::ControlFlow;
-
 use oaktwin::accuracy::{Bench, Options, Row};
 use oaktwin::sensor::EngineInput;
 
 use crate::catalog::bands;
+use crate::job::Job;
 use crate::protocol::{AccuracyCurve, Failure, OakState};
 use crate::studio::Studio;
 
@@ -16,7 +15,7 @@ const CAPTURES: u32 = 2;
 const MATCHED_UNITS: u32 = 1;
 
 /// Measures the accuracy at about twenty distances.
-pub(crate) fn curve(studio: &Studio, state: &OakState) -> Result<AccuracyCurve, Failure> {
+pub(crate) fn curve(studio: &Studio, state: &OakState, job: &Job) -> Result<AccuracyCurve, Failure> {
     let twin = state.twin(studio)?;
     let is_matching = state.engine()?.input == EngineInput::Pair;
     let options = Options {
@@ -31,10 +30,7 @@ pub(crate) fn curve(studio: &Studio, state: &OakState) -> Result<AccuracyCurve, 
     };
     let failed = |error: oaktwin::accuracy::AccuracyError| Failure::from(error.to_string());
     let (bench, _) = Bench::new(&twin, &options).map_err(failed)?;
-    let measured = bench.measure(None, &|_| match studio.is_stopped() {
-        true => ControlFlow::Break(()),
-        false => ControlFlow::Continue(()),
-    });
+    let measured = bench.measure(None, &|_| job.watch());
     let measured = measured.map_err(failed)?;
     let report = measured.report();
     let rows = || report.distances.iter();

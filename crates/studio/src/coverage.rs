@@ -1,21 +1,26 @@
 //! Which share of a surface OAKs measure.
 
 use std::collections::BTreeMap;
-use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
 
-use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DVec3;
 use oaktwin::coverage::{self, Candidate, CoverageError, MeasuringRig, Options, PATCHES, Patches, Region};
 use oaktwin::scene::Bounds;
+use oaktwin::sensor::EngineInput;
 use serde::{Deserialize, Serialize};
 
+use crate::job::Job;
 use crate::mesh;
-use crate::protocol::{Failure, OakState};
+use crate::protocol::{Failure, OakState, Pose};
+use crate::scene::LoadedScene;
+use crate::size::check_memory;
 use crate::studio::Studio;
 
 /// The maximum number of OAKs and poses of a request.
 const MAX_STATES: usize = 1000;
+/// The maximum number of OAKs of a request that differ in more than their poses.
+const MAX_RIGS: usize = 64;
+/// The maximum number of triangles in a region.
+const MAX_TRIANGLES: u64 = 20_000_000;
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -77,28 +82,70 @@ pub(crate) struct SurfaceRequest {
 pub(crate) fn surface(studio: &Studio, request: &SurfaceRequest) -> Result<Vec<u8>, Failure> {
     let failed = |error: CoverageError| Failure::of("region", &error);
     let scene = studio.scenes.get(&request.scene)?;
-    let (rig, pose) = rig(studio, &request.state)?;
+    let (rig, pose) = (rig(studio, &request.state)?, request.state.pose.transform()?);
     let candidate = Candidate::new(&rig, "1", pose);
-    let region = request.region.region();
+    let region = within_budget(&scene, &request.region)?;
     let patches = Patches::new(&scene.renderer, &region, &candidate, PATCHES).map_err(failed)?;
     let outcomes = patches.outcomes.iter().map(|outcome| u32::from(outcome.0));
     Ok(mesh::of_triangles(patches.corners.iter().zip(outcomes)))
 }
 
-/// Returns the OAK of a state, and its pose.
-fn rig(studio: &Studio, state: &OakState) -> Result<(MeasuringRig, RigidTransform), Failure> {
+/// Returns the region, unless it has too many triangles for an answer in time.
+fn within_budget(scene: &LoadedScene, request: &RegionRequest) -> Result<Region, Failure> {
+    let failed = |error: CoverageError| Failure::of("region", &error);
+    let region = request.region();
+    match region.triangles(scene.renderer.scene()).map_err(failed)? {
+        count if count > MAX_TRIANGLES => {
+            let error = format!("the region has {count} triangles; choose one with at most {MAX_TRIANGLES}");
+            Err(Failure::of("region", &error))
+        }
+        _ => Ok(region),
+    }
+}
+
+/// Returns the OAK of a state.
+fn rig(studio: &Studio, state: &OakState) -> Result<MeasuringRig, Failure> {
     let twin = state.twin(studio)?;
     let (spec, sensor) = (state.spec(None)?, Some(state.sensor_kind()));
     let made = MeasuringRig::new(&twin, sensor, Some(state.projector), &spec);
     let (rig, _) = made.map_err(|error| Failure::of("engine", &error))?;
-    Ok((rig, state.pose.transform()?))
+    let is_matching = state.engine()?.input == EngineInput::Pair;
+    check_memory(rig.camera().camera.intrinsics.size, is_matching)?;
+    Ok(rig)
+}
+
+/// Returns the OAKs of states, each once, and the index of that of each state.
+fn rigs(studio: &Studio, states: &[OakState], job: &Job) -> Result<(Vec<MeasuringRig>, Vec<usize>), Failure> {
+    let origin = Pose {
+        position: [0.0; 3],
+        quaternion: [0.0, 0.0, 0.0, 1.0],
+    };
+    let (mut known, mut rigs, mut indices) = (Vec::new(), Vec::new(), Vec::new());
+    for state in states {
+        let unplaced = OakState {
+            pose: origin,
+            ..state.clone()
+        };
+        let index = known.iter().position(|one| *one == unplaced);
+        if index.is_none() && rigs.len() == MAX_RIGS {
+            let error = format!("more than {MAX_RIGS} OAKs differ in more than their poses; choose fewer");
+            return Err(Failure::of("states", &error));
+        }
+        indices.push(index.unwrap_or(rigs.len()));
+        if index.is_none() {
+            job.check()?;
+            rigs.push(rig(studio, state)?);
+            known.push(unplaced);
+        }
+    }
+    Ok((rigs, indices))
 }
 
 /// Measures the coverage of the region by each state, until the client has left.
 pub(crate) fn coverage(
     studio: &Studio,
     request: &CoverageRequest,
-    has_left: &AtomicBool,
+    job: &Job,
 ) -> Result<CoverageAnswer, Failure> {
     if request.states.len() > MAX_STATES {
         let error = format!(
@@ -109,20 +156,23 @@ pub(crate) fn coverage(
     }
     let failed = |error: CoverageError| Failure::of("region", &error);
     let scene = studio.scenes.get(&request.scene)?;
-    let rigs = request.states.iter().map(|state| rig(studio, state));
-    let rigs = rigs.collect::<Result<Vec<_>, Failure>>()?;
-    let candidates: Vec<Candidate<'_>> = rigs
-        .iter()
+    let region = within_budget(&scene, &request.region)?;
+    let (rigs, indices) = rigs(studio, &request.states, job)?;
+    let candidates = (request.states.iter().zip(&indices))
         .zip(1..)
-        .map(|((rig, pose), number)| Candidate::new(rig, number.to_string(), *pose))
-        .collect();
-    let watch = |_| match studio.is_stopped() || has_left.load(Ordering::Relaxed) {
-        true => ControlFlow::Break(()),
-        false => ControlFlow::Continue(()),
-    };
-    let region = request.region.region();
-    let found = coverage::measure(&scene.renderer, &region, &candidates, &Options::default(), &watch)
-        .map_err(failed)?;
+        .map(|((state, &index), number)| {
+            let pose = state.pose.transform()?;
+            Ok(Candidate::new(&rigs[index], number.to_string(), pose))
+        });
+    let candidates = candidates.collect::<Result<Vec<_>, Failure>>()?;
+    let found = coverage::measure(
+        &scene.renderer,
+        &region,
+        &candidates,
+        &Options::default(),
+        &|_| job.watch(),
+    )
+    .map_err(failed)?;
     let poses = found.candidates.into_iter().map(|candidate| {
         let shares = candidate.shares;
         PoseCoverage {

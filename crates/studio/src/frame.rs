@@ -22,7 +22,10 @@ pub(crate) fn frame(
     let measurement = &station.measure(studio, request)?.clone();
     let mut images = Vec::new();
     let mut data = Vec::new();
-    for name in &request.images {
+    for (index, name) in request.images.iter().enumerate() {
+        if request.images[..index].contains(name) {
+            continue;
+        }
         let Some(pixels) = pixels(measurement, *name) else {
             continue;
         };

@@ -6,7 +6,6 @@
 
 mod accuracy;
 mod answer;
-mod blocking;
 mod calibration;
 mod catalog;
 mod coverage;
@@ -15,9 +14,11 @@ mod file;
 mod frame;
 mod guard;
 mod image;
+mod job;
 mod live;
 mod mesh;
 mod oak;
+mod offline;
 mod page;
 mod pose;
 mod probe;
@@ -25,9 +26,11 @@ mod protocol;
 mod reasons;
 mod scene;
 mod server;
+mod size;
 mod snippet;
 mod station;
 mod studio;
+mod task;
 mod unit;
 mod upload;
 mod wire;
@@ -43,6 +46,7 @@ use oaktwin::catalog::Catalog;
 use oaktwin::render::OpenOptions;
 
 use guard::Guard;
+pub use offline::Offline;
 use scene::{LoadedScene, Scenes};
 use studio::Studio;
 
@@ -150,8 +154,10 @@ pub fn serve(
         ready(&link);
         // While the browser starts.
         let warm = Arc::clone(&studio);
-        drop(tokio::task::spawn_blocking(move || {
-            warm.scenes.first().mesh(server::DEFAULT_TRIANGLES)
+        drop(tokio::spawn(async move {
+            let mesh =
+                |studio: &Studio, job: &job::Job| studio.scenes.first().mesh(server::DEFAULT_TRIANGLES, job);
+            job::run(&warm, job::VIEW, mesh).await
         }));
         tokio::select! {
             ended = serving => ended.map_err(|error| StudioError::System(error.to_string())),

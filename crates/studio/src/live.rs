@@ -10,8 +10,8 @@ use axum::extract::ws::{Message, WebSocket};
 use serde::Serialize;
 use tokio::task::JoinHandle;
 
-use crate::blocking::blocking;
 use crate::frame;
+use crate::job::{self, Job};
 use crate::probe;
 use crate::protocol::{ClientMessage, Failure, FrameRequest, ProbeRequest, Rejection};
 use crate::station::Station;
@@ -25,7 +25,7 @@ const MAX_PROBES: usize = 8;
 pub(crate) const MAX_MESSAGE_BYTES: usize = 1 << 16;
 
 /// The OAKs of a page by their keys.
-type Stations = Arc<Mutex<HashMap<String, Station>>>;
+pub(crate) type Stations = Arc<Mutex<HashMap<String, Station>>>;
 
 /// The requests that wait.
 #[derive(Debug, Default)]
@@ -34,17 +34,18 @@ struct Pending {
     probes: VecDeque<ProbeRequest>,
 }
 
+/// A request that is computed.
 #[derive(Debug)]
-enum Request {
+pub(crate) enum Request {
     Frame(Box<FrameRequest>),
     Probe(ProbeRequest),
 }
 
 impl Pending {
     /// Adds a request, which replaces an older one of the same OAK.
-    fn add(&mut self, message: ClientMessage) {
-        match message {
-            ClientMessage::Frame(request) => {
+    fn add(&mut self, request: Request) {
+        match request {
+            Request::Frame(request) => {
                 match self.frames.iter_mut().find(|known| known.oak == request.oak) {
                     Some(known) => *known = request,
                     None => self.frames.push_back(request),
@@ -53,7 +54,7 @@ impl Pending {
                     self.frames.pop_front();
                 }
             }
-            ClientMessage::Probe(request) => {
+            Request::Probe(request) => {
                 self.probes.retain(|known| known.oak != request.oak);
                 self.probes.push_back(request);
                 while self.probes.len() > MAX_PROBES {
@@ -82,11 +83,10 @@ pub(crate) async fn serve(mut socket: WebSocket, studio: Arc<Studio>) {
         }
         tokio::select! {
             received = socket.recv() => match received {
-                Some(Ok(Message::Text(text))) => match serde_json::from_str(&text) {
+                Some(Ok(Message::Text(text))) => match read(&text) {
                     Ok(message) => pending.add(message),
-                    Err(error) => {
-                        let failure = Failure::from(format!("invalid request: {error}; load the page again"));
-                        if socket.send(rejection(0, "", failure)).await.is_err() {
+                    Err(rejected) => {
+                        if socket.send(rejected).await.is_err() {
                             break;
                         }
                     }
@@ -102,6 +102,19 @@ pub(crate) async fn serve(mut socket: WebSocket, studio: Arc<Studio>) {
             () = studio.stopped() => break,
         }
     }
+}
+
+/// Reads a request, or returns what is answered to something else.
+pub(crate) fn read(text: &str) -> Result<Request, Message> {
+    serde_json::from_str(text)
+        .map(|message| match message {
+            ClientMessage::Frame(request) => Request::Frame(request),
+            ClientMessage::Probe(request) => Request::Probe(request),
+        })
+        .map_err(|error| {
+            let failure = Failure::from(format!("invalid request: {error}; load the page again"));
+            rejection(0, "", failure)
+        })
 }
 
 /// Waits for the running request, or forever without one.
@@ -120,18 +133,18 @@ async fn completed(running: &mut Option<JoinHandle<Message>>) -> Message {
     })
 }
 
-fn start(studio: &Arc<Studio>, stations: &Stations, request: Request) -> JoinHandle<Message> {
+/// Computes the answer to a request.
+pub(crate) fn start(studio: &Arc<Studio>, stations: &Stations, request: Request) -> JoinHandle<Message> {
     let (studio, stations) = (Arc::clone(studio), Arc::clone(stations));
+    let (id, oak) = match &request {
+        Request::Frame(request) => (request.id, request.oak.clone()),
+        Request::Probe(request) => (request.id, request.oak.clone()),
+    };
     tokio::spawn(async move {
         // Frames of several pages share the processor.
-        let permit = studio.computing.acquire().await;
-        let computed = blocking({
-            let studio = Arc::clone(&studio);
-            move || Ok(answer(&studio, &stations, &request))
-        });
-        let answer = computed.await.unwrap_or_else(|failure| rejection(0, "", failure));
-        drop(permit);
-        answer
+        let compute = move |studio: &Studio, _: &Job| Ok(answer(studio, &stations, &request));
+        let computed = job::run_in(&studio, &studio.computing, job::FRAME, compute).await;
+        computed.unwrap_or_else(|failure| rejection(id, &oak, failure))
     })
 }
 
@@ -150,8 +163,8 @@ fn answer(studio: &Studio, stations: &Stations, request: &Request) -> Message {
             }
         }
         Request::Probe(request) => {
-            let station = stations.entry(request.oak.clone()).or_default();
-            match probe::probe(station, request) {
+            // A probe creates nothing: there may be any number of keys.
+            match probe::probe(stations.get(&request.oak), request) {
                 Ok(answer) => text(&answer),
                 Err(failure) => rejection(request.id, &request.oak, failure),
             }

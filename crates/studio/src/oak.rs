@@ -1,17 +1,21 @@
 //! From the state of an OAK on the page to the types of the library.
 
-use oaktwin::camera::ImageSize;
+use oaktwin::camera::{ImageSize, RigidTransform};
 use oaktwin::catalog::{Device, LensChoice, Twin};
 use oaktwin::depth::parameters::choose;
 use oaktwin::diagnostic::Finding;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::pair::{PairCameras, PairOptions};
-use oaktwin::render::{self, PairUse, PlacedCamera, Rig, RigError, RigSpec, check_size};
-use oaktwin::sensor::{EngineKind, Sensor, SensorOptions};
+use oaktwin::render::{self, OakOptions, PairUse, PlacedCamera, Rig, RigError, RigSpec, oak_cameras};
+use oaktwin::sensor::{EngineInput, EngineKind, Sensor, SensorOptions};
 
 use crate::protocol::{Failure, OakState};
+use crate::size::{check_memory, check_pixels};
 use crate::studio::Studio;
 use crate::unit::Drawn;
+
+/// The maximum number of filters of a sensor.
+const MAX_FILTERS: usize = 32;
 
 /// An OAK in a scene, ready to be rendered.
 #[derive(Debug)]
@@ -31,7 +35,12 @@ impl OakState {
         match (&self.calibration, self.drawn(studio)?) {
             (None, None) => Ok(catalog.nominal(device)),
             (None, Some(drawn)) => drawn.twin(catalog, device),
-            (Some(id), None) => studio.calibrations.twin(catalog, device, id),
+            (Some(id), None) => {
+                let twin = studio.calibrations.twin(catalog, device, id)?;
+                let mut sizes = twin.cameras.iter().map(|camera| camera.intrinsics.size);
+                sizes.try_for_each(check_pixels)?;
+                Ok(twin)
+            }
             (Some(_), Some(_)) => {
                 let error =
                     "a calibration describes one unit; choose the calibration or a unit of the population";
@@ -60,13 +69,27 @@ impl OakState {
         EngineKind::parse(&self.engine).map_err(|error| Failure::of("engine", &error))
     }
 
+    fn filters(&self) -> Result<Vec<String>, Failure> {
+        let filters = self.filters.clone().unwrap_or_default();
+        match filters.len() <= MAX_FILTERS {
+            true => Ok(filters),
+            false => {
+                let error = format!(
+                    "{} filters are too many; choose at most {MAX_FILTERS}",
+                    filters.len()
+                );
+                Err(Failure::of("filters", &error))
+            }
+        }
+    }
+
     /// Returns the options of the sensor.
     pub(crate) fn options(&self) -> Result<SensorOptions, Failure> {
         let parameters = self.parameters.iter();
         Ok(SensorOptions {
             engine: Some(self.engine()?.into()),
             preset: self.preset.clone(),
-            filters: self.filters.clone().unwrap_or_default(),
+            filters: self.filters()?,
             parameters: parameters
                 .map(|(name, value)| (name.clone(), value.clone()))
                 .collect(),
@@ -101,16 +124,6 @@ impl OakState {
     }
 }
 
-/// Returns the size of images, if one is chosen.
-pub(crate) fn image_size(size: Option<[u32; 2]>) -> Result<Option<ImageSize>, Failure> {
-    let Some([width, height]) = size else {
-        return Ok(None);
-    };
-    let size = ImageSize::new(width, height);
-    check_size(size).map_err(|error| Failure::of("size", &error))?;
-    Ok(Some(size))
-}
-
 impl Oak {
     /// Places an OAK and creates its sensor. The stereo pair is created if `needs_pair`, or if the engine matches images.
     pub(crate) fn new(
@@ -122,6 +135,17 @@ impl Oak {
         let twin = state.twin(studio)?;
         let lens = state.lens()?;
         render::check_lens(&twin, lens).map_err(|error| Failure::of("lens", &error))?;
+        let has_pair = needs_pair || state.engine()?.input == EngineInput::Pair;
+        // Before a pair of such cameras takes the memory.
+        let cameras = OakOptions {
+            cameras: std::slice::from_ref(&state.sensor),
+            lens,
+            size,
+        };
+        let placed = oak_cameras(&twin, &RigidTransform::IDENTITY, &cameras);
+        for camera in placed.map_err(|error| Failure::of("sensor", &error))?.0 {
+            check_memory(camera.camera.intrinsics.size, has_pair)?;
+        }
         let spec = RigSpec {
             pair_use: match needs_pair {
                 true => PairUse::Beside,

@@ -28,3 +28,47 @@ pub(crate) async fn licenses() -> Response {
 fn asset(content_type: &'static str, bytes: &'static [u8]) -> Response {
     ([(header::CONTENT_TYPE, content_type)], bytes).into_response()
 }
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::Path;
+
+    /// What turns a text into elements or into a script.
+    const MAKERS: [&str; 9] = [
+        "innerHTML",
+        "outerHTML",
+        "insertAdjacentHTML",
+        "dangerouslySetInnerHTML",
+        "document.write",
+        "srcdoc",
+        "DOMParser",
+        "eval(",
+        "new Function",
+    ];
+
+    fn check(folder: &Path, files: &mut u32) {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                check(&path, files);
+                continue;
+            }
+            *files += 1;
+            let text = fs::read_to_string(&path).unwrap();
+            for maker in MAKERS {
+                assert!(!text.contains(maker), "{}: {maker}", path.display());
+            }
+        }
+    }
+
+    #[test]
+    fn the_page_makes_no_html_of_text() {
+        let mut files = 0;
+        check(
+            &Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/src"),
+            &mut files,
+        );
+        assert!(files > 30, "{files} files");
+    }
+}

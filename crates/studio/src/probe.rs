@@ -13,9 +13,9 @@ use crate::station::{Measurement, Station};
 const SURFACE: f64 = 1e-4;
 
 /// Explains a pixel of the last measurement.
-pub(crate) fn probe(station: &Station, request: &ProbeRequest) -> Result<ProbeAnswer, Failure> {
+pub(crate) fn probe(station: Option<&Station>, request: &ProbeRequest) -> Result<ProbeAnswer, Failure> {
     let measurement = station
-        .last()
+        .and_then(Station::last)
         .ok_or_else(|| Failure::of("oak", "nothing was measured yet; request a frame first"))?;
     let measured = &measurement.capture.distance.0;
     let pixel = [

@@ -12,11 +12,17 @@ use oaktwin::scene::{Bounds, Scene, Up};
 use crate::mesh;
 use crate::pose::pose_of;
 use crate::protocol::{Failure, Pose, SceneInfo, SceneObject};
+use crate::task::Job;
 
 /// The number of dropped scenes that are kept, besides the command line's.
 const KEPT: usize = 3;
-/// The number of objects that the page can name; others are part of the scene only.
+/// The number of objects that the page can name, and of bytes of their paths; others are part of the scene only.
 const MAX_OBJECTS: usize = 20_000;
+const MAX_PATH_BYTES: usize = 4 << 20;
+/// The number of triangles of a dropped scene, counting instances: frames of more take too long.
+const MAX_TRIANGLES: usize = 100_000_000;
+/// The number of findings about a scene that the page lists.
+const MAX_FINDINGS: usize = 1000;
 
 /// A scene that was read.
 #[derive(Debug)]
@@ -57,7 +63,7 @@ impl LoadedScene {
             triangles: mesh::triangles(&scene),
             bounds: corners(bounds),
             objects: objects(&scene),
-            findings: file.findings,
+            findings: file.findings.into_iter().take(MAX_FINDINGS).collect(),
             pose: initial_pose(&scene),
         };
         Ok(Self {
@@ -68,6 +74,17 @@ impl LoadedScene {
         })
     }
 
+    /// Rejects a scene whose frames would take too long for the page.
+    pub(crate) fn check_triangles(&self) -> Result<(), Failure> {
+        let SceneInfo { name, triangles, .. } = &self.info;
+        match *triangles <= MAX_TRIANGLES {
+            true => Ok(()),
+            false => Err(Failure::from(format!(
+                "{name}: has {triangles} triangles with all instances, more than {MAX_TRIANGLES}; drop a smaller scene, or use the command line"
+            ))),
+        }
+    }
+
     /// Sets the pose from which the page first shows the scene.
     pub(crate) fn shown_from(mut self, pose: Pose) -> Self {
         self.info.pose = pose;
@@ -75,16 +92,20 @@ impl LoadedScene {
     }
 
     /// Returns the binary mesh with about this many triangles, which is made once.
-    pub(crate) fn mesh(&self, triangles: usize) -> Bytes {
+    pub(crate) fn mesh(&self, triangles: usize, job: &Job) -> Result<Bytes, Failure> {
         let mut meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
         if meshes.len() > 1 {
             // A page asks for one size, and for the full detail.
             meshes.retain(|size, _| *size == triangles);
         }
-        let made = meshes
-            .entry(triangles)
-            .or_insert_with(|| Bytes::from(mesh::of_scene(&self.renderer, &self.info.objects, triangles)));
-        made.clone()
+        if let Some(known) = meshes.get(&triangles) {
+            return Ok(known.clone());
+        }
+        let sizes = (triangles, mesh::MAX_WELDED);
+        let made = mesh::of_scene(&self.renderer, &self.info.objects, sizes, job)?;
+        let made = Bytes::from(made);
+        meshes.insert(triangles, made.clone());
+        Ok(made)
     }
 }
 
@@ -116,7 +137,12 @@ fn objects(scene: &Scene) -> Vec<SceneObject> {
         path: path.to_owned(),
         bounds: corners(bounds),
     };
-    found.into_iter().take(MAX_OBJECTS).map(object).collect()
+    let mut bytes = 0;
+    let shown = found.into_iter().take(MAX_OBJECTS).take_while(|(path, _)| {
+        bytes += path.len();
+        bytes <= MAX_PATH_BYTES
+    });
+    shown.map(object).collect()
 }
 
 /// The scenes by id.

@@ -1,31 +1,34 @@
 //! The routes of the server.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use axum::Router;
 use axum::body::Body;
-use axum::extract::{Path, Query, State, WebSocketUpgrade};
+use axum::extract::{Path, Query, Request, State, WebSocketUpgrade};
 use axum::http::{HeaderMap, StatusCode, header};
-use axum::middleware::from_fn_with_state;
+use axum::middleware::{Next, from_fn_with_state};
 use axum::response::Response;
 use axum::routing::{get, post};
 use oaktwin::render::OpenOptions;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
+use tokio::time::timeout;
 
 use crate::answer::{binary, failure, file, json, json_or_failure};
-use crate::blocking::{Presence, blocking};
 use crate::catalog::CatalogInfo;
 use crate::coverage::{CoverageRequest, SurfaceRequest};
 use crate::protocol::{ExportRequest, Failure, OakState};
 use crate::scene::LoadedScene;
 use crate::studio::Studio;
-use crate::{accuracy, coverage, export, guard, live, mesh, page, upload};
+use crate::{accuracy, coverage, export, guard, job, live, mesh, page, upload};
 
 /// The maximum length of a request's JSON, and of a calibration, bytes.
 const MAX_JSON_BYTES: usize = 1 << 20;
-/// The maximum number of triangles in a mesh of the page.
-const MAX_TRIANGLES: usize = 10_000_000;
+/// How long the JSON of a request, or a calibration, may take to arrive.
+const JSON_TIME: Duration = Duration::from_secs(60);
+/// The maximum number of triangles in a mesh of the page: its full detail.
+const MAX_TRIANGLES: usize = 5_000_000;
 /// The number of triangles of the mesh that a page shows first.
 pub(crate) const DEFAULT_TRIANGLES: usize = 100_000;
 
@@ -55,8 +58,20 @@ pub(crate) fn router(studio: &Arc<Studio>) -> Router {
                 Failure::from("there is no such page; open /".to_owned()),
             )
         })
+        .layer(from_fn_with_state(Arc::clone(studio), admit))
         .layer(from_fn_with_state(studio.guard.clone(), guard::guard))
         .with_state(Arc::clone(studio))
+}
+
+/// Answers a request unless too many others wait for their answers.
+async fn admit(State(studio): Server, request: Request, next: Next) -> Response {
+    match studio.requests.try_acquire() {
+        Ok(_admitted) => next.run(request).await,
+        Err(_) => {
+            let error = "too many requests wait for their answers; try again later".to_owned();
+            failure(StatusCode::SERVICE_UNAVAILABLE, Failure::from(error))
+        }
+    }
 }
 
 async fn catalog(State(studio): Server) -> Response {
@@ -91,9 +106,9 @@ async fn scene_mesh(
         .unwrap_or(DEFAULT_TRIANGLES)
         .clamp(1, MAX_TRIANGLES);
     match studio.scenes.get(&id) {
-        Ok(scene) => match blocking(move || Ok(scene.mesh(triangles))).await {
+        Ok(scene) => match job::run(&studio, job::VIEW, move |_, job| scene.mesh(triangles, job)).await {
             Ok(bytes) => binary(bytes),
-            Err(error) => failure(StatusCode::INTERNAL_SERVER_ERROR, error),
+            Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),
         },
         Err(error) => failure(StatusCode::NOT_FOUND, error),
     }
@@ -141,10 +156,14 @@ async fn dropped_scene(
         ))
     })?;
     let path = folder.path().join(&name);
+    // Few at once, because each takes space on the disk.
+    let receiving = studio.receiving.acquire().await;
     upload::receive(body, &path, upload::MAX_BYTES).await?;
-    blocking(move || {
+    drop(receiving);
+    job::run(&studio, job::FILE, move |studio, _| {
         let id = studio.scenes.next_id();
         let scene = LoadedScene::open(&path, &OpenOptions::default(), (&id, &name, &name))?;
+        scene.check_triangles()?;
         // Files that the scene names are not beside it; whatever it contains is in memory now.
         drop(folder);
         Ok(studio.scenes.add(scene).info.clone())
@@ -153,13 +172,12 @@ async fn dropped_scene(
 }
 
 async fn drop_calibration(State(studio): Server, Query(query): Query<DropQuery>, body: Body) -> Response {
-    let Ok(bytes) = axum::body::to_bytes(body, MAX_JSON_BYTES).await else {
-        let error =
-            "the dropped file is too large for a calibration; drop the JSON file of one device".to_owned();
-        return failure(StatusCode::PAYLOAD_TOO_LARGE, Failure::from(error));
+    let Ok(Ok(bytes)) = timeout(JSON_TIME, axum::body::to_bytes(body, MAX_JSON_BYTES)).await else {
+        let error = "the dropped file is too large for a calibration, or did not arrive; drop the JSON file of one device";
+        return failure(StatusCode::PAYLOAD_TOO_LARGE, Failure::from(error.to_owned()));
     };
     json_or_failure(
-        blocking(move || {
+        job::run(&studio, job::FILE, move |studio, _| {
             let name = upload::file_name(&query.name)?;
             studio.calibrations.add(&studio.catalog, &name, &bytes)
         })
@@ -169,7 +187,12 @@ async fn drop_calibration(State(studio): Server, Query(query): Query<DropQuery>,
 
 async fn take_away(State(studio): Server, body: Body) -> Response {
     let made = match request::<ExportRequest>(body).await {
-        Ok(request) => blocking(move || export::export(&studio, &request)).await,
+        Ok(request) => {
+            job::run(&studio, job::FILE, move |studio, _| {
+                export::export(studio, &request)
+            })
+            .await
+        }
         Err(error) => Err(error),
     };
     match made {
@@ -181,24 +204,37 @@ async fn take_away(State(studio): Server, body: Body) -> Response {
 async fn accuracy_curve(State(studio): Server, body: Body) -> Response {
     let state = request::<OakState>(body).await;
     json_or_failure(match state {
-        Ok(state) => blocking(move || accuracy::curve(&studio, &state)).await,
+        Ok(state) => {
+            job::run(&studio, job::ACCURACY, move |studio, job| {
+                accuracy::curve(studio, &state, job)
+            })
+            .await
+        }
         Err(error) => Err(error),
     })
 }
 
 async fn region_coverage(State(studio): Server, body: Body) -> Response {
     let asked = request::<CoverageRequest>(body).await;
-    // Dropped with this future if the client leaves.
-    let (_here, has_left) = Presence::new();
     json_or_failure(match asked {
-        Ok(asked) => blocking(move || coverage::coverage(&studio, &asked, &has_left)).await,
+        Ok(asked) => {
+            job::run(&studio, job::COVERAGE, move |studio, job| {
+                coverage::coverage(studio, &asked, job)
+            })
+            .await
+        }
         Err(error) => Err(error),
     })
 }
 
 async fn region_surface(State(studio): Server, body: Body) -> Response {
     let made = match request::<SurfaceRequest>(body).await {
-        Ok(asked) => blocking(move || coverage::surface(&studio, &asked)).await,
+        Ok(asked) => {
+            job::run(&studio, job::FILE, move |studio, _| {
+                coverage::surface(studio, &asked)
+            })
+            .await
+        }
         Err(error) => Err(error),
     };
     match made {
@@ -223,7 +259,9 @@ async fn live_socket(State(studio): Server, upgrade: WebSocketUpgrade) -> Respon
 
 /// Reads the JSON of a request.
 async fn request<T: DeserializeOwned>(body: Body) -> Result<T, Failure> {
-    let bytes = axum::body::to_bytes(body, MAX_JSON_BYTES).await;
+    let late = |_| Failure::from("the request did not arrive; try again".to_owned());
+    let bytes = timeout(JSON_TIME, axum::body::to_bytes(body, MAX_JSON_BYTES)).await;
+    let bytes = bytes.map_err(late)?;
     let bytes = bytes.map_err(|error| Failure::from(format!("the request cannot be read: {error}")))?;
     serde_json::from_slice(&bytes)
         .map_err(|error| Failure::from(format!("invalid request: {error}; load the page again")))

@@ -5,8 +5,8 @@ use std::fmt::Write;
 use oaktwin::camera::RigidTransform;
 use oaktwin::sensor::EngineInput;
 
-use crate::oak::image_size;
 use crate::protocol::{ExportRequest, Failure, OakState};
+use crate::size::image_size;
 use crate::studio::Studio;
 
 /// The folder of the calibrations of units that a command draws.
@@ -17,12 +17,28 @@ pub(crate) fn toml(state: &OakState) -> Result<String, Failure> {
     let engine = state.engine()?;
     let mut out = format!("engine = \"{engine}\"\n\n[parameters]\n");
     for (name, value) in &state.parameters {
-        let is_plain =
-            value.parse::<f64>().is_ok_and(f64::is_finite) || matches!(value.as_str(), "true" | "false");
-        let value = if is_plain { value.clone() } else { quoted(value) };
-        let _ = writeln!(out, "{name} = {value}");
+        let _ = writeln!(out, "{} = {}", key(name), toml_value(value));
     }
     Ok(out)
+}
+
+/// A key of TOML.
+fn key(name: &str) -> String {
+    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "_-.".contains(letter);
+    match !name.is_empty() && name.split('.').all(|part| !part.is_empty()) && name.chars().all(is_plain) {
+        true => name.to_owned(),
+        false => quoted(name),
+    }
+}
+
+/// A value of TOML: a number, a flag or a string.
+fn toml_value(value: &str) -> String {
+    match (value, value.parse::<i64>(), value.parse::<f64>()) {
+        ("true" | "false", _, _) => value.to_owned(),
+        (_, Ok(whole), _) => whole.to_string(),
+        (_, _, Ok(number)) if number.is_finite() => format!("{number:?}"),
+        _ => quoted(value),
+    }
 }
 
 /// Returns a command that writes the images of the state.
@@ -30,11 +46,19 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
     let state = &request.state;
     let scene = studio.scenes.get(&request.scene)?;
     let mut out = String::new();
-    let mut words = vec!["oaktwin".to_owned(), "render".to_owned(), shell(&scene.argument)];
-    let mut option = |name: &str, value: &str| words.extend([format!("--{name}"), shell(value)]);
+    let mut words = vec![
+        "oaktwin".to_owned(),
+        "render".to_owned(),
+        shell(&file(&scene.argument)),
+    ];
+    // A value that begins like an option follows an equals sign.
+    let mut option = |name: &str, value: &str| match value.starts_with('-') {
+        true => words.push(shell(&format!("--{name}={value}"))),
+        false => words.extend([format!("--{name}"), shell(value)]),
+    };
     option("model", &state.model);
     if let Some(id) = &state.calibration {
-        option("calibration", &studio.calibrations.name(id)?);
+        option("calibration", &file(&studio.calibrations.name(id)?));
     }
     if let (Some(drawn), Some(seed)) = (state.drawn(studio)?, state.population_seed) {
         let model = shell(&state.model);
@@ -199,9 +223,20 @@ fn matrix(transform: &RigidTransform) -> String {
     format!("[{}]", transform.rows().map(row).join(", "))
 }
 
+/// The name of a file that no program takes for an option.
+fn file(name: &str) -> String {
+    match name.starts_with('-') {
+        true => format!("./{name}"),
+        false => name.to_owned(),
+    }
+}
+
 /// A string of Python, JSON and TOML.
 fn quoted(text: &str) -> String {
-    serde_json::Value::from(text).to_string()
+    // The only control character that JSON does not escape.
+    serde_json::Value::from(text)
+        .to_string()
+        .replace('\u{7f}', "\\u007f")
 }
 
 /// A word of a POSIX shell.
@@ -217,11 +252,88 @@ fn shell(word: &str) -> String {
 mod tests {
     use super::*;
 
+    use std::io::Write as _;
+    use std::process::{Command, Stdio};
+
+    /// What a file, a prim or a parameter may be called.
+    const NAMES: [&str; 12] = [
+        "a/b.usd",
+        "OAK-D Pro",
+        "it's; rm *",
+        "",
+        "$(touch made) `touch made` ${HOME} $HOME",
+        "\"double\" and \\back\\slash\\",
+        "two\nlines\r\n\tand a tab",
+        "~/a !! ?* [a] {b,c} # & | < >",
+        "-rf",
+        "--output=/etc",
+        "é ü 漢字 😀 \u{2028} \u{7f} \u{1b}[31m",
+        "\"\"\" ''' \\N{BULLET} \\x41 %s {0}",
+    ];
+
+    /// Runs a program with a script on its standard input; `None` if there is no such program.
+    fn said(program: &str, script: &str) -> Option<String> {
+        let folder = tempfile::tempdir().unwrap();
+        let mut child = Command::new(program)
+            .current_dir(folder.path())
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .ok()?;
+        let mut input = child.stdin.take().unwrap();
+        input.write_all(script.as_bytes()).unwrap();
+        drop(input);
+        let output = child.wait_with_output().unwrap();
+        assert!(output.status.success(), "{script}");
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0, "{script}");
+        Some(String::from_utf8(output.stdout).unwrap())
+    }
+
     #[test]
     fn words_are_quoted_for_the_shell() {
         assert_eq!(shell("a/b.usd"), "a/b.usd");
         assert_eq!(shell("OAK-D Pro"), "'OAK-D Pro'");
         assert_eq!(shell("it's; rm *"), "'it'\\''s; rm *'");
         assert_eq!(shell(""), "''");
+        assert_eq!(file("-rf"), "./-rf");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_shell_reads_every_name_as_one_word() {
+        let words: Vec<String> = NAMES.iter().map(|name| shell(name)).collect();
+        let script = format!("printf '<%s>' {}\n", words.join(" "));
+        let expected: String = NAMES.iter().map(|name| format!("<{name}>")).collect();
+        assert_eq!(said("sh", &script).unwrap(), expected);
+    }
+
+    #[test]
+    fn python_reads_every_name_as_a_string() {
+        let names: Vec<String> = NAMES.iter().map(|name| quoted(name)).collect();
+        let script = format!("import json\nprint(json.dumps([{}]))\n", names.join(", "));
+        let Some(text) = said("python3", &script) else {
+            eprintln!("skipped: there is no python3");
+            return;
+        };
+        let read: Vec<String> = serde_json::from_str(&text).unwrap();
+        assert_eq!(read, NAMES);
+    }
+
+    #[test]
+    fn parameters_are_valid_toml() {
+        for (value, expected) in [
+            ("7", "7"),
+            ("+5", "5"),
+            (".5", "0.5"),
+            ("1e300", "1e300"),
+            ("inf", "\"inf\""),
+            ("true", "true"),
+            ("a\nb = 1", "\"a\\nb = 1\""),
+        ] {
+            assert_eq!(toml_value(value), expected);
+        }
+        assert_eq!(key("censusTransform.threshold"), "censusTransform.threshold");
+        assert_eq!(key("a = 1\n[b"), "\"a = 1\\n[b\"");
+        assert_eq!((key(""), key("a..b")), ("\"\"".to_owned(), "\"a..b\"".to_owned()));
     }
 }

@@ -11,16 +11,16 @@ use oaktwin::pair::Pair;
 use oaktwin::render::{AnnotateOptions, Backend, DepthSensorSource, Renderer, View, sensor_input};
 use oaktwin::sensor::Technology;
 
-use crate::oak::{Oak, image_size};
+use crate::oak::Oak;
 use crate::protocol::{Failure, FrameRequest, ImageName, OakState};
 use crate::scene::LoadedScene;
+use crate::size::{TRUTH, image_size};
 use crate::studio::Studio;
 
 /// The number of sizes that are kept: the coarse one of movements, and that at rest.
 const KEPT: usize = 2;
 /// The maximum side of the squares of pixels that share a colour.
 const MAX_COLOR_STEP: u32 = 8;
-const TRUTH: [Annotator; 2] = [Annotator::Rgb, Annotator::DistanceToImagePlane];
 
 /// An OAK of a page.
 #[derive(Debug, Default)]
@@ -111,7 +111,6 @@ impl Station {
         let mut oak = Oak::new(studio, &request.state, size, needs_pair)?;
         let world_from_body = request.state.pose.transform()?;
         let view = oak.camera.view(&world_from_body);
-        check_memory(view.camera.intrinsics.size)?;
         let color_step = request.color_step.unwrap_or(1).clamp(1, MAX_COLOR_STEP);
         let seen = self.see(&scene, view, color_step);
         if let Some(cameras) = &oak.pair {
@@ -314,15 +313,4 @@ fn other_camera(oak: &Oak, world_from_body: &RigidTransform) -> Option<RigidTran
     };
     let right = oak.twin.camera(pair.1).filter(|_| is_stereo)?;
     Some(*world_from_body * right.body_from_camera)
-}
-
-/// Rejects images that need more memory than is available.
-fn check_memory(size: ImageSize) -> Result<(), Failure> {
-    let needed = oaktwin::render::frame_bytes(size, &TRUTH) * 3;
-    oaktwin::memory::check(needed).map_err(|shortage| {
-        Failure::of(
-            "size",
-            &format!("images of {size}: {}; choose a smaller size", shortage.what()),
-        )
-    })
 }

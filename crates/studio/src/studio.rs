@@ -13,6 +13,12 @@ use crate::scene::Scenes;
 
 /// The number of frames that are computed at the same time, each of which uses all cores.
 const COMPUTING: usize = 2;
+/// The number of other computations that run at the same time: meshes, files to be saved, curves and coverages.
+const JOBS: usize = 4;
+/// The number of files that are received at the same time, each of which takes space on the disk.
+const UPLOADS: usize = 2;
+/// The number of requests that are received, computed or wait.
+const MAX_REQUESTS: usize = 64;
 /// The number of pages that can be open.
 const MAX_PAGES: usize = 32;
 
@@ -27,7 +33,10 @@ pub(crate) struct Studio {
     pub(crate) guard: Guard,
     /// The folder for files that are being received, which is removed when the server ends.
     pub(crate) uploads: PathBuf,
-    pub(crate) computing: Semaphore,
+    pub(crate) computing: Arc<Semaphore>,
+    pub(crate) jobs: Arc<Semaphore>,
+    pub(crate) receiving: Semaphore,
+    pub(crate) requests: Semaphore,
     pages: Arc<Semaphore>,
     stop: watch::Sender<bool>,
 }
@@ -47,7 +56,10 @@ impl Studio {
             calibrations: Calibrations::default(),
             guard,
             uploads,
-            computing: Semaphore::new(COMPUTING),
+            computing: Arc::new(Semaphore::new(COMPUTING)),
+            jobs: Arc::new(Semaphore::new(JOBS)),
+            receiving: Semaphore::new(UPLOADS),
+            requests: Semaphore::new(MAX_REQUESTS),
             pages: Arc::new(Semaphore::new(MAX_PAGES)),
             stop: watch::Sender::new(false),
         }
@@ -63,8 +75,9 @@ impl Studio {
         self.stop.send_replace(true);
     }
 
-    pub(crate) fn is_stopped(&self) -> bool {
-        *self.stop.borrow()
+    /// Becomes true when the server stops.
+    pub(crate) fn stopping(&self) -> watch::Receiver<bool> {
+        self.stop.subscribe()
     }
 
     /// Completes when the server stops.
@@ -72,5 +85,28 @@ impl Studio {
         let mut stop = self.stop.subscribe();
         // The sender lives as long as `self`.
         let _ = stop.wait_for(|stop| *stop).await;
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::scene::LoadedScene;
+
+    use oaktwin::render::OpenOptions;
+
+    /// The state of a server that shows a triangle, without a network.
+    pub(crate) fn studio() -> Arc<Studio> {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("triangle.obj");
+        std::fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+        let scene = LoadedScene::open(&path, &OpenOptions::default(), ("first", "a", "a")).unwrap();
+        Arc::new(Studio::new(
+            Cow::Borrowed(Catalog::builtin()),
+            "OAK4-D".to_owned(),
+            Scenes::new(scene),
+            Guard::new(([127, 0, 0, 1], 8080).into(), None),
+            std::env::temp_dir(),
+        ))
     }
 }

@@ -1,6 +1,7 @@
 //! Files that are dropped onto the page. They are read and not kept on the disk.
 
 use std::path::Path;
+use std::time::Duration;
 
 use axum::body::Body;
 use futures_util::StreamExt;
@@ -27,8 +28,18 @@ pub(crate) fn file_name(name: &str) -> Result<String, Failure> {
     }
 }
 
+/// How long a dropped file may take to arrive.
+const TIME: Duration = Duration::from_secs(600);
+
 /// Writes the body of a request to a file that is not longer than `limit`.
 pub(crate) async fn receive(body: Body, path: &Path, limit: u64) -> Result<(), Failure> {
+    let received = tokio::time::timeout(TIME, write(body, path, limit)).await;
+    let late =
+        "the dropped file did not arrive within 10 minutes; name it on the command line: oaktwin studio FILE";
+    received.unwrap_or_else(|_| Err(Failure::from(late.to_owned())))
+}
+
+async fn write(body: Body, path: &Path, limit: u64) -> Result<(), Failure> {
     let failed = |error: &dyn std::fmt::Display| {
         Failure::from(format!(
             "the dropped file cannot be received: {error}; drop it again"

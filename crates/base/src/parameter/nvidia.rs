@@ -1,7 +1,15 @@
 //! The attributes of NVIDIA's depth sensor schema, `OmniSensorDepthSensorSingleViewAPI`: one table for the catalog, the USD
 //! writer and linter, reports and the sensor.
 
+use std::ops::RangeInclusive;
+
 use crate::parameter::{Kind, ParameterError, Platform, Source, Value, View, choice, parameters};
+
+// The ranges of numbers that are multiplied: wide, and such that every product is finite.
+const BASELINE_MM: RangeInclusive<f64> = -1e6..=1e6;
+const MIN_BASELINE_MM: f64 = 1e-6;
+const LENGTH_PX: RangeInclusive<f64> = 1e-3..=1e6;
+const NOISE_PX: RangeInclusive<f64> = 0.0..=1e6;
 
 /// The largest range of outlier removal, px.
 pub const MAX_OUTLIER_RANGE_PX: u32 = 63;
@@ -36,13 +44,13 @@ parameters! {
     /// 5.1.
     pub struct Attributes("single-view", platform) {
         /// The distance between the imagers; its sign is the side of the second one.
-        baseline_mm: f64 = 55.0 => ("baselineMM".unit("mm").source(Source::Nvidia)),
+        baseline_mm: f64 = 55.0 => ("baselineMM".unit("mm").range(BASELINE_MM).source(Source::Nvidia)),
         /// The focal length. It is for a sensor that is `sensorSizePixel` wide.
-        focal_length_px: f64 = 897.0 => ("focalLengthPixel".unit("px").positive().source(Source::Nvidia)),
+        focal_length_px: f64 = 897.0 => ("focalLengthPixel".unit("px").range(LENGTH_PX).source(Source::Nvidia)),
         /// The width of the sensor.
-        sensor_size_px: f64 = 1280.0 => ("sensorSizePixel".unit("px").positive().source(Source::Nvidia)),
+        sensor_size_px: f64 = 1280.0 => ("sensorSizePixel".unit("px").range(LENGTH_PX).source(Source::Nvidia)),
         /// The largest disparity. It is in pixels of the rendered image.
-        max_disparity_px: f64 = 110.0 => ("maxDisparityPixel".unit("px").positive().source(Source::Nvidia)),
+        max_disparity_px: f64 = 110.0 => ("maxDisparityPixel".unit("px").range(LENGTH_PX).source(Source::Nvidia)),
         /// The minimum depth.
         min_distance_m: f64 = 0.5
             => ("minDistance".unit("m").range(0.0..=f64::MAX).source(Source::Nvidia)),
@@ -50,13 +58,13 @@ parameters! {
         max_distance_m: f64 = 1e7 => ("maxDistance".unit("m").source(Source::Nvidia)),
         /// The quantization step of disparity. It is in pixels of the rendered image; 0 disables both the step and the jitter.
         noise_mean_px: f64 = 0.25
-            => ("noiseMean".unit("px").range(0.0..=f64::MAX).source(Source::Nvidia)),
+            => ("noiseMean".unit("px").range(NOISE_PX).source(Source::Nvidia)),
         /// The standard deviation of disparity. It is in pixels of the rendered image.
         noise_sigma_px: f64 = 0.25
-            => ("noiseSigma".unit("px").range(0.0..=f64::MAX).source(Source::Nvidia)),
+            => ("noiseSigma".unit("px").range(NOISE_PX).source(Source::Nvidia)),
         /// The side of the squares of pixels that share their noise.
         noise_downscale_factor_px: f64 = 1.0
-            => ("noiseDownscaleFactorPixel".unit("px").range(1.0..=f64::MAX).source(Source::Nvidia)),
+            => ("noiseDownscaleFactorPixel".unit("px").range(1.0..=1e6).source(Source::Nvidia)),
         /// The threshold of confidence: lower values drop more smooth surface, 1 keeps all. The default of Isaac Sim 6 is 0.7.
         confidence_threshold: f64 = 0.95
             => ("confidenceThreshold".range(0.0..=1.0).source(Source::Nvidia)),
@@ -98,10 +106,10 @@ impl Attributes {
     }
 
     fn relations(&self) -> Result<(), ParameterError> {
-        if self.baseline_mm == 0.0 {
+        if self.baseline_mm.abs() < MIN_BASELINE_MM {
             return Err(ParameterError::new(
                 "baselineMM",
-                "0 gives no disparity",
+                format!("{} gives no disparity", self.baseline_mm),
                 "set the distance between the imagers in mm, 75 for an OAK-D",
             ));
         }

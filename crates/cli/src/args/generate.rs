@@ -35,6 +35,10 @@ pub(crate) struct GenerateArgs {
     #[arg(long)]
     pub(crate) resume: bool,
 
+    /// Compare the contents of finished files, not only their lengths, and make changed frames again
+    #[arg(long, requires = "resume")]
+    pub(crate) verify: bool,
+
     /// Leave out the files that span frames, so that several machines can share one data set
     ///
     /// Each process makes other --frames in a common folder. A last run with --resume writes the files that span frames.

@@ -62,6 +62,7 @@ pub(crate) fn run(context: &Context, args: &GenerateArgs) -> Result<Exit> {
     let options = GenerateOptions {
         frames: args.frames.clone(),
         resume: args.resume,
+        verify: args.verify,
         workers: args.workers.map(usize::from),
         only_frames: args.only_frames,
     };

@@ -11,7 +11,7 @@ const SIDE: [u32; 2] = [60, 160];
 const SHAPE: [usize; 2] = [SIDE[0] as usize, SIDE[1] as usize];
 
 /// The optics of a small matcher with the disparities of a real one.
-const OPTICS: [&str; 6] = ["--stereo-width", "160", "--focal-px", "800", "--region", "25"];
+pub(crate) const OPTICS: [&str; 6] = ["--stereo-width", "160", "--focal-px", "800", "--region", "25"];
 
 /// What a device reports of a board: its disparity off by −0.2 px and by locking, and noise from frame to frame that
 /// any program makes, the same over squares of 3×3 px.
@@ -43,7 +43,7 @@ fn frames(distance_m: f64, count: u32) -> Vec<f32> {
 }
 
 /// A folder of recordings at these distances.
-fn record(program: &Program, folder: &str, distances: &[f64]) {
+pub(crate) fn record(program: &Program, folder: &str, distances: &[f64]) {
     fs::create_dir(program.path(folder)).unwrap();
     let mut table = "file,distance_m\n".to_owned();
     for (i, &distance) in distances.iter().enumerate() {
@@ -55,7 +55,7 @@ fn record(program: &Program, folder: &str, distances: &[f64]) {
     program.put(&format!("{folder}/distances.csv"), table);
 }
 
-const FAR: [f64; 10] = [1.6, 1.9, 2.3, 2.6, 3.1, 3.4, 3.7, 4.3, 4.9, 5.6];
+pub(crate) const FAR: [f64; 10] = [1.6, 1.9, 2.3, 2.6, 3.1, 3.4, 3.7, 4.3, 4.9, 5.6];
 
 #[test]
 fn a_recording() {
@@ -121,6 +121,26 @@ fn an_uninformative_recording_ends_with_findings() {
     let ended = program.run(&[&["fit", "one", "--model", "oak4-d"], &OPTICS[..]].concat());
     assert_eq!(ended.code, 1, "{}", ended.stderr);
     insta::assert_snapshot!(format!("{}{}", ended.stdout, ended.stderr));
+}
+
+#[test]
+fn distances_that_no_device_measures_are_refused() {
+    let program = Program::new();
+    for (distance, expected) in [
+        ("0", "line 3: distance_m: 0 is not above 0"),
+        ("1e-300", "is nearer than 0.001 m"),
+        ("nan", "is not a finite number"),
+    ] {
+        program.put(
+            "curve.csv",
+            format!("distance_m,depth_error_percent\n1,2\n{distance},2\n"),
+        );
+        let refused = program.refused(&["fit", "curve.csv", "--model", "oak4-d"]);
+        assert!(
+            refused.contains("curve.csv") && refused.contains(expected),
+            "{refused}"
+        );
+    }
 }
 
 /// What `sense` makes of walls at these distances, with its own errors.

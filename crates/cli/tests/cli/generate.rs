@@ -120,6 +120,21 @@ fn damaged_records_and_shards_are_made_again() {
     resumed();
     fs::remove_file(shard()).unwrap();
     resumed();
+    // As long as before, so only their contents tell.
+    let damage = |path: std::path::PathBuf| {
+        let mut bytes = fs::read(&path).unwrap();
+        let middle = bytes.len() / 2;
+        bytes[middle] ^= 1;
+        fs::write(&path, bytes).unwrap();
+    };
+    let (image, _) = whole.iter().find(|(name, _)| name.ends_with(".png")).unwrap();
+    damage(program.path(&format!("whole/{image}")));
+    damage(shard());
+    program.good(&words("generate recipe.toml -o whole --resume"));
+    assert!(files(&program, "whole/") != whole);
+    let said = program.good(&words("generate recipe.toml -o whole --resume --verify"));
+    assert!(said.contains("were complete already"), "{said}");
+    assert!(files(&program, "whole/") == whole);
     fs::write(program.path("whole/.oaktwin/recipe.json"), "{").unwrap();
     let refused = program.refused(&words("generate recipe.toml -o whole --resume"));
     assert!(

@@ -9,6 +9,7 @@ mod bridge;
 mod coverage;
 mod exhaustive_models;
 mod export;
+mod finite;
 mod fit;
 mod generate;
 mod import;

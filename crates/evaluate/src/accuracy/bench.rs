@@ -57,7 +57,7 @@ impl Bench {
         let published = Bands::of(&twin.device, &depth.spec);
         let distances = match &options.distances_m {
             Some(distances) => distances.clone(),
-            None => default_distances(rig, &depth, published.as_ref()),
+            None => default_distances(rig, &depth, published.as_ref())?,
         };
         let report = Report {
             model: twin.device.name.clone(),
@@ -188,7 +188,11 @@ impl Bench {
     }
 }
 
-fn default_distances(rig: &TestRig, depth: &TwinDepthSensor, published: Option<&Bands>) -> Vec<f64> {
+fn default_distances(
+    rig: &TestRig,
+    depth: &TwinDepthSensor,
+    published: Option<&Bands>,
+) -> Result<Vec<f64>, AccuracyError> {
     let begin = published.and_then(|bands| bands.bands.iter().map(|band| band.from_m).reduce(f64::min));
     let near = rig.nearest_m().max(begin.unwrap_or(0.0));
     let far = published

@@ -4,6 +4,9 @@ use super::AccuracyError;
 use crate::list::{self, InvalidItem, tidy};
 use crate::table::{Row, Wrong, wrong};
 
+/// The minimum distance of a depth image in whole millimetres.
+const NEAREST_M: f64 = 0.001;
+
 /// The maximum distance of a depth image in whole millimetres.
 pub const FARTHEST_M: f64 = 65.535;
 
@@ -24,6 +27,7 @@ pub(super) fn check(distance_m: f64) -> Result<f64, &'static str> {
     match distance_m {
         z if !z.is_finite() => Err("is not a finite number"),
         z if z <= 0.0 => Err("is not above 0"),
+        z if z < NEAREST_M => Err("is nearer than 0.001 m, where a depth image in millimetres begins"),
         z if z > FARTHEST_M => Err("is farther than 65.535 m, where a depth image in millimetres ends"),
         z => Ok(z),
     }
@@ -34,15 +38,30 @@ pub(crate) fn in_row<const N: usize>(row: &Row<N>, at: usize) -> Result<f64, Wro
     let distance_m = row.number(at)?;
     check(distance_m).map_err(|what| {
         wrong(
-            format!("line {}: distance_m: {distance_m} {what}", row.line),
+            format!("line {}: distance_m: {} {what}", row.line, row.fields[at]),
             "give metres",
         )
     })
 }
 
 /// Returns round distances between two limits, and the limits; the first one is rounded up to 0.1 m.
-pub(super) fn between(nearest_m: f64, farthest_m: f64) -> Vec<f64> {
+///
+/// # Errors
+/// Returns an error if a limit is not finite, or everything is too far for a depth image.
+pub(super) fn between(nearest_m: f64, farthest_m: f64) -> Result<Vec<f64>, AccuracyError> {
     let from = (nearest_m * 10.0 - 1e-6).ceil().max(1.0) / 10.0;
+    let problem = match nearest_m.is_finite() && farthest_m.is_finite() {
+        false => Some("is not finite"),
+        true if from > FARTHEST_M => Some("begins beyond 65.535 m, where a depth image in millimetres ends"),
+        true => None,
+    };
+    if let Some(what) = problem {
+        return Err(AccuracyError::Range {
+            nearest_m,
+            farthest_m,
+            what,
+        });
+    }
     let to = farthest_m.clamp(from, FARTHEST_M);
     let steps = [0.1, 0.25, 0.5, 1.0, 2.5, 5.0];
     let step = steps
@@ -56,7 +75,7 @@ pub(super) fn between(nearest_m: f64, farthest_m: f64) -> Vec<f64> {
     if to > from {
         distances.push(to);
     }
-    distances
+    Ok(distances)
 }
 
 #[cfg(test)]
@@ -76,6 +95,8 @@ mod tests {
             "",
             "0",
             "-1",
+            "1e-300",
+            "0.0009",
             "nan",
             "inf",
             "1,,2",
@@ -97,6 +118,7 @@ mod tests {
 
     #[test]
     fn default_distances_are_round() {
+        let between = |nearest, farthest| between(nearest, farthest).unwrap();
         let stereo = between(0.636, 10.5);
         assert_eq!(
             (stereo.first(), stereo.get(1), stereo.last()),
@@ -107,5 +129,24 @@ mod tests {
         assert_eq!(between(2.0, 2.0), [2.0]);
         assert_eq!(between(3.0, 2.0), [3.0]);
         assert!(between(0.0, 1e9).len() <= MAX_DEFAULTS as usize);
+        assert_eq!(between(-1e300, -1e300), [0.1]);
+    }
+
+    #[test]
+    fn ranges_without_a_measurable_distance_are_errors() {
+        for (nearest, farthest) in [
+            (1e300, 10.0),
+            (66.0, 1e9),
+            (f64::INFINITY, 10.0),
+            (f64::NAN, 10.0),
+            (1.0, f64::NAN),
+            (1.0, f64::INFINITY),
+        ] {
+            let error = between(nearest, farthest).unwrap_err().to_string();
+            assert!(
+                error.starts_with("distances: ") && error.contains("; "),
+                "{error}"
+            );
+        }
     }
 }

@@ -18,6 +18,18 @@ pub enum AccuracyError {
         /// The problem.
         what: String,
     },
+    /// The sensor measures no distance of a depth image.
+    #[error(
+        "distances: the range of the sensor, {nearest_m:?} to {farthest_m:?} m, {what}; check its baseline, focal length and disparities"
+    )]
+    Range {
+        /// The nearest measurable distance, m.
+        nearest_m: f64,
+        /// The farthest one, m.
+        farthest_m: f64,
+        /// The problem.
+        what: &'static str,
+    },
     /// The depth sensor does not exist.
     #[error("{model}: there is no depth sensor `{name}`; {hint}")]
     Sensor {

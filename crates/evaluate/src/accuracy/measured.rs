@@ -3,10 +3,11 @@
 use std::path::Path;
 
 use super::{AccuracyError, distances};
-use crate::table::{self, Wrong};
+use crate::table::{self, Row, Wrong, wrong};
 
 const DISTANCE: &str = "distance_m";
 const ERROR: &str = "depth_error_percent";
+const MAX_PERCENT: f64 = 1e6;
 
 /// A measured error; see [`Curve`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,10 +43,22 @@ fn parse(text: &str) -> Result<Vec<Point>, Wrong> {
     let points = rows.iter().map(|row| {
         Ok(Point {
             distance_m: distances::in_row(row, 0)?,
-            error_percent: row.number(1)?,
+            error_percent: error_in_row(row)?,
         })
     });
     points.collect()
+}
+
+/// Parses an error: of −100 %, nothing is in front of the camera.
+fn error_in_row(row: &Row<2>) -> Result<f64, Wrong> {
+    let error_percent = row.number(1)?;
+    match error_percent > -100.0 && error_percent <= MAX_PERCENT {
+        true => Ok(error_percent),
+        false => Err(wrong(
+            format!("line {}: {ERROR}: {} is out of range", row.line, row.fields[1]),
+            format!("give percent of the distance, above -100 and up to {MAX_PERCENT}"),
+        )),
+    }
 }
 
 #[cfg(test)]
@@ -86,6 +99,12 @@ mod tests {
                 "line 3: distance_m: 0 is not above 0",
             ),
             ("distance_m,depth_error_percent\n1e3,2\n", "farther than 65.535 m"),
+            (
+                "distance_m,depth_error_percent\n1,2\n1e-200,2\n",
+                "line 3: distance_m: 1e-200 is nearer than 0.001 m",
+            ),
+            ("distance_m,depth_error_percent\n1,-100\n", "-100 is out of range"),
+            ("distance_m,depth_error_percent\n1,1e300\n", "is out of range"),
         ] {
             let what = parse(text).err().map(|wrong| wrong.what).unwrap_or_default();
             assert!(what.contains(expected), "{text:?}: {what}");

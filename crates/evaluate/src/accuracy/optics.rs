@@ -1,9 +1,13 @@
 //! Replaces the optics of a twin by a measured unit's.
 
+use std::ops::RangeInclusive;
+
 use super::AccuracyError;
 use oaktwin_camera::{ImageSize, Intrinsics, PixelPoint, Usd};
 use oaktwin_catalog::{Twin, TwinDepthSensor};
 
+/// The focal lengths of any camera, px.
+const FOCAL_LENGTHS_PX: RangeInclusive<f64> = 1.0..=1e6;
 /// The maximum image width in pixels.
 const MAX_WIDTH_PX: u32 = 16_384;
 
@@ -34,7 +38,7 @@ impl MeasuredOptics {
             })
         };
         match (self.focal_length_px, self.width_px) {
-            (Some(f), _) if !(f > 0.0 && f.is_finite()) => return wrong("focal length", &f),
+            (Some(f), _) if !FOCAL_LENGTHS_PX.contains(&f) => return wrong("focal length", &f),
             (_, Some(width)) if !(16..=MAX_WIDTH_PX).contains(&width) => return wrong("width", &width),
             _ => {}
         }
@@ -111,6 +115,8 @@ mod tests {
             (Some(0.0), None),
             (Some(f64::NAN), None),
             (Some(-3.0), Some(640)),
+            (Some(1e300), Some(640)),
+            (Some(f64::INFINITY), None),
             (None, Some(0)),
             (None, Some(u32::MAX)),
         ] {

@@ -1,4 +1,4 @@
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use oaktwin_base::diagnostic::{message, nearest, opt, suggestion};
 use oaktwin_scene::{Bounds, Scene};
@@ -39,6 +39,33 @@ impl Region {
             chosen.extend(0..scene.instances.len());
         }
         Ok(chosen.into_iter().collect())
+    }
+
+    /// Returns the number of triangles of the instances that may belong to the region: the bounds of each meet its box.
+    ///
+    /// # Errors
+    /// Returns an error if an object is unknown, or the box is reversed or not finite.
+    pub fn triangles(&self, scene: &Scene) -> Result<u64, CoverageError> {
+        let mut bounds: BTreeMap<u32, Option<Bounds>> = BTreeMap::new();
+        let mut total = 0u64;
+        for index in self.instances(scene)? {
+            let instance = &scene.instances[index];
+            let Some(mesh) = scene.meshes.get(instance.mesh as usize) else {
+                continue;
+            };
+            if let Some(within) = self.within {
+                let own = bounds.entry(instance.mesh).or_insert_with(|| mesh.bounds());
+                let meets = |own: Bounds| {
+                    let own = own.transformed(instance.world_from_mesh);
+                    own.min.cmple(within.max).all() && own.max.cmpge(within.min).all()
+                };
+                if !own.is_some_and(meets) {
+                    continue;
+                }
+            }
+            total = total.saturating_add(mesh.triangles.len() as u64);
+        }
+        Ok(total)
     }
 
     fn check_box(&self) -> Result<(), CoverageError> {

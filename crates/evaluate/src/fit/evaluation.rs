@@ -56,6 +56,7 @@ impl Work<'_> {
             ]));
         }
         method.noise(&seen, self);
+        self.keep_determined();
         let tilts = points::tilts(&seen, method, &mut self.findings)?;
         self.report.tilt_deg = tilts.common_deg();
         self.report.targets = seen
@@ -75,6 +76,7 @@ impl Work<'_> {
         let used = points.iter().zip(&are_used).filter(|(_, is_used)| **is_used);
         let used: Vec<Point> = used.map(|(one, _)| one.point).collect();
         let found = method.systematic(&used, self);
+        let found = found.filter(|_| self.keep_determined());
         let error_domain = method.error_domain();
         let is_absolute = self.report.is_absolute;
         let counted = |error: f64, depth_m: f64| {
@@ -96,11 +98,12 @@ impl Work<'_> {
             }
         };
         self.report.points = points.iter().zip(&are_used).map(fitted_point).collect();
-        self.report.curve = found.as_deref().map(|found| self.goodness(found));
+        self.report.curve = found.as_deref().and_then(|found| self.goodness(found));
         found
     }
 
-    fn goodness(&self, found: &dyn Fitted) -> Curve {
+    /// Returns the quality of the curve; `None` if its residuals are no numbers.
+    fn goodness(&self, found: &dyn Fitted) -> Option<Curve> {
         let used: Vec<&FittedPoint> = self.report.points.iter().filter(|point| point.is_used).collect();
         let rms = |of: &dyn Fn(&FittedPoint) -> f64| {
             (used.iter().map(|point| of(point).powi(2)).sum::<f64>() / used.len() as f64).sqrt()
@@ -110,13 +113,14 @@ impl Work<'_> {
             .filter_map(|point| Some([point.error_percent, point.fitted_percent?]))
             .collect();
         let (solution, is_known) = found.solution();
-        Curve {
+        let curve = Curve {
             points: used.len(),
             rms: rms(&|point| point.error - point.fitted.unwrap_or(f64::NAN)),
             rms_percent: rms(&|point| point.error_percent - point.fitted_percent.unwrap_or(f64::NAN)),
             r_squared: r_squared(&pairs),
             scatter: (is_known && solution.freedom > 0)
                 .then(|| (solution.squares / solution.freedom as f64).sqrt()),
-        }
+        };
+        (curve.rms.is_finite() && curve.rms_percent.is_finite()).then_some(curve)
     }
 }

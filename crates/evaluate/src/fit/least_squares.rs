@@ -42,7 +42,7 @@ impl Solution {
         Some(c.first()?.get(1)? / (c.first()?.first()? * c.get(1)?.get(1)?).sqrt())
     }
 
-    /// Returns half of the 95 % interval of a function of the parameters; `None` without a covariance.
+    /// Returns half of the 95 % interval of a function of the parameters; `None` if the points do not determine it.
     pub(super) fn half_width(&self, value: impl Fn(&[f64]) -> f64, is_known: bool) -> Option<f64> {
         let slopes = derivatives(value, &self.parameters);
         let covariance = self.covariance.as_ref()?;
@@ -51,14 +51,15 @@ impl Solution {
             .zip(&slopes)
             .flat_map(|(row, a)| row.iter().zip(&slopes).map(move |(c, b)| a * b * c))
             .sum::<f64>();
-        Some(self.factor(is_known) * variance.max(0.0).sqrt())
+        Some(self.factor(is_known) * variance.max(0.0).sqrt()).filter(|half| half.is_finite())
     }
 
-    /// Returns the 95 % interval of a parameter, multiplied by `scale`.
+    /// Returns the 95 % interval of a parameter, multiplied by `scale`; `None` if the points do not determine it.
     pub(super) fn interval(&self, at: usize, scale: f64, is_known: bool) -> Option<[f64; 2]> {
         let half = self.factor(is_known) * self.error(at)?;
         let value = *self.parameters.get(at)?;
-        Some([(value - half) * scale, (value + half) * scale])
+        let ends = [(value - half) * scale, (value + half) * scale];
+        ends.iter().all(|end| end.is_finite()).then_some(ends)
     }
 
     /// Returns the factor of a standard error for a 95 % interval.

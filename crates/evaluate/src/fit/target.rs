@@ -12,6 +12,9 @@ use oaktwin_files::FileError;
 use oaktwin_image::Image;
 use oaktwin_pipeline::input::source::Source;
 
+/// The depths of a measurement and of its ground truth, m: others are no measurements.
+const MEASURABLE_M: std::ops::RangeInclusive<f32> = 1e-3..=1e4;
+
 /// The maximum lag of covariances in pixels.
 const MAX_LAGS: usize = 48;
 
@@ -309,7 +312,7 @@ impl Observer {
             }
         }
         let value = |z: f32, below: f64| {
-            if z.is_finite() && z > 0.0 {
+            if MEASURABLE_M.contains(&z) {
                 error_domain.of_depth(f64::from(z) + below)
             } else {
                 f64::NAN

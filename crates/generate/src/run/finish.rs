@@ -7,7 +7,7 @@ use oaktwin_dataset::WriteError;
 use oaktwin_files::{AtomicFile, FileError, OutputFiles, PackedFiles};
 use serde_json::json;
 
-use super::store::{Container, FileRecord, FrameRecord, Store, pretty};
+use super::store::{Container, FileRecord, FrameRecord, Store, checksum, pretty};
 use super::{Generated, PlacedFormat, add_new};
 use crate::GenerateError;
 use crate::context::Context;
@@ -48,7 +48,7 @@ pub(super) fn finish(
         store,
         &frames,
         shared,
-        &containers(store, &packed),
+        &containers(store, &packed)?,
         generated,
     )?;
     for files in packed {
@@ -59,18 +59,18 @@ pub(super) fn finish(
 }
 
 /// Returns the files that replace others, by the paths of these.
-fn containers(store: &Store, packed: &[PackedFiles]) -> BTreeMap<String, Container> {
-    let of = |files: &PackedFiles| {
+fn containers(store: &Store, packed: &[PackedFiles]) -> Result<BTreeMap<String, Container>, FileError> {
+    let mut all = BTreeMap::new();
+    for files in packed {
         let container = Container {
             path: store.relative(&files.container),
             bytes: fs::metadata(&files.container).map_or(0, |metadata| metadata.len()),
+            sha256: Some(checksum(&files.container)?),
         };
         let members = files.members.iter().map(|member| store.relative(member));
-        members
-            .map(|member| (member, container.clone()))
-            .collect::<Vec<_>>()
-    };
-    packed.iter().flat_map(of).collect()
+        all.extend(members.map(|member| (member, container.clone())));
+    }
+    Ok(all)
 }
 
 /// Reads the record of a frame, in which files that others replace are noted.
@@ -82,9 +82,16 @@ fn packed_record(
     let mut record = store.frame(frame)?;
     let mut is_changed = false;
     for file in &mut record.files {
-        let container = containers.get(&file.path);
-        if container.is_some() && file.packed_in.as_ref() != container {
-            file.packed_in = container.cloned();
+        let Some(container) = containers.get(&file.path) else {
+            continue;
+        };
+        // The checksum of a file that was complete earlier stays: it may have been damaged since.
+        let is_known = file
+            .packed_in
+            .as_ref()
+            .is_some_and(|known| (&known.path, known.bytes) == (&container.path, container.bytes));
+        if !is_known {
+            file.packed_in = Some(container.clone());
             is_changed = true;
         }
     }

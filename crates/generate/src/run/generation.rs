@@ -7,6 +7,7 @@ use oaktwin_files::FileError;
 use oaktwin_pipeline::progress::Watch;
 
 use super::store::Store;
+use super::verify::Verifier;
 use super::workers::Job;
 use super::{GenerateOptions, Generated, PlacedFormat, finish};
 use crate::GenerateError;
@@ -57,8 +58,12 @@ impl Generation {
             true => wanted.clone().collect(),
             false => store.frames()?,
         };
-        let is_missing = |frame: &u64| !known.contains(frame) || !store.is_intact(*frame);
+        let verifier = options.verify.then(|| Verifier::new(&store));
+        let is_changed = |frame: u64| verifier.as_ref().is_some_and(|files| !files.is_unchanged(frame));
+        let is_missing =
+            |frame: &u64| !known.contains(frame) || !store.is_intact(*frame) || is_changed(*frame);
         let missing: Vec<u64> = wanted.clone().filter(is_missing).collect();
+        drop(verifier);
         let generated = Generated {
             skipped: wanted.end - wanted.start - missing.len() as u64,
             findings: context.findings.clone(),

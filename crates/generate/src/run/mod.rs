@@ -4,6 +4,7 @@ mod finish;
 mod generation;
 mod preview;
 mod store;
+mod verify;
 mod workers;
 
 use std::ops::Range;
@@ -34,6 +35,9 @@ pub struct GenerateOptions {
     pub frames: Option<Range<u64>>,
     /// Whether an existing data set is completed.
     pub resume: bool,
+    /// Whether the contents of finished files are compared with their checksums, not only their lengths; frames with other
+    /// contents are made again.
+    pub verify: bool,
     /// The number of frames to make at once; by default one per processor, or fewer if memory is short.
     pub workers: Option<usize>,
     /// Whether only frames are made: another process has the lock, and completes the data set.

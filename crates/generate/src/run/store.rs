@@ -63,6 +63,8 @@ pub(crate) struct FileRecord {
 pub(crate) struct Container {
     pub(crate) path: String,
     pub(crate) bytes: u64,
+    #[serde(default)]
+    pub(crate) sha256: Option<String>,
 }
 
 impl Store {
@@ -242,7 +244,8 @@ fn changed_input(known: &Inputs, own: &Inputs) -> Option<String> {
         })
 }
 
-fn checksum(path: &Path) -> Result<String, FileError> {
+/// Returns the checksum of a file.
+pub(super) fn checksum(path: &Path) -> Result<String, FileError> {
     let reading = |error: std::io::Error| FileError::reading(path, &error);
     let mut file = File::open(path).map_err(reading)?;
     let (mut digest, mut buffer) = (Sha256::new(), vec![0; 1 << 16]);

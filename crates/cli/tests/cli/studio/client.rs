@@ -3,6 +3,7 @@
 use std::f64::consts::FRAC_1_SQRT_2;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
+use std::path::Path;
 use std::process::{Child, Stdio};
 use std::time::Duration;
 
@@ -46,9 +47,15 @@ impl Frame {
 impl Server {
     /// Starts the program in a folder and waits for its link.
     pub(super) fn start(program: &Program, arguments: &[&str]) -> Self {
+        Self::start_with(program, arguments, &[])
+    }
+
+    /// The same with variables of the environment.
+    pub(super) fn start_with(program: &Program, arguments: &[&str], variables: &[(&str, &Path)]) -> Self {
         let all = [&["studio", "--no-open"], arguments].concat();
         let mut child = program
             .command(&all)
+            .envs(variables.iter().copied())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()

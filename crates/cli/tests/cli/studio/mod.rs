@@ -2,6 +2,7 @@
 
 mod client;
 mod exports;
+mod hard;
 mod models;
 mod surface;
 

@@ -1,18 +1,12 @@
-//! Meshes for the page's 3D view.
-//!
-//! The layout matches `MeshHeader` in `web/src/protocol.ts`.
+//! Triangles that share their vertices.
 
 use std::collections::HashMap;
 
 use meshopt_rs::simplify::{simplify, simplify_sloppy};
 use meshopt_rs::vertex::Position;
 use oaktwin::camera::math::DVec3;
-use oaktwin::catalog::Twin;
-use oaktwin::render::Renderer;
-use oaktwin::scene::Scene;
-use oaktwin::usd::body;
 
-use crate::protocol::{MeshHeader, SceneObject};
+use crate::protocol::MeshHeader;
 
 /// The relative error up to which details are removed before whole shapes are.
 const TARGET_ERROR: f32 = 0.02;
@@ -34,14 +28,14 @@ impl Position for Vertex {
 
 /// A mesh with shared vertices.
 #[derive(Debug, Default)]
-struct Welded {
+pub(super) struct Welded {
     vertices: Vec<Vertex>,
     indices: Vec<u32>,
     known: HashMap<Vertex, u32>,
 }
 
 impl Welded {
-    fn add(&mut self, position: DVec3, color: [u8; 3], object: u32) {
+    pub(super) fn add(&mut self, position: DVec3, color: [u8; 3], object: u32) {
         let bits = |x: f64| {
             #[expect(clippy::cast_possible_truncation, reason = "the page draws single precision")]
             let narrow = x as f32;
@@ -61,9 +55,31 @@ impl Welded {
         self.indices.push(index);
     }
 
+    pub(super) fn add_triangle(&mut self, corners: [DVec3; 3], color: [u8; 3], object: u32) {
+        corners
+            .into_iter()
+            .for_each(|corner| self.add(corner, color, object));
+    }
+
+    /// The number of triangles.
+    pub(super) fn len(&self) -> usize {
+        self.indices.len() / 3
+    }
+
+    /// The triangles with their colours.
+    pub(super) fn facets(&self) -> impl Iterator<Item = ([[f32; 3]; 3], [u8; 3])> {
+        self.indices.chunks_exact(3).filter_map(|corners| {
+            let at = |index: u32| self.vertices.get(index as usize);
+            let [a, b, c] = [at(corners[0])?, at(corners[1])?, at(corners[2])?];
+            Some(([a.pos(), b.pos(), c.pos()], a.color))
+        })
+    }
+
     /// Removes triangles until about `triangles` remain: details first, then whole shapes.
-    fn simplify(&mut self, triangles: usize) {
+    pub(super) fn simplify(&mut self, triangles: usize) {
         let target = triangles * 3;
+        // Only needed to add vertices.
+        self.known = HashMap::new();
         if self.indices.len() <= target {
             return;
         }
@@ -74,7 +90,11 @@ impl Welded {
             let mut sloppy = vec![0; simple.len()];
             let count = simplify_sloppy(&mut sloppy, &simple, &self.vertices, target);
             sloppy.truncate(count);
-            simple = sloppy;
+            // Nothing is left of shapes that are small: then some of the triangles stay.
+            simple = match count {
+                0 => some(&simple, triangles),
+                _ => sloppy,
+            };
         }
         self.indices = simple;
         self.remove_unused();
@@ -94,7 +114,7 @@ impl Welded {
         self.vertices = vertices;
     }
 
-    fn encode(&self, of_triangles: usize) -> Vec<u8> {
+    pub(super) fn encode(&self, of_triangles: usize) -> Vec<u8> {
         let header = MeshHeader {
             vertices: self.vertices.len(),
             triangles: self.indices.len() / 3,
@@ -123,91 +143,13 @@ impl Welded {
     }
 }
 
-/// Returns the number of triangles of all instances.
-pub(crate) fn triangles(scene: &Scene) -> usize {
-    let mesh = |index: u32| scene.meshes.get(index as usize);
-    let counts = scene.instances.iter().filter_map(|instance| mesh(instance.mesh));
-    counts.map(|mesh| mesh.triangles.len()).sum()
-}
-
-/// Encodes a scene with about `limit` triangles.
-pub(crate) fn of_scene(renderer: &Renderer, objects: &[SceneObject], limit: usize) -> Vec<u8> {
-    let scene = renderer.scene();
-    let mut welded = Welded::default();
-    let mut colors: HashMap<u32, Vec<[u8; 3]>> = HashMap::new();
-    for instance in &scene.instances {
-        let Some(mesh) = scene.meshes.get(instance.mesh as usize) else {
-            continue;
-        };
-        let object = objects.binary_search_by(|object| object.path.as_str().cmp(&instance.path));
-        let object = object.map_or(u32::MAX, |index| u32::try_from(index).unwrap_or(u32::MAX));
-        let colors = colors
-            .entry(instance.mesh)
-            .or_insert_with(|| renderer.flat_colors(instance.mesh as usize));
-        let place = |p: [f32; 3]| {
-            instance
-                .world_from_mesh
-                .transform_point3(DVec3::from(p.map(f64::from)))
-        };
-        for (triangle, color) in (0..).zip(colors) {
-            let corners = mesh.corners(triangle).unwrap_or_default();
-            corners
-                .into_iter()
-                .for_each(|corner| welded.add(place(corner), *color, object));
-        }
-    }
-    let all = welded.indices.len() / 3;
-    welded.simplify(limit);
-    welded.encode(all)
-}
-
-/// Encodes triangles, each with a number in the place of its object.
-pub(crate) fn of_triangles<'a>(triangles: impl Iterator<Item = (&'a [DVec3; 3], u32)>) -> Vec<u8> {
-    let mut welded = Welded::default();
-    for (corners, object) in triangles {
-        corners
-            .iter()
-            .for_each(|corner| welded.add(*corner, [0; 3], object));
-    }
-    let all = welded.indices.len() / 3;
-    welded.encode(all)
-}
-
-/// Encodes the body of a model in its own frame.
-pub(crate) fn of_body(twin: &Twin) -> Vec<u8> {
-    let body = body::body(twin);
-    let mut welded = Welded::default();
-    for (object, part) in (0..).zip(&body.parts) {
-        let material = body
-            .materials
-            .iter()
-            .find(|material| material.name == part.material);
-        let linear = material.map_or([0.2; 3], |material| material.diffuse);
-        let color = linear.map(oaktwin::image::srgb::srgb_from_linear);
-        let mut from = 0;
-        for count in &part.face_vertex_counts {
-            let count = usize::try_from(*count).unwrap_or(0);
-            let face = part
-                .face_vertex_indices
-                .get(from..from + count)
-                .unwrap_or_default();
-            from += count;
-            for corner in 2..face.len() {
-                for index in [face[0], face[corner - 1], face[corner]] {
-                    let point = usize::try_from(index)
-                        .ok()
-                        .and_then(|index| part.points.get(index));
-                    welded.add(
-                        DVec3::from(point.copied().unwrap_or_default().map(f64::from)),
-                        color,
-                        object,
-                    );
-                }
-            }
-        }
-    }
-    let all = welded.indices.len() / 3;
-    welded.encode(all)
+/// Returns the indices of some triangles, evenly distributed.
+fn some(indices: &[u32], triangles: usize) -> Vec<u32> {
+    let all = indices.len() / 3;
+    let kept = (0..triangles.min(all)).map(|index| index * all / triangles.min(all));
+    kept.flat_map(|at| &indices[3 * at..3 * at + 3])
+        .copied()
+        .collect()
 }
 
 #[cfg(test)]
