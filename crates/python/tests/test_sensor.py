@@ -85,7 +85,7 @@ def test_a_sequence_is_the_programs(program, tmp_path, device, room):
         got = [sensor(depth + np.float32(0.01 * frame), frame=frame) for frame in range(4)]
         assert np.array_equal(got, written)
         sensor.reset()
-    # A batch neither remembers nor is remembered.
+    # Images and the items of batches remember apart.
     batch = sensor(np.stack([depth, depth]), frame=0)
     assert np.array_equal(batch[0], written[0])
     assert np.array_equal(sensor(depth, frame=0), written[0])
