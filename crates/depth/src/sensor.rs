@@ -73,8 +73,8 @@ impl Sensor {
         Self {
             engine: Arc::clone(&self.engine),
             filters,
-            random: self.random.clone(),
-            drifted: self.drifted.clone(),
+            random: self.random,
+            drifted: self.drifted,
         }
     }
 

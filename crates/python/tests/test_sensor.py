@@ -231,7 +231,7 @@ def test_paths_that_look_like_options_are_unchanged(tmp_path):
         ({"parameters": {"windw": 7}}, "windw: unknown parameter of stereo-noise; did you mean 'window"),
         ({"parameters": {"window": "wide"}}, "window"),
         ({"parameters": {"noiseSigma": 1}}, "a parameter of single-view, not of stereo-noise"),
-        ({"parameters": [1]}, "parameters: invalid value [1]; pass a dictionary"),
+        ({"parameters": [1]}, "parameters: invalid value [1]; pass a mapping"),
         ({"isaac": "7"}, "isaac: invalid value '7'"),
         ({"fx": -1}, "fx: must be a finite number > 0 (got -1)"),
         ({"fx": float("nan")}, "fx: must be a finite number > 0"),

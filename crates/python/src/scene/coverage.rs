@@ -175,7 +175,7 @@ fn region(objects: Option<&Bound<'_, PyAny>>, corners: Option<&Bound<'_, PyAny>>
     let within = corners.map(|corners| {
         let pair: Vec<Bound<'_, PyAny>> = corners
             .try_iter()
-            .and_then(|all| all.collect())
+            .and_then(Iterator::collect)
             .map_err(|_| mistyped("region_box", corners, "the minimum and the maximum corner"))?;
         match &pair[..] {
             [min, max] => Ok(Bounds {
