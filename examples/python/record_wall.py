@@ -170,7 +170,7 @@ def fit_and_show(device, folder, parameters):
         print(f"{point['distance_m']:6.3f} m {point['error_percent']:+8.3f} % " + ("" if curve is None else f"{curve:+9.3f} %"))
     with contextlib.suppress(ImportError):
         fitted.plot().figure.savefig(folder / "curve.png", dpi=150)
-    print(f"use it: oaktwin.DepthSensor(device, params={str(folder / 'unit.toml')!r})")
+    print(f"use it: oaktwin.DepthSensor(device, parameters={str(folder / 'unit.toml')!r})")
     return fitted
 
 

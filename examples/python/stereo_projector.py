@@ -104,6 +104,7 @@ def main():
             projector=power,
             ambient=arguments.ambient,
             seed=arguments.seed,
+            frame=0,
         )
         matched = matcher(pair["left"], pair["right"])
         found = compare(matched["depth"], pair["z"])

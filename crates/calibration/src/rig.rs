@@ -153,6 +153,7 @@ fn device(calibration: &Calibration, cameras: &[TwinCamera], baseline_m: f64, pl
         full_name: None,
         aliases: Vec::new(),
         boards: Vec::new(),
+        stands_in_for: BTreeMap::new(),
         prim: "rig".to_owned(),
         manufacturer: "unknown".to_owned(),
         generation: platform.name().to_uppercase(),

@@ -3,6 +3,7 @@
 mod body;
 mod depth_sensor;
 mod inertial;
+mod names;
 
 pub use body::{Body, BodyShape, Projector};
 pub use depth_sensor::{DepthKind, DepthSensor};
@@ -82,6 +83,9 @@ pub struct Device {
     /// Alternative names, such as the `productName` of calibration files.
     #[serde(default)]
     pub aliases: Vec<String>,
+    /// Other models for which it can be used, with the difference: `"D435" = "has no inertial sensor"`. Their use is reported.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub stands_in_for: BTreeMap<String, String>,
     /// The board names by which calibrations without a product name identify it.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub boards: Vec<String>,
@@ -429,22 +433,5 @@ impl Device {
     #[must_use]
     pub fn camera(&self, role: Role) -> Option<&Camera> {
         self.cameras.iter().find(|camera| camera.role == role)
-    }
-
-    /// Returns all names of the device: id, name, aliases.
-    pub fn names(&self) -> impl Iterator<Item = &str> {
-        self.named_places().map(|(name, _)| name)
-    }
-
-    pub(crate) fn names_and_prim(&self) -> impl Iterator<Item = &str> {
-        self.names().chain([self.prim.as_str()])
-    }
-
-    /// Returns all names with the keys that define them.
-    pub(crate) fn named_places(&self) -> impl Iterator<Item = (&str, String)> {
-        let own = [("id", &self.id), ("name", &self.name)];
-        let own = own.into_iter().map(|(key, name)| (name.as_str(), key.to_owned()));
-        let aliases = self.aliases.iter().enumerate();
-        own.chain(aliases.map(|(i, name)| (name.as_str(), format!("aliases.{i}"))))
     }
 }

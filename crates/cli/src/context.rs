@@ -80,13 +80,13 @@ impl Context {
         unit: &UnitArgs,
         axes: &ImuFrameArgs,
     ) -> Result<(Twin, Vec<Finding>)> {
-        let device = &self
-            .device(model)?
-            .with_imu_frame(axes.imu_frame.unwrap_or_default());
+        let own = self.device(model)?;
+        let device = &own.with_imu_frame(axes.imu_frame.unwrap_or_default());
         let (twin, mut findings) = match &unit.calibration {
             Some(path) => unit::open(&self.catalog, device, path, unit.force)?,
             None => (self.catalog.nominal(device), Vec::new()),
         };
+        findings.extend(own.stand_in(model));
         if axes.imu_frame.is_some() && twin.body_from_imu != self.catalog.nominal(device).body_from_imu {
             findings.push(Finding::new(
                 "imu-frame",

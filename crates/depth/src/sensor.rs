@@ -67,6 +67,23 @@ impl Sensor {
         &self.filters
     }
 
+    /// Returns the sensor with other filters, or with the same ones and another memory.
+    #[must_use]
+    pub fn with_filters(&self, filters: Chain) -> Self {
+        Self {
+            engine: Arc::clone(&self.engine),
+            filters,
+            random: self.random,
+            drifted: self.drifted,
+        }
+    }
+
+    /// Returns the filters and their memory.
+    #[must_use]
+    pub fn into_filters(self) -> Chain {
+        self.filters
+    }
+
     /// Whether the output depends on earlier frames.
     #[must_use]
     pub fn remembers(&self) -> bool {

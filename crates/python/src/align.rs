@@ -23,7 +23,6 @@ pub(crate) fn aligned<'py>(
     let (result, mut out) = Out::of(py, out, out_shape, depth)?;
     let values = depth.slice()?;
     let mut room = out.slice()?;
-    room.check_apart(values)?;
     let (pixels, out_pixels) = (shape.pixels(), out_shape.pixels());
     for item in 0..shape.count() {
         py.check_signals()?;

@@ -37,6 +37,14 @@ impl FromPyObject<'_, '_> for Size {
     }
 }
 
+/// Reads a size from a pair, or from two numbers.
+pub(crate) fn size(width: &Bound<'_, PyAny>, height: Option<&Bound<'_, PyAny>>) -> PyResult<Size> {
+    match height {
+        None => width.extract(),
+        Some(height) => Ok(Size(whole("width", width)?, whole("height", height)?)),
+    }
+}
+
 impl FromPyObject<'_, '_> for FrameNumber {
     type Error = PyErr;
 
@@ -69,10 +77,8 @@ arguments! {
     count: u64,
     frame: u64,
     frames: u64,
-    height: u32,
     seed: u64,
     subdivide: u32,
-    width: u32,
 }
 
 /// Arguments that may be None.
@@ -83,6 +89,7 @@ pub(crate) mod optional {
 
     arguments! {
         maybe_whole:
+        device_seed: Option<u64>,
         devices: Option<u32>,
         samples: Option<u32>,
         seed: Option<u64>,

@@ -1,8 +1,8 @@
 //! Access to arrays in CPU memory: NumPy arrays, and objects with the buffer protocol, DLPack or NumPy's array interface.
 
 use numpy::{
-    Element, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyReadwriteArrayDyn,
-    PyUntypedArray, PyUntypedArrayMethods,
+    BorrowError, Element, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn,
+    PyReadwriteArrayDyn, PyUntypedArray, PyUntypedArrayMethods,
 };
 use pyo3::PyTypeInfo;
 use pyo3::exceptions::PyTypeError;
@@ -50,6 +50,47 @@ pub(crate) fn view<'py>(name: &str, object: &Bound<'py, PyAny>) -> PyResult<Boun
             object.get_type().name()?
         )));
     };
+    Ok(array.cast_into()?)
+}
+
+/// Converts an object to a NumPy array for writing, which shares its memory.
+///
+/// NumPy before 2.1 shares the memory of DLPack read-only, and so do newer versions that of producers without the versioned
+/// protocol. Such an object, a tensor for instance, often has `__array__`, too.
+pub(crate) fn shared<'py>(name: &str, object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyUntypedArray>> {
+    if let Ok(array) = object.cast::<PyUntypedArray>() {
+        return Ok(array.clone());
+    }
+    let is_writable = |array: &Bound<'_, PyUntypedArray>| -> PyResult<bool> {
+        array.getattr("flags")?.getattr("writeable")?.extract()
+    };
+    let array = view(name, object)?;
+    if PyMemoryView::from(object).is_ok() || (object.hasattr("__dlpack__")? && is_writable(&array)?) {
+        return Ok(array);
+    }
+    if !object.hasattr("__array__")? {
+        if object.hasattr("__dlpack__")? {
+            let numpy: String = object.py().import("numpy")?.getattr("__version__")?.extract()?;
+            let is = format!("shares its memory with NumPy {numpy} by DLPack, read-only");
+            return Err(wrong(name, is, "pass a NumPy array, and copy the result"));
+        }
+        return Ok(array);
+    }
+    // A copy has another address each time.
+    let numpy = object.py().import("numpy")?;
+    let once = || numpy.call_method1("asarray", (object,));
+    let address = |array: &Bound<'_, PyAny>| -> PyResult<usize> {
+        array
+            .getattr("__array_interface__")?
+            .get_item("data")?
+            .get_item(0)?
+            .extract()
+    };
+    let (array, again) = (once()?, once()?);
+    if address(&array)? != address(&again)? {
+        let remedy = "pass a NumPy array, and copy the result";
+        return Err(wrong(name, "gives NumPy copies of its memory", remedy));
+    }
     Ok(array.cast_into()?)
 }
 
@@ -126,20 +167,27 @@ pub(crate) fn contiguous<'py, T: Element>(
     })
 }
 
-/// The C-contiguous array itself, for writing.
+/// The C-contiguous array itself, for writing; `input` is the range of addresses that is read meanwhile.
 pub(crate) fn writable<'py, T: Element>(
     name: &str,
     array: &Bound<'py, PyUntypedArray>,
+    (start, end): (usize, usize),
 ) -> PyResult<PyReadwriteArrayDyn<'py, T>> {
     if !array.is_c_contiguous() {
         return Err(wrong(name, "is not C-contiguous", "pass a C-contiguous array"));
     }
-    let mut array = array.cast::<PyArrayDyn<T>>()?.try_readwrite().map_err(|_| {
-        wrong(
+    let array = array.cast::<PyArrayDyn<T>>()?;
+    let first = array.data() as usize;
+    if start < first + array.len() * size_of::<T>() && first < end {
+        return Err(wrong(name, "overlaps the input", "pass a separate array"));
+    }
+    let mut array = array.try_readwrite().map_err(|cause| match cause {
+        BorrowError::NotWriteable => wrong(name, "is read-only", "pass an array that can be written to"),
+        _ => wrong(
             name,
-            "is read-only, overlaps the input, or is used by another call",
-            "pass a separate array to write to",
-        )
+            "is used by another call",
+            "pass a separate array to each call",
+        ),
     })?;
     if array.as_slice_mut().is_err() {
         return Err(wrong(

@@ -1,27 +1,28 @@
+mod intrinsics;
+mod state;
+
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayDyn};
-use oaktwin::camera::{
-    self, ImageSize, Intrinsics, LensFamily, LensModel, OpenCv, PixelPoint, RigidTransform,
-};
+use oaktwin::camera::{self, ImageSize, Intrinsics, LensFamily, OpenCv, PixelPoint, RigidTransform};
 use oaktwin::render::{Clip, PlacedCamera, check_size};
 use oaktwin::sense::check_hfov;
 use pyo3::prelude::*;
 
-use crate::arguments::{Size, distortion, height, width};
-use crate::array::numbers;
-use crate::choice::choose;
+use crate::arguments::{self, Size, distortion};
 use crate::error::{error, wrong};
 use crate::finding::warn;
-use crate::pose::{matrix, one_pose, rows};
+use crate::pose::{Of, matrix};
 use crate::projection;
+pub(crate) use state::_camera;
+use state::State;
 
 /// A camera: intrinsics, lens, and its pose on a device.
 ///
 /// Its frame is OpenCV's: x right, y down, z forward; metres. Pixel coordinates are OpenCV's: the centre of the first
 /// pixel is (0, 0), so the centre of the image is ((width - 1) / 2, (height - 1) / 2).
 ///
-/// size: (width, height) of the image, px.
+/// size, height: (width, height) of the image, px, or two numbers.
 /// K: camera matrix (3, 3), px; or give hfov_deg.
 /// hfov_deg: horizontal field of view of an ideal centred camera, degrees between 0 and 180.
 /// distortion: OpenCV's coefficients, up to 14 of the lens "opencv" (k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tx ty), up to 4 of
@@ -41,61 +42,7 @@ pub(crate) struct Camera {
     pub(crate) body_from_camera: RigidTransform,
 }
 
-/// The state of a camera in pickles: name, size, K, lens and coefficients, clipping range, and pose on its device.
-type State = (
-    String,
-    (u32, u32),
-    [[f64; 3]; 3],
-    &'static str,
-    Vec<f64>,
-    (f64, f64),
-    [[f64; 4]; 4],
-);
-
-/// Restores the camera of a pickle without loss.
-#[pyfunction]
-#[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
-pub(crate) fn _camera(
-    name: String,
-    size: (u32, u32),
-    k: [[f64; 3]; 3],
-    lens: &str,
-    coefficients: Vec<f64>,
-    clip: (f64, f64),
-    body_from_camera: [[f64; 4]; 4],
-) -> PyResult<Camera> {
-    let size = ImageSize::new(size.0, size.1);
-    check_size(size).map_err(error)?;
-    let lens = self::lens(lens, &coefficients)?;
-    Ok(Camera {
-        name,
-        camera: camera::Camera::new(Intrinsics::from_opencv_matrix(size, k), lens),
-        clip: Clip {
-            near_m: clip.0,
-            far_m: clip.1,
-        },
-        body_from_camera: RigidTransform::from_rows(body_from_camera),
-    })
-}
-
 impl Camera {
-    fn state(&self) -> PyResult<State> {
-        let lens = &self.camera.lens;
-        if LensFamily::of(lens).is_none() {
-            let what = format!("its {} lens cannot be pickled", lens.names().option);
-            return Err(wrong(&self.name, what, "open its scene again instead"));
-        }
-        Ok((
-            self.name.clone(),
-            self.size(),
-            self.camera.intrinsics.opencv_matrix(),
-            self.lens(),
-            lens.coefficients().to_vec(),
-            self.clip(),
-            self.body_from_camera.rows(),
-        ))
-    }
-
     /// Creates the camera of an asset.
     pub(crate) fn placed(name: &str, placed: &PlacedCamera) -> Self {
         Self {
@@ -128,78 +75,22 @@ impl Camera {
     }
 }
 
-fn lens(name: &str, coefficients: &[f64]) -> PyResult<LensModel> {
-    let families: Vec<_> = LensFamily::ALL
-        .iter()
-        .map(|family| (family.name, family))
-        .collect();
-    let family = choose("lens", name, &families)?;
-    (family.from_coefficients)(coefficients).map_err(|found| error(format!("distortion: {found}")))
-}
-
-fn intrinsics(size: ImageSize, k: Option<&Bound<'_, PyAny>>, hfov_deg: Option<f64>) -> PyResult<Intrinsics> {
-    match (k, hfov_deg) {
-        (Some(k), None) => {
-            let (shape, array) = numbers("K", k)?;
-            let values = array.as_slice().map_err(error)?;
-            let (rows, _) = values.as_chunks::<3>();
-            let ([3, 3], [a, b, c]) = (&shape[..], rows) else {
-                return Err(wrong(
-                    "K",
-                    format_args!("has shape {shape:?}"),
-                    "pass a 3x3 camera matrix",
-                ));
-            };
-            let made = Intrinsics::from_opencv_matrix(size, [*a, *b, *c]);
-            let is_camera = values.iter().all(|number| number.is_finite())
-                && made.fx > 0.0
-                && made.fy > 0.0
-                && a[1] == 0.0
-                && b[0] == 0.0
-                && *c == [0.0, 0.0, 1.0];
-            if is_camera && !made.has_finite_rays() {
-                let is = format!(
-                    "has focal lengths of {:e} and {:e} px, too short for its principal point",
-                    made.fx, made.fy
-                );
-                return Err(wrong("K", is, "pass focal lengths and principal point in pixels"));
-            }
-            if is_camera {
-                Ok(made)
-            } else {
-                Err(wrong(
-                    "K",
-                    "is not a camera matrix",
-                    "pass [[fx, 0, cx], [0, fy, cy], [0, 0, 1]], px",
-                ))
-            }
-        }
-        (None, Some(hfov)) if hfov > 0.0 && hfov < 180.0 => {
-            Ok(Intrinsics::from_hfov(size, hfov.to_radians()))
-        }
-        (None, Some(hfov)) => {
-            let is = format!("{hfov} is out of range");
-            Err(wrong("hfov_deg", is, "pass degrees above 0 and below 180"))
-        }
-        _ => Err(wrong(
-            "K, hfov_deg",
-            "exactly one is required",
-            "pass one of them",
-        )),
-    }
+/// Returns a function for the cameras of other libraries.
+fn adapter<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+    py.import("oaktwin._adapters")?.getattr(name)
 }
 
 #[pymethods]
 impl Camera {
     #[new]
-    #[pyo3(signature = (size, *, K = None, hfov_deg = None, distortion = None, lens = None, body_from_camera = None,
+    #[pyo3(signature = (size, height = None, *, K = None, hfov_deg = None, distortion = None, lens = None, body_from_camera = None,
         near = 0.01, far = 1e7, name = "camera"))]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
     #[expect(non_snake_case, reason = "the usual name of the camera matrix")]
     #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
     fn new(
-        py: Python<'_>,
-        size: Size,
+        size: &Bound<'_, PyAny>,
+        height: Option<&Bound<'_, PyAny>>,
         K: Option<Bound<'_, PyAny>>,
         hfov_deg: Option<f64>,
         #[pyo3(from_py_with = distortion)] distortion: Option<Vec<f64>>,
@@ -209,13 +100,15 @@ impl Camera {
         far: f64,
         name: &str,
     ) -> PyResult<Self> {
-        let size = ImageSize::new(size.0, size.1);
+        let py = size.py();
+        let Size(width, height) = arguments::size(size, height)?;
+        let size = ImageSize::new(width, height);
         check_size(size).map_err(|found| error(format!("size: {found}")))?;
         warn(py, hfov_deg.and_then(check_hfov).as_slice())?;
-        let intrinsics = intrinsics(size, K.as_ref(), hfov_deg)?;
+        let intrinsics = intrinsics::read(size, K.as_ref(), hfov_deg)?;
         let default = if distortion.is_some() { "opencv" } else { "pinhole" };
         let coefficients = distortion.unwrap_or_default();
-        let lens = self::lens(lens.unwrap_or(default), &coefficients)?;
+        let lens = intrinsics::lens(lens.unwrap_or(default), &coefficients)?;
         // A smaller distance has no normal reciprocal in single precision.
         if !(near >= f64::from(f32::MIN_POSITIVE) && far > near) {
             let is = format!("{near:e} to {far:e} m is not a valid range");
@@ -226,7 +119,7 @@ impl Camera {
             ));
         }
         let body_from_camera = match &body_from_camera {
-            Some(pose) => one_pose("body_from_camera", pose)?,
+            Some(pose) => Of::Mount.one("body_from_camera", pose)?,
             None => RigidTransform::IDENTITY,
         };
         Ok(Self {
@@ -316,26 +209,27 @@ impl Camera {
     /// (4, 4): the transform from the camera's frame (x right, y down, z forward) to the device's body (x forward, y left, z up, its origin
     /// midway between left and right), metres.
     #[getter]
-    fn body_from_camera<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        rows(py, &self.body_from_camera)
+    fn body_from_camera<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        Of::Mount.array(py, &self.body_from_camera)
     }
 
     /// Returns the camera at another image size, as DepthAI computes it.
     ///
-    /// width, height: px.
+    /// width, height: px, or the pair (width, height).
     /// keep_aspect_ratio: whether to scale the image to cover the size and crop it; otherwise each axis is scaled separately.
     /// keep_center: whether a principal point in the centre stays there, as for images resized by cv2.resize. DepthAI scales it
     ///     without regard to the half pixel between the border and the first pixel's centre (default).
     ///
     /// Raises oaktwin.Error for an image without pixels.
-    #[pyo3(signature = (width, height, *, keep_aspect_ratio = true, keep_center = false))]
+    #[pyo3(signature = (width, height = None, *, keep_aspect_ratio = true, keep_center = false))]
     fn resized(
         &self,
-        #[pyo3(from_py_with = width)] width: u32,
-        #[pyo3(from_py_with = height)] height: u32,
+        width: &Bound<'_, PyAny>,
+        height: Option<&Bound<'_, PyAny>>,
         keep_aspect_ratio: bool,
         keep_center: bool,
     ) -> PyResult<Self> {
+        let Size(width, height) = arguments::size(width, height)?;
         let size = ImageSize::new(width, height);
         check_size(size).map_err(error)?;
         let own = &self.camera.intrinsics;
@@ -405,23 +299,24 @@ impl Camera {
         projection::undistortion_maps(py, &self.camera, target.map(|target| &target.camera))
     }
 
-    /// Returns the camera of a part of the image: width x height pixels with the upper left corner (x, y).
+    /// Returns the camera of a part of the image: width x height pixels, or the pair of both, with the upper left corner (x, y).
     ///
-    /// Raises oaktwin.Error for an image without pixels, or a corner that is not finite.
-    #[pyo3(signature = (x, y, width, height))]
+    /// Raises oaktwin.Error for an image without pixels, and for a part that is not within the image.
+    #[pyo3(signature = (x, y, width, height = None))]
     fn cropped(
         &self,
         x: f64,
         y: f64,
-        #[pyo3(from_py_with = width)] width: u32,
-        #[pyo3(from_py_with = height)] height: u32,
+        width: &Bound<'_, PyAny>,
+        height: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        if !(x.is_finite() && y.is_finite()) {
-            return Err(wrong(
-                "x, y",
-                format_args!("({x}, {y}) is not finite"),
-                "pass pixels",
-            ));
+        let Size(width, height) = arguments::size(width, height)?;
+        let own = self.camera.intrinsics.size;
+        let is_within =
+            |from: f64, length: u32, all: u32| from >= 0.0 && from + f64::from(length) <= f64::from(all);
+        if !(is_within(x, width, own.width) && is_within(y, height, own.height)) {
+            let is = format!("{width} x {height} px from ({x}, {y}) on are not within the image, {own}");
+            return Err(wrong("x, y, width, height", is, "pass a part of the image"));
         }
         let corner = PixelPoint::<OpenCv>::new(x, y);
         self.with(
@@ -431,9 +326,66 @@ impl Camera {
         )
     }
 
+    /// Returns the camera of ROS's calibration, a pinhole or with a lens.
+    ///
+    /// info: a sensor_msgs/CameraInfo, or a mapping with its fields: "width", "height", "distortion_model", "d" and "k".
+    #[staticmethod]
+    fn from_ros<'py>(info: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        adapter(info.py(), "from_ros")?.call1((info,))
+    }
+
+    /// The fields of a sensor_msgs/CameraInfo: `CameraInfo(**camera.to_ros())`.
+    ///
+    /// Raises oaktwin.Error for a lens that ROS does not have.
+    fn to_ros<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        adapter(slf.py(), "to_ros")?.call1((slf,))
+    }
+
+    /// Returns the camera of an open3d.camera.PinholeCameraIntrinsic.
+    #[staticmethod]
+    fn from_open3d<'py>(intrinsic: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        adapter(intrinsic.py(), "from_open3d")?.call1((intrinsic,))
+    }
+
+    /// The arguments of Open3D's camera: `open3d.camera.PinholeCameraIntrinsic(**camera.to_open3d())`.
+    ///
+    /// Raises oaktwin.Error for a camera that is not a pinhole.
+    fn to_open3d<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        adapter(slf.py(), "to_open3d")?.call1((slf,))
+    }
+
+    /// Returns a camera of a MuJoCo model, version 3.6 or newer.
+    ///
+    /// model: the mujoco.MjModel.
+    /// name: the name of the camera, or its number.
+    /// size: (width, height) of its images, px; by default its resolution.
+    ///
+    /// MuJoCo's camera frame is OpenGL's: the pose of its camera is `CameraPose.of(matrix, "mujoco")`.
+    #[staticmethod]
+    #[pyo3(signature = (model, name, *, size = None))]
+    fn from_mujoco<'py>(
+        model: &Bound<'py, PyAny>,
+        name: &Bound<'py, PyAny>,
+        size: Option<Size>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let size = size.map(|Size(width, height)| (width, height));
+        adapter(model.py(), "from_mujoco")?.call1((model, name, size))
+    }
+
+    /// The intrinsics as arguments of MuJoCo's `MjSpec`: `body.add_camera(name="left", **camera.to_mujoco())`.
+    ///
+    /// Raises oaktwin.Error for a camera that is not a pinhole.
+    fn to_mujoco<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        adapter(slf.py(), "to_mujoco")?.call1((slf,))
+    }
+
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, State)> {
         let restore = py.import("oaktwin._oaktwin")?.getattr("_camera")?;
         Ok((restore, self.state()?))
+    }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("oaktwin._html")?.getattr("camera")?.call1((slf,))
     }
 
     fn __repr__(&self) -> String {

@@ -20,7 +20,7 @@ use crate::arguments::{count, isaac, seed};
 use crate::asset::{self, AssetSettings};
 use crate::camera::Camera;
 use crate::choice::named;
-use crate::error::{error, reading, writing, wrong};
+use crate::error::{error, writing, wrong};
 use crate::finding::{self, Finding};
 use crate::json;
 use crate::models::Models;
@@ -58,13 +58,14 @@ struct Calibrated {
 /// Restores the device of a pickle, which contains the text of the calibration.
 #[pyfunction]
 pub(crate) fn _device(
+    py: Python<'_>,
     model: &str,
     lens: &str,
     catalog: Option<PathBuf>,
     calibration: Option<(String, String, bool)>,
 ) -> PyResult<Device> {
     let Some((name, text, force)) = calibration else {
-        return Device::py_new(model, lens, catalog);
+        return Device::py_new(py, model, lens, catalog);
     };
     let raw = Raw::parse(text.as_bytes(), &name).map_err(error)?;
     Device::unit(
@@ -105,8 +106,7 @@ impl Device {
         force: bool,
         lens: &str,
     ) -> PyResult<Self> {
-        let failed = |error: unit::UnitError| reading(path, &error);
-        let (calibration, _) = Calibration::from_raw(&raw).map_err(|error| reading(path, &error))?;
+        let (calibration, _) = Calibration::from_raw(&raw).map_err(error)?;
         let device = match model {
             Some(model) => models.entry(model)?,
             None => {
@@ -120,7 +120,7 @@ impl Device {
                 })?
             }
         };
-        let (twin, findings) = unit::of_raw(models.get(), device, &raw, path, force).map_err(failed)?;
+        let (twin, findings) = unit::of_raw(models.get(), device, &raw, path, force).map_err(error)?;
         let calibrated = Calibrated {
             raw,
             calibration,
@@ -134,16 +134,21 @@ impl Device {
 impl Device {
     #[new]
     #[pyo3(signature = (model, *, lens = "pinhole", catalog = None))]
-    fn py_new(model: &str, lens: &str, catalog: Option<PathBuf>) -> PyResult<Self> {
+    fn py_new(py: Python<'_>, model: &str, lens: &str, catalog: Option<PathBuf>) -> PyResult<Self> {
         let models = Models::open(catalog)?;
-        let twin = models.get().nominal(models.entry(model)?);
-        Self::new(twin, lens, models, None, Vec::new())
+        let device = parts::entry(&models, model)?;
+        let findings: Vec<_> = device.stand_in(model).into_iter().collect();
+        let twin = models.get().nominal(device);
+        let made = Self::new(twin, lens, models, None, findings)?;
+        finding::warn(py, &made.findings)?;
+        Ok(made)
     }
 
     /// Creates the twin of one unit from its DepthAI calibration (JSON).
     ///
-    /// path: the file.
-    /// model: the model of the unit; by default the product name in the file.
+    /// calibration: the path of the file; its text, as a string or bytes; its content as a dictionary; or a `CalibrationHandler` of
+    ///     DepthAI.
+    /// model: the model of the unit; by default the product name in the calibration.
     /// force: whether to ignore calibration errors, which become findings.
     /// lens: see `Device`; a calibrated camera always has its own lens.
     /// catalog: see `Device`.
@@ -151,17 +156,16 @@ impl Device {
     /// Warnings about the file are in `findings`. Raises FileNotFoundError and other OSErrors for files that cannot be read,
     /// oaktwin.Error for an invalid calibration or one of another model.
     #[staticmethod]
-    #[pyo3(signature = (path, model = None, *, force = false, lens = "pinhole", catalog = None))]
-    #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
+    #[pyo3(signature = (calibration, model = None, *, force = false, lens = "pinhole", catalog = None))]
     fn from_calibration(
-        path: PathBuf,
+        calibration: &Bound<'_, PyAny>,
         model: Option<&str>,
         force: bool,
         lens: &str,
         catalog: Option<PathBuf>,
     ) -> PyResult<Self> {
-        let failed = |error: unit::UnitError| reading(&path, &error);
-        let (raw, _, _) = unit::read_calibration(&path).map_err(failed)?;
+        let raw = parts::calibration(calibration)?;
+        let path = PathBuf::from(&raw.name);
         Self::unit(Models::open(catalog)?, raw, model, &path, force, lens)
     }
 
@@ -205,7 +209,7 @@ impl Device {
         }
     }
 
-    /// The findings about the calibration.
+    /// The findings about the calibration, or about a model that stands in for another.
     #[getter]
     fn findings(&self) -> Vec<Finding> {
         finding::list(&self.findings)
@@ -399,6 +403,10 @@ impl Device {
     fn report<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let report = DeviceReport::new(self.models.get(), &self.twin, self.lens, self.findings.clone());
         json::to_python(py, &report)
+    }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("oaktwin._html")?.getattr("device")?.call1((slf,))
     }
 
     fn __repr__(&self) -> String {

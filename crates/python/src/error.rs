@@ -26,7 +26,7 @@ pyo3::create_exception!(
 );
 
 /// The arguments whose names differ from the program's options.
-const ARGUMENTS: [(&str, &str); 10] = [
+const ARGUMENTS: [(&str, &str); 11] = [
     ("align", "to"),
     ("align-size", "size"),
     ("filter", "filters"),
@@ -37,6 +37,7 @@ const ARGUMENTS: [(&str, &str); 10] = [
     ("imu-rate", "rate"),
     ("memory-limit", "the limit of set_memory_limit()"),
     ("stereo-width", "width_px"),
+    ("tilt", "tilt_deg"),
 ];
 
 /// An option as an argument: `fx=500`, `engine="single-view"`; a command as a function: `oaktwin.models()`.

@@ -8,7 +8,8 @@ use pyo3::types::PyTuple;
 use rayon::prelude::*;
 
 use crate::error::{error, wrong};
-use crate::images::{Numbers, NumbersSlice, Pictures, Shape, apart, from_metres, part, put_metres, room};
+use crate::images::{Numbers, NumbersSlice, Pictures, Shape, from_metres, part, put_metres, room};
+use crate::settings::item_numbers;
 use crate::threads;
 
 /// Pixels of a batch between two checks for signals.
@@ -22,8 +23,8 @@ const PIXELS_AT_ONCE: usize = 1 << 23;
 ///
 /// Raises oaktwin.Error for unknown names and settings, with the nearest names, and for invalid values.
 ///
-/// A call, `filter(image, rgb=None, *, out=None)`, filters an image (H, W), the next of a sequence, or a batch (N, H, W) of
-/// independent images.
+/// A call, `filter(image, rgb=None, *, out=None)`, filters an image (H, W), the next of a sequence, or a batch (N, H, W), the
+/// next images of N sequences.
 ///
 /// image: uint16 (millimetres, or fixed-point disparity), uint8 (integer disparities) or float32 metres, which are
 ///     filtered as integer millimetres. 0 is invalid; in metres, so are values that are not finite and above 0, or beyond
@@ -35,13 +36,46 @@ const PIXELS_AT_ONCE: usize = 1 << 23;
 ///
 /// Raises TypeError for an object that is not an array or has another dtype, oaktwin.Error for an invalid shape.
 ///
-/// Thread-safe; calls of one filter run one after another. Pickling preserves the settings, but not the state of temporal
-/// filters.
+/// A temporal filter remembers the (H, W) images of earlier calls, and of batches the images of each item, until the image size
+/// changes; see `reset()`. Thread-safe; calls of one filter run one after another. Copies and pickles have the settings, but not
+/// the state of temporal filters.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct Filter {
     filters: Vec<filter::Filter>,
-    wide: Mutex<Chain<u16>>,
-    narrow: Mutex<Chain<u8>>,
+    wide: Mutex<Chains<u16>>,
+    narrow: Mutex<Chains<u8>>,
+}
+
+/// The filters with their memory of images, and of each item of batches.
+struct Chains<P> {
+    of_images: Chain<P>,
+    of_items: Vec<Chain<P>>,
+}
+
+impl<P: Pixel> Chains<P> {
+    fn new(filters: &[filter::Filter]) -> Mutex<Self> {
+        Mutex::new(Self {
+            of_images: Chain::new(filters.to_vec()),
+            of_items: Vec::new(),
+        })
+    }
+
+    /// Forgets the images of some items, or all images.
+    fn reset(&mut self, items: Option<&[usize]>) {
+        match items {
+            None => {
+                self.of_images.reset();
+                self.of_items.clear();
+            }
+            Some(items) => {
+                for item in items {
+                    if let Some(chain) = self.of_items.get_mut(*item) {
+                        chain.reset();
+                    }
+                }
+            }
+        }
+    }
 }
 
 #[pymethods]
@@ -53,8 +87,8 @@ impl Filter {
         let parsed = filters.iter().map(|text| parse(text).map_err(error));
         let filters: Vec<filter::Filter> = parsed.collect::<PyResult<_>>()?;
         Ok(Self {
-            wide: Mutex::new(Chain::new(filters.clone())),
-            narrow: Mutex::new(Chain::new(filters.clone())),
+            wide: Chains::new(&filters),
+            narrow: Chains::new(&filters),
             filters,
         })
     }
@@ -89,23 +123,20 @@ impl Filter {
         let dims = shape.sized(ImageSize::new(width, height)).dims();
         match numbers.slice()? {
             NumbersSlice::U8(values) => {
-                let (result, mut room) = room::<u8>(py, out, &dims)?;
+                let (result, mut room) = room::<u8>(py, out, &dims, values)?;
                 let room = room.as_slice_mut().map_err(error)?;
-                apart(values, room)?;
                 run(py, &self.narrow, values, rgb, shape, room)?;
                 Ok(result)
             }
             NumbersSlice::U16(values) => {
-                let (result, mut room) = room::<u16>(py, out, &dims)?;
+                let (result, mut room) = room::<u16>(py, out, &dims, values)?;
                 let room = room.as_slice_mut().map_err(error)?;
-                apart(values, room)?;
                 run(py, &self.wide, values, rgb, shape, room)?;
                 Ok(result)
             }
             NumbersSlice::F32(values) => {
-                let (result, mut room) = room::<f32>(py, out, &dims)?;
+                let (result, mut room) = room::<f32>(py, out, &dims, values)?;
                 let room = room.as_slice_mut().map_err(error)?;
-                apart(values, room)?;
                 let whole = py.detach(|| from_metres(values.to_vec()));
                 let mut filtered = Vec::new();
                 filtered.try_reserve_exact(room.len()).map_err(|_| no_room())?;
@@ -117,12 +148,24 @@ impl Filter {
         }
     }
 
-    /// Resets the state of temporal filters.
-    fn reset(&self, py: Python<'_>) {
+    /// Starts a new sequence: temporal filters forget earlier images.
+    ///
+    /// items: the numbers of the items of batches that start a new sequence, or a mask; the others, and the (H, W) images, go on.
+    #[pyo3(signature = (items = None))]
+    fn reset(&self, py: Python<'_>, items: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
+        let items = items.map(|items| item_numbers("items", items)).transpose()?;
+        let items = items.as_deref();
         py.detach(|| {
-            self.wide.lock().unwrap_or_else(PoisonError::into_inner).reset();
-            self.narrow.lock().unwrap_or_else(PoisonError::into_inner).reset();
+            self.wide
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner)
+                .reset(items);
+            self.narrow
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner)
+                .reset(items);
         });
+        Ok(())
     }
 
     /// The filters as text, with all settings.
@@ -147,7 +190,7 @@ fn no_room() -> PyErr {
 /// Filters images into an array of the result's size.
 fn run<P: Pixel>(
     py: Python<'_>,
-    chain: &Mutex<Chain<P>>,
+    chains: &Mutex<Chains<P>>,
     values: &[P],
     rgb: Option<&[[u8; 4]]>,
     shape: Shape,
@@ -167,27 +210,36 @@ fn run<P: Pixel>(
         let both = room.iter_mut().zip(image.pixels());
         both.for_each(|(room, value)| *room = *value);
     };
-    let lock = || chain.lock().unwrap_or_else(PoisonError::into_inner);
+    let lock = || chains.lock().unwrap_or_else(PoisonError::into_inner);
     if shape.batch.is_none() {
         return py.detach(|| {
             // Locked before entering the pool, so that the pool's threads never wait for the lock.
-            let mut chain = lock();
-            let chain = &mut *chain;
+            let mut chains = lock();
+            let chain = &mut chains.of_images;
             put(&threads::install(|| one(chain, 0))?, room);
             Ok(())
         });
     }
-    let mut fresh = py.detach(|| lock().clone());
-    fresh.reset();
-    let (out_width, out_height) = fresh.size(width, height);
-    let out_pixels = (out_width as usize * out_height as usize).max(1);
+    let out_pixels = (room.len() / shape.count().max(1)).max(1);
     let at_once = (PIXELS_AT_ONCE / pixels).max(1);
     for (part, room) in room.chunks_mut(at_once * out_pixels).enumerate() {
         py.check_signals()?;
         let first = part * at_once;
-        threads::run(py, || {
-            let items = room.par_chunks_mut(out_pixels).enumerate();
-            items.for_each(|(item, room)| put(&one(&mut fresh.clone(), first + item), room));
+        py.detach(|| {
+            let mut chains = lock();
+            let Chains { of_images, of_items } = &mut *chains;
+            let end = first + room.len() / out_pixels;
+            if of_items.len() < end {
+                let mut fresh = of_images.clone();
+                fresh.reset();
+                of_items.resize(end, fresh);
+            }
+            let chains = of_items.get_mut(first..end).unwrap_or_default();
+            threads::install(|| {
+                let items = chains.par_iter_mut().zip(room.par_chunks_mut(out_pixels));
+                let items = items.enumerate();
+                items.for_each(|(item, (chain, room))| put(&one(chain, first + item), room));
+            })
         })?;
     }
     Ok(())

@@ -114,12 +114,17 @@ impl Recipe {
     }
 
     /// Returns a contact sheet of the first frames as an sRGB image (H, W, 3) of uint8: colour, exact depth and measured depth.
+    ///
+    /// frames: the number of frames, at least 1.
     #[pyo3(signature = (frames = 16))]
     fn preview<'py>(
         &self,
         py: Python<'py>,
         #[pyo3(from_py_with = frames)] frames: u64,
     ) -> PyResult<Bound<'py, PyArray3<u8>>> {
+        if frames == 0 {
+            return Err(wrong("frames", "is 0", "pass at least 1"));
+        }
         let sheet = threads::interruptible(py, |stop| self.generator.preview(frames, &watch(stop)))?;
         let sheet = sheet.map_err(error)?;
         let shape = [sheet.height() as usize, sheet.width() as usize, 3];

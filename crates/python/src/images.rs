@@ -12,7 +12,7 @@ use oaktwin::render::check_size;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
-use crate::array::{contiguous, is_float, is_like, is_of, readable, view, writable, zeros};
+use crate::array::{contiguous, is_float, is_like, is_of, readable, shared, writable, zeros};
 use crate::error::{error, wrong};
 
 /// The shape of an image, or of a batch of images.
@@ -261,12 +261,13 @@ impl<'py> Out<'py> {
                 Depth::Millimetres(_) => made(py, shape, Self::Millimetres),
             };
         };
-        let array = view("out", &given)?;
+        let array = shared("out", &given)?;
         check_shape(&array, &shape.dims())?;
+        let read = depth.slice()?.range();
         let out = if is_of::<f32>(&array) {
-            Self::Metres(writable("out", &array)?)
+            Self::Metres(writable("out", &array, read)?)
         } else if is_of::<u16>(&array) {
-            Self::Millimetres(writable("out", &array)?)
+            Self::Millimetres(writable("out", &array, read)?)
         } else {
             return Err(PyTypeError::new_err(format!(
                 "out: unsupported dtype {}; pass float32 for metres or uint16 for millimetres",
@@ -284,18 +285,19 @@ impl<'py> Out<'py> {
     }
 }
 
-/// Returns `out`, or a new array of the given shape and type, as a Python object and for writing.
+/// Returns `out`, or a new array of the given shape and type, as a Python object and for writing. `input` is what is read meanwhile.
 pub(crate) fn room<'py, T: Element>(
     py: Python<'py>,
     given: Option<Bound<'py, PyAny>>,
     dims: &[usize],
+    input: &[T],
 ) -> PyResult<(Bound<'py, PyAny>, PyReadwriteArrayDyn<'py, T>)> {
     let Some(given) = given else {
         let array: Bound<'py, PyArrayDyn<T>> = zeros(py, dims)?;
         let writable = array.try_readwrite().map_err(error)?;
         return Ok((array.into_any(), writable));
     };
-    let array = view("out", &given)?;
+    let array = shared("out", &given)?;
     if !is_of::<T>(&array) {
         return Err(PyTypeError::new_err(format!(
             "out: unsupported dtype {}; pass the image's dtype, {}",
@@ -304,7 +306,7 @@ pub(crate) fn room<'py, T: Element>(
         )));
     }
     check_shape(&array, dims)?;
-    Ok((given, writable("out", &array)?))
+    Ok((given, writable("out", &array, bytes(input))?))
 }
 
 fn check_shape(out: &Bound<'_, PyUntypedArray>, dims: &[usize]) -> PyResult<()> {
@@ -313,15 +315,6 @@ fn check_shape(out: &Bound<'_, PyUntypedArray>, dims: &[usize]) -> PyResult<()> 
     }
     let is = format!("has shape {:?}", out.shape());
     Err(wrong("out", is, format_args!("pass an array of shape {dims:?}")))
-}
-
-/// Returns an error if the output overlaps the input.
-pub(crate) fn apart<A, B>(read: &[A], written: &[B]) -> PyResult<()> {
-    let ((start, end), (first, last)) = (bytes(written), bytes(read));
-    if start < last && first < end {
-        return Err(wrong("out", "overlaps the input", "pass a separate array"));
-    }
-    Ok(())
 }
 
 fn made<'py, T: Element>(
@@ -344,16 +337,6 @@ impl OutSlice<'_> {
         match self {
             Self::Metres(values) => find(values, count),
             Self::Millimetres(values) => find(values, count),
-        }
-    }
-
-    /// Returns an error if the output overlaps the input.
-    pub(crate) fn check_apart(&self, depth: DepthSlice<'_>) -> PyResult<()> {
-        match (self, depth) {
-            (Self::Metres(out), DepthSlice::Metres(depth)) => apart(depth, out),
-            (Self::Metres(out), DepthSlice::Millimetres(depth)) => apart(depth, out),
-            (Self::Millimetres(out), DepthSlice::Metres(depth)) => apart(depth, out),
-            (Self::Millimetres(out), DepthSlice::Millimetres(depth)) => apart(depth, out),
         }
     }
 

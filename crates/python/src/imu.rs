@@ -6,13 +6,13 @@ use oaktwin::scene::Up;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arguments::seed;
 use crate::array::numbers;
 use crate::choice::named;
 use crate::device::Device;
 use crate::error::{error, text, wrong};
 use crate::finding;
-use crate::pose::poses;
+use crate::pose::Of;
+use crate::settings::seed_or_entropy;
 
 /// The bytes of a sample: its time and two vectors, in the list and in the arrays.
 const SAMPLE_BYTES: u64 = 2 * 7 * 8;
@@ -23,14 +23,15 @@ const BATCH: usize = 1 << 16;
 /// Simulates the inertial sensor of a device along a trajectory, as `oaktwin render --imu` does.
 ///
 /// times: (N,) the times of the poses in seconds, increasing; at least two.
-/// poses: (N, 4, 4) world_from_body: the poses of the device's body, metres.
+/// poses: (N, 4, 4) world_from_body: the poses of the device's body, metres; a `CameraPose` is rejected.
 /// rate: the samples per second; by default 400, or the part's maximum if lower.
 /// part: the inertial part, such as "BMI270"; by default the device's.
-/// seed: the noise seed.
+/// seed: the noise seed; None for one of fresh entropy.
 /// up: the vertical axis of the world, "z" or "y".
 ///
 /// Returns a mapping: "timestamp" (M,) int64 nanoseconds, "angular_velocity" (M, 3) float64 rad/s and "linear_acceleration"
-/// (M, 3) float64 m/s², which is +9.81 upwards at rest; both in the frame of the sensor, `device.extrinsics("imu", "body")`.
+/// (M, 3) float64 m/s², which is +9.81 upwards at rest; both in the frame of the sensor, `device.extrinsics("imu", "body")`;
+/// and "seed".
 ///
 /// Warns with oaktwin.FindingWarning. Raises oaktwin.Error for invalid input, and for a device without an inertial sensor.
 #[pyfunction]
@@ -43,7 +44,7 @@ pub(crate) fn simulate_imu<'py>(
     poses: &Bound<'py, PyAny>,
     rate: Option<f64>,
     part: Option<&str>,
-    #[pyo3(from_py_with = seed)] seed: u64,
+    #[pyo3(from_py_with = seed_or_entropy)] seed: u64,
     up: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
     let up: Up = named("up", up)?;
@@ -88,12 +89,13 @@ pub(crate) fn simulate_imu<'py>(
         "linear_acceleration",
         vectors(|sample| sample.linear_acceleration.to_array())?,
     )?;
+    arrays.set_item("seed", seed)?;
     Ok(arrays)
 }
 
 fn trajectory(times: &Bound<'_, PyAny>, object: &Bound<'_, PyAny>) -> PyResult<Vec<TimedPose>> {
     let (shape, array) = numbers("times", times)?;
-    let (poses, is_batch) = poses("poses", object)?;
+    let (poses, is_batch) = Of::Body.several("poses", object)?;
     if !is_batch || shape[..] != [poses.len()] {
         let found = format!("has shape {shape:?} for {} poses", poses.len());
         return Err(wrong("times", found, "pass times (N,) and poses (N, 4, 4)"));

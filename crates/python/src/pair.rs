@@ -1,13 +1,14 @@
 //! Rendered stereo pairs as NumPy arrays.
 
-use oaktwin::camera::{ImageSize, StereoDrift};
+use oaktwin::camera::{self, ImageSize, LensModel, StereoDrift};
 use oaktwin::depth::imager;
-use oaktwin::pair::{Pair, PairOptions};
+use oaktwin::pair::{Pair, PairCameras, PairOptions};
 use oaktwin::render::check_size;
 use oaktwin::sensor::{SensorOptions, stereo_cameras};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::camera::Camera;
 use crate::device::Device;
 use crate::error::error;
 use crate::grey::recorded;
@@ -29,7 +30,7 @@ pub(crate) struct PairSettings<'a, 'py> {
     pub(crate) imager: Option<&'a Bound<'py, PyAny>>,
     pub(crate) seed: u64,
     pub(crate) device_seed: Option<u64>,
-    pub(crate) drift: Option<&'a str>,
+    pub(crate) drift: Option<String>,
 }
 
 impl PairSettings<'_, '_> {
@@ -48,7 +49,7 @@ impl PairSettings<'_, '_> {
         if let Some(size) = size.or(own) {
             check_memory(device, size)?;
         }
-        let drift = self.drift.map(StereoDrift::parse).transpose();
+        let drift = self.drift.as_deref().map(StereoDrift::parse).transpose();
         let sensor = SensorOptions {
             seed: self.seed,
             device_seed: self.device_seed,
@@ -75,13 +76,32 @@ fn check_memory(device: &Device, size: ImageSize) -> PyResult<()> {
     check_free(name, needed, "reduce the image size")
 }
 
-/// Returns a dictionary of arrays by name.
-pub(crate) fn arrays(py: Python<'_>, pair: Pair) -> PyResult<Bound<'_, PyDict>> {
+/// The geometry of the rectified pair.
+pub(crate) struct Rectified {
+    left: Camera,
+    baseline_m: f64,
+}
+
+impl Rectified {
+    pub(crate) fn of(cameras: &PairCameras) -> Self {
+        let geometry = cameras.rectify().geometry();
+        let left = camera::Camera::new(geometry.left, LensModel::Pinhole);
+        Self {
+            left: Camera::rectified(left, cameras.body_from_rectified_left()),
+            baseline_m: geometry.baseline,
+        }
+    }
+}
+
+/// Returns a dictionary of arrays by name, with the geometry of the rectified pair.
+pub(crate) fn arrays(py: Python<'_>, pair: Pair, rectified: Rectified) -> PyResult<Bound<'_, PyDict>> {
     let all = PyDict::new(py);
     all.set_item("left", recorded(py, pair.left)?)?;
     all.set_item("right", recorded(py, pair.right)?)?;
     all.set_item("rectified_left", recorded(py, pair.rectified_left)?)?;
     all.set_item("rectified_right", recorded(py, pair.rectified_right)?)?;
     all.set_item("z", array(py, pair.z.0)?)?;
+    all.set_item("camera", rectified.left)?;
+    all.set_item("baseline", rectified.baseline_m)?;
     Ok(all)
 }

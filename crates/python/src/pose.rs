@@ -27,8 +27,85 @@ pub(crate) fn rows<'py>(py: Python<'py>, transform: &RigidTransform) -> PyResult
     matrix(py, &transform.rows())
 }
 
+/// Whose pose a matrix is: the frame that it is the pose of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Of {
+    Body,
+    Camera,
+    /// A camera's on its device.
+    Mount,
+}
+
+impl Of {
+    /// The class in Python.
+    const fn class(self) -> &'static str {
+        match self {
+            Self::Body => "BodyPose",
+            Self::Camera => "CameraPose",
+            Self::Mount => "Mount",
+        }
+    }
+
+    /// The frame that the class names.
+    const fn frame(self) -> &'static str {
+        match self {
+            Self::Body => "body",
+            Self::Camera | Self::Mount => "camera",
+        }
+    }
+
+    /// Returns the pose as an array that names its frame.
+    pub(crate) fn array<'py>(self, py: Python<'py>, pose: &RigidTransform) -> PyResult<Bound<'py, PyAny>> {
+        let class = py.import("oaktwin._poses")?.getattr(self.class())?;
+        rows(py, pose)?.call_method1("view", (class,))
+    }
+
+    /// Reads one pose, and rejects an array that names another frame.
+    pub(crate) fn one(self, name: &str, object: &Bound<'_, PyAny>) -> PyResult<RigidTransform> {
+        self.check(name, object)?;
+        one_pose(name, object)
+    }
+
+    /// Reads one pose or several, likewise.
+    pub(crate) fn several(
+        self,
+        name: &str,
+        object: &Bound<'_, PyAny>,
+    ) -> PyResult<(Vec<RigidTransform>, bool)> {
+        self.check(name, object)?;
+        poses(name, object)
+    }
+
+    fn check(self, name: &str, object: &Bound<'_, PyAny>) -> PyResult<()> {
+        let Ok(frame) = object
+            .getattr("frame")
+            .and_then(|frame| frame.extract::<String>())
+        else {
+            return Ok(());
+        };
+        if frame == self.frame() {
+            return Ok(());
+        }
+        let (is, remedy) = match self {
+            Self::Body => (
+                "not of a device's body",
+                "pass scene.look_at(eye, target, device), or look_at(..., frame=\"body\")",
+            ),
+            Self::Camera | Self::Mount => (
+                "not of a camera",
+                "pass scene.look_at(eye, target), or world_from_body @ camera.body_from_camera",
+            ),
+        };
+        Err(wrong(
+            name,
+            format_args!("is a pose of the frame \"{frame}\", {is}"),
+            remedy,
+        ))
+    }
+}
+
 /// One pose (4, 4) or several (N, 4, 4), and whether it is a batch.
-pub(crate) fn poses(name: &str, object: &Bound<'_, PyAny>) -> PyResult<(Vec<RigidTransform>, bool)> {
+fn poses(name: &str, object: &Bound<'_, PyAny>) -> PyResult<(Vec<RigidTransform>, bool)> {
     let (shape, array) = numbers(name, object)?;
     let is_batch = match shape[..] {
         [4, 4] => false,
@@ -100,12 +177,13 @@ fn pose(name: &str, matrix: &[f64; 16]) -> PyResult<RigidTransform> {
 }
 
 /// Returns the pose at a position in the world that faces a target: a (4, 4) float64 matrix, world_from_camera, metres.
+/// `Scene.look_at` knows the up axis of its world.
 ///
 /// eye: the position (3 values), metres in the world.
 /// target: the position to face (3 values), metres in the world.
 /// up: the direction in the world (3 values) that points up in the image; any length.
-/// frame: "camera" (default) for a camera's axes, OpenCV's: x right, y down, z forward; "body" for a device's: x forward,
-///     y left, z up. The pose of a device's camera is `look_at(..., frame="body") @ camera.body_from_camera`.
+/// frame: "camera" (default) for a camera's axes, OpenCV's (x right, y down, z forward), a `CameraPose`; "body" for a device's
+///     (x forward, y left, z up), a `BodyPose`. The pose of a device's camera is `look_at(..., frame="body") @ camera.body_from_camera`.
 ///
 /// Raises oaktwin.Error if eye and target are equal, or if the view direction is parallel to up.
 #[pyfunction]
@@ -117,11 +195,23 @@ pub(crate) fn look_at<'py>(
     target: &Bound<'py, PyAny>,
     up: Option<&Bound<'py, PyAny>>,
     frame: &str,
-) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let axes = choose("frame", frame, &[("camera", Axes::OpenCv), ("body", Axes::Ros)])?;
+) -> PyResult<Bound<'py, PyAny>> {
+    let of = choose("frame", frame, &[("camera", Of::Camera), ("body", Of::Body)])?;
     let up = up.map_or(Ok(DVec3::Z), |up| vector("up", up))?;
+    facing(py, eye, target, up, of)
+}
+
+/// Returns the pose at a position that faces a target.
+pub(crate) fn facing<'py>(
+    py: Python<'py>,
+    eye: &Bound<'py, PyAny>,
+    target: &Bound<'py, PyAny>,
+    up: DVec3,
+    of: Of,
+) -> PyResult<Bound<'py, PyAny>> {
+    let axes = if of == Of::Body { Axes::Ros } else { Axes::OpenCv };
     let [eye, target] = [("eye", eye), ("target", target)].map(|(name, point)| vector(name, point));
     let world_from_body = render::look_at(eye?, target?, up).map_err(error)?;
     let body_from_frame = RigidTransform::new(Axes::Ros.rotation_from(axes), DVec3::ZERO);
-    rows(py, &(world_from_body * body_from_frame))
+    of.array(py, &(world_from_body * body_from_frame))
 }

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use crate::array::{numbers, zeros};
 use crate::error::{error, wrong};
 use crate::images::Depth;
-use crate::pose::{one_pose, poses};
+use crate::pose::Of;
 use crate::threads;
 
 /// The number of points that a thread processes at once.
@@ -30,7 +30,7 @@ pub(crate) fn project<'py>(
         return Err(wrong("points", is, "pass points of shape (..., 3), metres"));
     };
     let camera_from_points = match world_from_camera {
-        Some(pose) => one_pose("world_from_camera", pose)?.inverse(),
+        Some(pose) => Of::Camera.one("world_from_camera", pose)?.inverse(),
         None => RigidTransform::IDENTITY,
     };
     let depth: Bound<'py, PyArrayDyn<f64>> = zeros(py, rest)?;
@@ -108,7 +108,7 @@ pub(crate) fn unproject<'py>(
         ));
     }
     let (poses, _) = match world_from_camera {
-        Some(object) => poses("world_from_camera", object)?,
+        Some(object) => Of::Camera.several("world_from_camera", object)?,
         None => (vec![RigidTransform::IDENTITY], false),
     };
     if poses.len() != 1 && poses.len() != shape.count() {

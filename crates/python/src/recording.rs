@@ -16,7 +16,7 @@ use crate::camera::Camera;
 use crate::error::{error, writing, wrong};
 use crate::finding;
 use crate::images::{Depth, DepthSlice, Pictures, Shape};
-use crate::pose::one_pose;
+use crate::pose::Of;
 
 /// A recording of moving cameras: `with oaktwin.Recording("path.mcap") as recording: recording.log(...)`.
 ///
@@ -98,7 +98,7 @@ impl Recording {
         name: Option<String>,
     ) -> PyResult<()> {
         py.check_signals()?;
-        let world_from_mount = one_pose("world_from_camera", world_from_camera)?;
+        let world_from_mount = Of::Camera.one("world_from_camera", world_from_camera)?;
         let time = match time {
             Some(seconds) => Time::from_seconds(seconds),
             None => Time::of_frame(frame.map_or(0, |frame| frame.0), 30.0),

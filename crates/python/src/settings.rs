@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use oaktwin::diagnostic::suggest;
-use oaktwin::sensor::{OptionValue, SENSOR_OPTIONS, SensorOption, SensorOptions, assignment};
+use oaktwin::sensor::{OptionValue, ParameterFile, SENSOR_OPTIONS, SensorOption, SensorOptions, assignment};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyInt, PyString};
 
+use crate::array::readable;
 use crate::error::{error, reading, wrong};
 
 /// Reads options from the keyword arguments of a function. `others` are the arguments that it also has.
@@ -21,7 +22,8 @@ pub(crate) fn sensor_options(
     let Some(keywords) = keywords else {
         return Ok(options);
     };
-    let offered = || SENSOR_OPTIONS.iter().filter(|option| is_offered(option));
+    let fresh = keywords.get_item("seed")?;
+    let offered = || offered().filter(|option| is_offered(option));
     for name in keywords.keys() {
         let name: String = name.extract()?;
         if !offered().any(|option| option.name == name) {
@@ -31,18 +33,95 @@ pub(crate) fn sensor_options(
             return Err(PyTypeError::new_err(text));
         }
     }
+    if function != "DepthSensor" && fresh.is_some_and(|seed| seed.is_none()) {
+        let is = format!("is None, but {function}() does not tell which seed is drawn");
+        return Err(wrong("seed", is, "pass a number"));
+    }
     for option in offered() {
         let Some(value) = keywords.get_item(option.name)?.filter(|value| !value.is_none()) else {
             continue;
         };
-        for text in texts(option, &value)? {
-            (option.set)(&mut options, &text).map_err(|found| match option.value {
-                OptionValue::File => reading(&PathBuf::from(&text), &found),
-                _ => error(found),
+        if matches!(option.value, OptionValue::Assignments)
+            && let Some(file) = parameter_file(option.name, &value)?
+        {
+            file.1.apply(&mut options).map_err(|found| {
+                wrong(
+                    &file.0,
+                    format_args!("{}: {}", found.name, found.what),
+                    &found.remedy,
+                )
             })?;
+            continue;
+        }
+        for text in texts(option, &value)? {
+            (option.set)(&mut options, &text).map_err(error)?;
         }
     }
     Ok(options)
+}
+
+/// The options that Python has: `parameters` takes files, too.
+fn offered() -> impl Iterator<Item = &'static SensorOption> {
+    SENSOR_OPTIONS
+        .iter()
+        .filter(|option| !matches!(option.value, OptionValue::File))
+}
+
+/// Reads parameters of an engine from a `Fit` or a file, and returns them with the place for messages; `None` for a mapping.
+fn parameter_file(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Option<(String, ParameterFile)>> {
+    if value.hasattr("items")? {
+        return Ok(None);
+    }
+    if value.hasattr("toml")? {
+        let text: String = value.getattr("toml")?.extract()?;
+        let file = ParameterFile::parse(&text);
+        let file = file.map_err(|(what, remedy)| wrong(name, what, remedy))?;
+        return Ok(Some((name.to_owned(), file)));
+    }
+    let kinds = "a mapping of parameters by name, the path of a file, or a Fit";
+    let path: PathBuf = value.extract().map_err(|_| mistyped(name, value, kinds))?;
+    if path.to_string_lossy().contains('\n') {
+        let remedy = format!("pass {kinds}");
+        return Err(wrong(name, "is a text of several lines, not a path", remedy));
+    }
+    let file = ParameterFile::read(&path).map_err(|found| reading(&path, &found))?;
+    Ok(Some((path.display().to_string(), file)))
+}
+
+/// Returns a change of a stereo pair as text: a text, or a mapping from names to numbers.
+pub(crate) fn drift(name: &str, value: &Bound<'_, PyAny>) -> PyResult<String> {
+    if !value.hasattr("items")? {
+        let kinds = "a mapping such as {\"yaw\": 0.3}";
+        return value.extract().map_err(|_| mistyped(name, value, kinds));
+    }
+    let all = assignments(name, value)?.into_iter();
+    let all: Vec<String> = all.map(|(name, value)| format!("{name}={value}")).collect();
+    Ok(all.join(","))
+}
+
+/// Returns a seed of fresh entropy, as NumPy draws it, if the keyword arguments have `seed=None`.
+pub(crate) fn fresh_seed(py: Python<'_>, keywords: Option<&Bound<'_, PyDict>>) -> PyResult<Option<u64>> {
+    match keywords
+        .map(|keywords| keywords.get_item("seed"))
+        .transpose()?
+        .flatten()
+    {
+        Some(seed) if seed.is_none() => entropy(py).map(Some),
+        _ => Ok(None),
+    }
+}
+
+/// Returns a seed, or one of fresh entropy for None.
+pub(crate) fn seed_or_entropy(seed: &Bound<'_, PyAny>) -> PyResult<u64> {
+    if seed.is_none() {
+        entropy(seed.py())
+    } else {
+        whole("seed", seed)
+    }
+}
+
+fn entropy(py: Python<'_>) -> PyResult<u64> {
+    py.import("secrets")?.call_method1("randbits", (64,))?.extract()
 }
 
 /// Returns the keyword arguments that give these options.
@@ -52,7 +131,7 @@ pub(crate) fn keywords<'py>(
     is_offered: fn(&SensorOption) -> bool,
 ) -> PyResult<Bound<'py, PyDict>> {
     let keywords = PyDict::new(py);
-    for option in SENSOR_OPTIONS.iter().filter(|option| is_offered(option)) {
+    for option in offered().filter(|option| is_offered(option)) {
         let values = (option.get)(options);
         let Some(first) = values.first() else {
             continue;
@@ -91,18 +170,13 @@ fn texts(option: &SensorOption, value: &Bound<'_, PyAny>) -> PyResult<Vec<String
         OptionValue::Choice(..) if value.is_instance_of::<PyInt>() || value.is_instance_of::<PyFloat>() => {
             Ok(vec![value.str()?.to_string()])
         }
+        OptionValue::Text(_, names) if names().is_empty() => Ok(vec![drift(name, value)?]),
         OptionValue::Text(..) | OptionValue::Choice(..) => {
             let text = value.extract().map_err(|_| mistyped(name, value, "a string"))?;
             Ok(vec![text])
         }
-        OptionValue::File => {
-            let path: PathBuf = value.extract().map_err(|_| mistyped(name, value, "a path"))?;
-            let text = path
-                .to_str()
-                .ok_or_else(|| mistyped(name, value, "a path in Unicode"))?;
-            Ok(vec![text.to_owned()])
-        }
         OptionValue::List(_) => strings(name, value),
+        OptionValue::File => Ok(Vec::new()),
         OptionValue::Assignments => {
             let all = assignments(name, value)?.into_iter();
             Ok(all.map(|(name, value)| format!("{name}={value}")).collect())
@@ -120,6 +194,24 @@ pub(crate) fn strings(argument: &str, value: &Bound<'_, PyAny>) -> PyResult<Vec<
         .try_iter()
         .and_then(|all| all.map(|one| one?.extract()).collect());
     all.map_err(|_| mistyped(argument, value, "a list of strings"))
+}
+
+/// Returns the numbers of items of a batch: numbers, or a mask.
+pub(crate) fn item_numbers(argument: &str, value: &Bound<'_, PyAny>) -> PyResult<Vec<usize>> {
+    let numpy = value.py().import("numpy")?;
+    let wrong = || mistyped(argument, value, "the numbers of items, or a mask");
+    let mut array = readable(argument, value).map_err(|_| wrong())?.into_any();
+    if array.getattr("dtype")?.getattr("kind")?.extract::<char>()? == 'b' {
+        array = numpy.call_method1("flatnonzero", (array,))?;
+    }
+    let is_empty = array.getattr("size")?.extract::<usize>()? == 0;
+    let numbers = array.call_method0("ravel")?.call_method0("tolist")?;
+    match numbers.extract() {
+        Ok(numbers) => Ok(numbers),
+        // NumPy makes an array of floats of an empty list.
+        Err(_) if is_empty => Ok(Vec::new()),
+        Err(_) => Err(wrong()),
+    }
 }
 
 /// Returns a whole number of an unsigned type.
@@ -180,7 +272,10 @@ pub(crate) fn assignments(option: &str, parameters: &Bound<'_, PyAny>) -> PyResu
         .call_method0("items")
         .map_err(|_| mistyped(option, parameters, "a dictionary from names to values"))?;
     let assignment = |item: PyResult<Bound<'_, PyAny>>| {
-        let (name, value): (String, Bound<'_, PyAny>) = item?.extract()?;
+        let (name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item?.extract()?;
+        let name = name
+            .extract()
+            .map_err(|_| mistyped(option, &name, "names as keys"))?;
         Ok((name, assigned(&value)?))
     };
     items.try_iter()?.map(assignment).collect()

@@ -10,7 +10,7 @@ use oaktwin::depth::stereo_matching::Pair;
 use oaktwin::image::Image;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::sense::{FieldOfView, check_hfov};
-use oaktwin::sensor::{FixedDisparity, SensorOptions};
+use oaktwin::sensor::{EngineInput, FixedDisparity, SensorOptions};
 use oaktwin::stereo::{Matcher, Seen, StereoError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -23,7 +23,7 @@ use crate::finding::{self, Finding};
 use crate::grey::{Images, Stack, read, recorded};
 use crate::images::array;
 use crate::parameters::by_name;
-use crate::settings::{keywords, sensor_options};
+use crate::settings::{item_numbers, keywords, sensor_options};
 use crate::threads;
 use source::Source;
 
@@ -62,14 +62,14 @@ use source::Source;
 /// are images of `camera`, and smaller than the images if a filter decimates. "rectified_left" and "rectified_right": the matched images. "findings": the problems of the images, a list of
 /// Finding: "pair-swapped", "vertical-offset", "no-texture", "saturated", "range-beyond-image", "same-image", "unrelated".
 /// For a batch, each array has a leading dimension N, and a finding's place begins with the index of its pair; the pairs are
-/// matched in parallel, independently of earlier calls.
+/// matched in parallel.
 ///
 /// Raises TypeError for an object that is not an array or has another dtype, oaktwin.Error for an invalid shape and for
 /// images of different sizes or dtypes.
 ///
-/// A temporal filter uses the pairs of earlier calls, except batches, until the image size changes. Thread-safe; calls of
-/// one matcher run one after another. Pickling preserves the settings and the device's calibration, but not the state of
-/// temporal filters.
+/// A temporal filter remembers the pairs of earlier calls, and of batches the pairs of each item, until the image size changes;
+/// see `reset()`. Thread-safe; calls of one matcher run one after another. Copies and pickles have the settings and the device's
+/// calibration, but not the state of temporal filters.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct StereoMatcher {
     source: Source,
@@ -194,6 +194,14 @@ impl StereoMatcher {
         let options = sensor_options("StereoMatcher", &ARGUMENTS, options, |option| {
             option.is_of_matcher
         })?;
+        if let Some(engine) = options
+            .engine
+            .as_ref()
+            .filter(|kind| kind.input != EngineInput::Pair)
+        {
+            let is = format!("are those of {engine}");
+            return Err(wrong("parameters", is, "pass those of stereo-matching"));
+        }
         let of_any = fx.is_some() || hfov_deg.is_some() || baseline.is_some();
         let source = match device {
             Some(_) if of_any => {
@@ -307,9 +315,19 @@ impl StereoMatcher {
         Ok(all)
     }
 
-    /// Resets the state of temporal filters.
-    fn reset(&self, py: Python<'_>) {
-        self.ask(py, Matcher::reset);
+    /// Starts a new sequence: temporal filters forget earlier pairs.
+    ///
+    /// items: the numbers of the items of batches that start a new sequence, or a mask; the others, and the (H, W) pairs, go on.
+    #[pyo3(signature = (items = None))]
+    fn reset(&self, py: Python<'_>, items: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
+        match items {
+            None => self.ask(py, Matcher::reset),
+            Some(items) => {
+                let items = item_numbers("items", items)?;
+                self.ask(py, |matcher| matcher.reset_rigs(&items));
+            }
+        }
+        Ok(())
     }
 
     /// The camera that depth, disparity and confidence are images of, for the most recent image size; initially for the

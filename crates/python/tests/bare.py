@@ -25,6 +25,38 @@ def it_senses():
     assert np.array_equal(measured, sensor(memoryview(np.full((60, 106), 2.0, np.float32)), frame=0))
 
 
+class Producer:
+    """An array of another library: its own protocol of DLPack, and `__array__`."""
+
+    def __init__(self, values):
+        self.values = values
+
+    def __dlpack__(self, stream=None):
+        return self.values.__dlpack__()
+
+    def __dlpack_device__(self):
+        return self.values.__dlpack_device__()
+
+    def __array__(self, dtype=None):
+        return self.values
+
+
+class Versioned(Producer):
+    """The same with the versioned protocol, which this NumPy does not have."""
+
+    def __dlpack__(self, *, stream=None, max_version=None, dl_device=None, copy=None):
+        return self.values.__dlpack__()
+
+
+def it_writes_to_foreign_arrays():
+    sensor = oaktwin.DepthSensor(oaktwin.Device("OAK4-D"), seed=7)
+    depth = np.full((60, 106), 2.0, np.float32)
+    for kind in [Producer, Versioned]:
+        out = kind(np.zeros_like(depth))
+        assert sensor(kind(depth), frame=0, out=out) is out
+        assert np.array_equal(out.values, sensor(depth, frame=0))
+
+
 def it_renders():
     scene = oaktwin.Scene.from_triangles(np.array([[-9, -9, 3], [9, -9, 3], [0, 9, 3]]), np.array([[0, 1, 2]]))
     camera = oaktwin.Camera((8, 6), hfov_deg=60)
@@ -58,7 +90,7 @@ def the_program_runs():
 
 if __name__ == "__main__":
     start = time.perf_counter()
-    tests = [nothing_else_is_here, it_senses, it_renders, it_measures_accuracy_without_matplotlib, the_program_runs]
+    tests = [nothing_else_is_here, it_senses, it_writes_to_foreign_arrays, it_renders, it_measures_accuracy_without_matplotlib, the_program_runs]
     failed = 0
     for test in tests:
         try:

@@ -92,6 +92,61 @@ def test_results_are_written_in_place(sensor, room):
         sensor(depth, out=bytes(depth.nbytes))
 
 
+class Tensor(Capsule):
+    """An object with the old protocol of DLPack, whose memory NumPy shares read-only, and with `__array__`: a tensor of PyTorch
+    2.8 and older.
+    """
+
+    def __dlpack__(self, stream=None):
+        return self.values.__dlpack__()
+
+    def __array__(self, dtype=None, copy=None):
+        return self.values
+
+
+class Copies(Tensor):
+    """The same, except that `__array__` makes copies."""
+
+    def __array__(self, dtype=None, copy=None):
+        return self.values.copy()
+
+
+class Old(Capsule):
+    """An object with the old protocol of DLPack alone."""
+
+    def __dlpack__(self, stream=None):
+        return self.values.__dlpack__()
+
+
+def test_results_are_written_to_foreign_arrays(sensor, room):
+    depth, _ = room
+    expected = sensor(depth, frame=0)
+    filtered = oaktwin.filters.median(depth)
+    for kind in [Capsule, Tensor, Interface]:
+        out = kind(np.full(depth.shape, -1, np.float32))
+        assert sensor(depth, frame=0, out=out) is out and np.array_equal(out.values, expected), kind
+        out = kind(np.full(depth.shape, -1, np.float32))
+        assert oaktwin.filters.median(depth, out=out) is out and np.array_equal(out.values, filtered), kind
+        assert np.array_equal(sensor(kind(depth.copy()), frame=0), expected), kind
+
+
+def test_each_reason_not_to_write_has_its_message(sensor, room):
+    depth, _ = room
+    out = np.empty_like(depth)
+    frozen = out.copy()
+    frozen.flags.writeable = False
+    for other, message in [
+        (frozen, "out: is read-only; pass an array that can be written to"),
+        (memoryview(frozen), "out: is read-only"),
+        (depth, "out: overlaps the input; pass a separate array"),
+        (Copies(out), "out: gives NumPy copies of its memory; pass a NumPy array"),
+        (Old(out), r"out: shares its memory with NumPy [0-9.]+ by DLPack, read-only; pass a NumPy array"),
+        (out.T.copy().T, "out: is not C-contiguous"),
+    ]:
+        with pytest.raises(oaktwin.Error, match=message):
+            sensor(depth, out=other)
+
+
 def test_overlapping_output_is_rejected(sensor, room):
     both = np.zeros((3, *room[0].shape), np.float32)
     for depth, out in [(both[0], both[0]), (Capsule(both[0]), both[0]), (both[:2], both[1:]),

@@ -31,7 +31,7 @@ def translation(x=0.0, y=0.0, z=0.0):
 def test_matches_the_program(program, device):
     scene = oaktwin.Scene.open(ROOM, micro_texture=True)
     eye = oaktwin.look_at((0, -2, 1), (0, 0, 0.25), frame="body")
-    got = oaktwin.coverage(scene, [device, oaktwin.Device("OAK-D ToF")], eye, region="/World/Box", tilt="10:30:20", samples=500,
+    got = oaktwin.coverage(scene, [device, oaktwin.Device("OAK-D ToF")], eye, region="/World/Box", tilt_deg="10:30:20", samples=500,
                            size=(320, 200))
     said = ["coverage", ROOM, "--model", "OAK4-D", "--model", "OAK-D ToF", "--look-at", 0, -2, 1, 0, 0, 0.25, "--region", "/World/Box",
             "--tilt", "10:30:20", "--samples", 500, "--resolution", "320x200", "--json"]
@@ -41,7 +41,7 @@ def test_matches_the_program(program, device):
         assert got.report[key] == expected[key]
     assert [one["measured"] for one in got.candidates] == [one["measured"] for one in expected["candidates"]]
     assert list(got.report) == [key for key in expected if key not in ["scene", "files"]]
-    same = oaktwin.coverage(scene, [device, oaktwin.Device("OAK-D ToF")], eye, region=["/World/Box"], tilt=[10, 30], samples=500,
+    same = oaktwin.coverage(scene, [device, oaktwin.Device("OAK-D ToF")], eye, region=["/World/Box"], tilt_deg=[10, 30], samples=500,
                             size=(320, 200))
     assert same.report == got.report and same.points is None
 
@@ -96,8 +96,8 @@ def test_nonsense(plate, device):
         "samples: 0 points": {"samples": 0},
         "height: NaN is not finite": {"height": [np.nan]},
         "height: 'x' is not a number": {"height": "x"},
-        "tilt: 91 is out of range": {"tilt": [91]},
-        "poses: .* candidates are too many": {"height": list(range(1, 200)), "tilt": "0:90:0.5"},
+        "tilt_deg: 91 is out of range": {"tilt_deg": [91]},
+        "poses: .* candidates are too many": {"height": list(range(1, 200)), "tilt_deg": "0:90:0.5"},
         "sensor: OAK4-D has no depth sensor 'tof'": {"sensor": "tof"},
         "an image of 0x5 has no pixels": {"size": (0, 5)},
     }.items():

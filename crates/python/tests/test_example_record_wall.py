@@ -131,7 +131,7 @@ def test_the_guide_records_what_fit_reads(example, unit, calibration, tmp_path, 
         assert abs(fitted.parameters[name] - value) < 0.03, fitted.parameters
     shown = capsys.readouterr().out
     assert "bias" in shown and shown.count(" m ") >= 15 and "unit.toml" in shown
-    again = oaktwin.DepthSensor(unit, params=tmp_path / "unit.toml")
+    again = oaktwin.DepthSensor(unit, parameters=tmp_path / "unit.toml")
     assert again.parameters["bias"] == pytest.approx(fitted.parameters["bias"], rel=1e-3)
 
 

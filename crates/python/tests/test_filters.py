@@ -64,6 +64,24 @@ def test_temporal_state(image):
     assert np.array_equal(alone[2], oaktwin.Filter("temporal:alpha=0.4,persistency=3")(frames[2]))
 
 
+@pytest.mark.parametrize("kind", [np.uint16, np.uint8, np.float32])
+def test_each_item_of_a_batch_has_a_state(image, kind):
+    image = (image / 1000 if kind == np.float32 else image >> 3 if kind == np.uint8 else image).astype(kind)
+    frames = [image, np.zeros_like(image), image + kind(1 if kind != np.float32 else 0.001), image]
+    temporal = oaktwin.filters.temporal(alpha=0.4, persistency=3)
+    one = oaktwin.filters.temporal(alpha=0.4, persistency=3)
+    for frame in frames[:2]:
+        # The items see the frames in different orders.
+        assert np.array_equal(temporal(np.stack([frame, image]))[0], one(frame))
+    temporal.reset([1])
+    got = temporal(np.stack([frames[2], frames[1]]))
+    assert np.array_equal(got[0], one(frames[2])) and not got[1].any()
+    temporal.reset(np.array([True, False]))
+    assert np.array_equal(temporal(np.stack([frames[2]] * 2))[0], oaktwin.Filter()(frames[2]))
+    with pytest.raises(oaktwin.Error, match="items: .*pass the numbers of items, or a mask"):
+        temporal.reset([-1])
+
+
 def test_chains(image):
     chain = oaktwin.Filter("median:size=3", "decimation:factor=2")
     expected = oaktwin.filters.decimation(oaktwin.filters.median(image, size=3), factor=2)

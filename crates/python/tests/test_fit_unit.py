@@ -45,23 +45,25 @@ def test_parameter_files(recording, tmp_path):
     device, folder, _ = recording
     path = tmp_path / "unit.toml"
     oaktwin.fit(device, [folder], engine="stereo-noise").save(path)
-    sensor = oaktwin.DepthSensor(device, params=path)
+    sensor = oaktwin.DepthSensor(device, parameters=path)
     stored = tomllib.loads(path.read_text())["parameters"]
     for name, value in stored.items():
         assert sensor.parameters[name] == pytest.approx(value)
     same = oaktwin.DepthSensor(device, engine="stereo-noise", parameters=stored)
     wall = np.full((200, 320), 2.0, np.float32)
     assert np.array_equal(sensor(wall), same(wall))
-    assert oaktwin.DepthSensor(device, params=path, parameters={"bias": 0.5}).parameters["bias"] == 0.5
-    rows = oaktwin.accuracy(device, params=path, distances=[2.0], devices=1).rows
+    fitted = oaktwin.fit(device, [folder], engine="stereo-noise")
+    assert oaktwin.DepthSensor(device, parameters={**fitted.parameters, "bias": 0.5}).parameters["bias"] == 0.5
+    assert oaktwin.DepthSensor(device, parameters=fitted).parameters == sensor.parameters
+    rows = oaktwin.accuracy(device, parameters=path, distances=[2.0], devices=1).rows
     assert rows == oaktwin.accuracy(device, engine="stereo-noise", parameters=stored, distances=[2.0], devices=1).rows
     with pytest.raises(FileNotFoundError):
-        oaktwin.DepthSensor(device, params=tmp_path / "none.toml")
+        oaktwin.DepthSensor(device, parameters=tmp_path / "none.toml")
     with pytest.raises(oaktwin.Error, match="unit.toml"):
-        oaktwin.DepthSensor(device, params=path, engine="single-view")
+        oaktwin.DepthSensor(device, parameters=path, engine="single-view")
     path.write_text('engine = "stereo-noise"\n[parameters]\nbais = 1\n')
     with pytest.raises(oaktwin.Error, match="unit.toml: .*bais"):
-        oaktwin.DepthSensor(device, params=path)
+        oaktwin.DepthSensor(device, parameters=path)
 
 
 def test_bad_recordings(tmp_path):

@@ -95,3 +95,8 @@ def test_a_recipe_explains_and_previews(recipe: Path, tmp_path: Path) -> None:
     assert sheet.dtype == np.uint8 and sheet.ndim == 3 and sheet.shape[2] == 3 and sheet.std() > 10
     with pytest.raises(FileNotFoundError, match="cannot list the folder"):
         oaktwin.Recipe(recipe, catalog=tmp_path / "nothing")
+
+
+def test_the_preview_has_frames(recipe: Path) -> None:
+    with pytest.raises(oaktwin.Error, match="frames: is 0; pass at least 1"):
+        oaktwin.Recipe(recipe).preview(0)

@@ -59,7 +59,7 @@ def test_nonsense(device, room, number):
                     {"device_seed": number}, {"imager": {"exposure": number, "autoExposure": False}}]:
         tried(wall.render_pair, body, np.eye(4), **{"size": (53, 30), **options})
     tried(wall.render_pair, body, away, size=(53, 30))
-    for options in [{"samples": number}, {"height": [number]}, {"tilt": [number]}, {"region_box": [[0] * 3, [number] * 3]}]:
+    for options in [{"samples": number}, {"height": [number]}, {"tilt_deg": [number]}, {"region_box": [[0] * 3, [number] * 3]}]:
         tried(oaktwin.coverage, wall, body, np.eye(4), **{"samples": 9, "size": (53, 30), **options})
     matchers = [tried(oaktwin.StereoMatcher, **options) for options in
                 [{"fx": number, "baseline": 0.1}, {"hfov_deg": number, "baseline": 0.1}, {"fx": 90, "baseline": number}]]

@@ -117,7 +117,7 @@ def test_a_sensor_of_a_unit(calibration, room):
 def test_a_pickle_has_not_seen_the_images(device, room):
     depth, _ = room
     sensor = oaktwin.DepthSensor(device, filters=["temporal"])
-    first, second = sensor(depth), sensor(depth, frame=1)
+    first, second = sensor(depth, frame=0), sensor(depth, frame=1)
     other = copy.copy(sensor)
     assert np.array_equal(other(depth), first)
     assert np.array_equal(other(depth, frame=1), second) and not np.array_equal(copy.copy(sensor)(depth, frame=1), second)

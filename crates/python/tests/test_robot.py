@@ -1,4 +1,5 @@
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
@@ -31,3 +32,28 @@ def test_findings_and_errors(device, tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(OSError, match="file"):
         device.export(tmp_path / "file", "urdf")
+
+
+def test_the_parent(device, tmp_path):
+    mount = {"parent": "wrist", "xyz": (0, 0, 0.1)}
+    device.export(tmp_path, "mjcf", **mount)
+    model = ElementTree.parse(tmp_path / "oak.xml")
+    wrist = model.find("worldbody/body")
+    assert wrist.get("name") == "wrist" and wrist.find("body").get("name") == "oak"
+    assert wrist.find("body").get("pos") == "0 0 0.1"
+    assert model.find(".//geom[@name='oak_collider']").get("group") == "3"
+    device.export(tmp_path, "blender", **mount)
+    text = (tmp_path / "oak_blender.py").read_text()
+    assert 'PARENT = "wrist"' in text
+    device.export(tmp_path, "blender")
+    assert "PARENT = None" in (tmp_path / "oak_blender.py").read_text()
+    with pytest.warns(oaktwin.FindingWarning, match="a PROTO cannot name wrist.*add the node to the children of that solid"):
+        device.export(tmp_path, "webots", **mount)
+
+
+def test_mujoco_reads_the_parent(device, tmp_path):
+    mujoco = pytest.importorskip("mujoco")
+    device.export(tmp_path, "mjcf", parent="wrist", xyz=(0, 0, 0.1))
+    model = mujoco.MjModel.from_xml_path(str(tmp_path / "oak.xml"))
+    assert model.body(model.body("oak").parentid[0]).name == "wrist"
+    assert model.geom("oak_collider").group[0] == 3

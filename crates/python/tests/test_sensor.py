@@ -85,7 +85,7 @@ def test_a_sequence_is_the_programs(program, tmp_path, device, room):
         got = [sensor(depth + np.float32(0.01 * frame), frame=frame) for frame in range(4)]
         assert np.array_equal(got, written)
         sensor.reset()
-    # A batch neither remembers nor is remembered.
+    # Images and the items of batches remember apart.
     batch = sensor(np.stack([depth, depth]), frame=0)
     assert np.array_equal(batch[0], written[0])
     assert np.array_equal(sensor(depth, frame=0), written[0])
@@ -231,7 +231,7 @@ def test_paths_that_look_like_options_are_unchanged(tmp_path):
         ({"parameters": {"windw": 7}}, "windw: unknown parameter of stereo-noise; did you mean 'window"),
         ({"parameters": {"window": "wide"}}, "window"),
         ({"parameters": {"noiseSigma": 1}}, "a parameter of single-view, not of stereo-noise"),
-        ({"parameters": [1]}, "parameters: invalid value [1]; pass a dictionary"),
+        ({"parameters": [1]}, "parameters: invalid value [1]; pass a mapping"),
         ({"isaac": "7"}, "isaac: invalid value '7'"),
         ({"fx": -1}, "fx: must be a finite number > 0 (got -1)"),
         ({"fx": float("nan")}, "fx: must be a finite number > 0"),

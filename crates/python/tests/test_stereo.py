@@ -107,7 +107,7 @@ AHEAD = oaktwin.look_at((0, 0, 0), (1, 0, 0), frame="body")
 
 
 def test_a_unit_matches_the_program(program, tmp_path, wall, unit, calibration):
-    taken = wall.render_pair(unit, AHEAD, size=(320, 200), projector=1, seed=3)
+    taken = wall.render_pair(unit, AHEAD, size=(320, 200), projector=1, seed=3, frame=0)
     for arguments, options in [([], {}), (["--rectify", "full"], {"rectify": "full"}), (["--rectified"], {"raw": False})]:
         expected, _ = by_program(
             program, tmp_path, taken["left"], taken["right"], "--calibration", calibration, *arguments
@@ -121,8 +121,8 @@ def test_rendered_matched_and_compared(wall, unit):
     # For the unit, a homography does not remove the lens distortion, which the ground truth does not have, and depth is computed with
     # the baseline of the design.
     for device, most in [(oaktwin.Device(PRO), 0.02), (oaktwin.Device("OAK-D Pro W PoE", lens="fisheye"), 0.02), (unit, 0.06)]:
-        taken = wall.render_pair(device, AHEAD, size=(640, 400), projector=1.0)
-        assert all(taken[name].shape == (400, 640) for name in taken)
+        taken = wall.render_pair(device, AHEAD, size=(640, 400), projector=1.0, frame=0)
+        assert all(image.shape == (400, 640) for image in taken.values() if isinstance(image, np.ndarray))
         matcher = oaktwin.StereoMatcher(device)
         seen = matcher(taken["left"], taken["right"])
         for side in ["rectified_left", "rectified_right"]:
@@ -142,7 +142,7 @@ def test_rendered_matched_and_compared(wall, unit):
 
 def test_a_nominal_pair_is_rectified(wall):
     device = oaktwin.Device(PRO)
-    taken = wall.render_pair(device, AHEAD, size=(320, 200), projector=0.5)
+    taken = wall.render_pair(device, AHEAD, size=(320, 200), projector=0.5, frame=0)
     for side in ["left", "right"]:
         assert np.array_equal(taken[side], taken[f"rectified_{side}"])
     matcher = oaktwin.StereoMatcher(device)
@@ -174,9 +174,10 @@ def test_pairs_that_a_device_lacks(wall):
 
 def test_options_of_rendered_pairs(wall):
     device = oaktwin.Device(PRO)
-    take = lambda **options: wall.render_pair(device, AHEAD, size=(320, 200), **options)
+    take = lambda **options: wall.render_pair(device, AHEAD, size=(320, 200), **{"frame": 0, **options})
     plain = take(projector=1)
-    assert same({**take(projector=1), "findings": []}, {**plain, "findings": []})
+    again = take(projector=1)
+    assert all(np.array_equal(again[name], image) for name, image in plain.items() if isinstance(image, np.ndarray))
     assert not np.array_equal(take(projector=1, frame=1)["left"], plain["left"])
     assert not np.array_equal(take(projector=1, seed=1)["left"], plain["left"])
     assert np.array_equal(take(projector=1, seed=1)["z"], plain["z"])

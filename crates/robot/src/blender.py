@@ -14,8 +14,12 @@ from mathutils import Matrix
 def add(folder=None, parent=None):
     """Adds the OAK and returns the empty object that carries it, whose axes are x forward, y left, z up.
 
-    `folder` is that of this script, for the meshes. `parent` is an object that carries the OAK.
+    `folder` is that of this script, for the meshes. `parent` is an object that carries the OAK, by default the one named PARENT.
     """
+    if parent is None and PARENT is not None:
+        parent = bpy.data.objects.get(PARENT)
+        if parent is None:
+            raise KeyError(f"the scene has no object named {PARENT}; pass another one as parent")
     body = bpy.data.objects.new(NAME, None)
     bpy.context.collection.objects.link(body)
     body.empty_display_size = 0.05

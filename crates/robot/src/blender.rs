@@ -25,6 +25,8 @@ fn script(of: &Description) -> String {
     let mut data = String::new();
     let _ = writeln!(data, "TITLE = {}", quoted(&of.title));
     let _ = writeln!(data, "NAME = {}", quoted(&of.name));
+    let parent = of.parent.as_deref().map_or_else(|| "None".to_owned(), quoted);
+    let _ = writeln!(data, "PARENT = {parent}");
     let _ = writeln!(data, "PARENT_FROM_BODY = {}", matrix(&of.parent_from_body));
     let _ = writeln!(data, "MESHES = [");
     for visual in &of.housing.visuals {

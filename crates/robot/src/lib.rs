@@ -17,7 +17,7 @@ mod xml;
 
 use std::path::{Path, PathBuf};
 
-use oaktwin_base::diagnostic::Finding;
+use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_base::parameter::choice;
 use oaktwin_catalog::{Catalog, Twin};
 use oaktwin_files::{self as files, FileError};
@@ -87,6 +87,21 @@ impl Export {
         let path = format!("meshes/{}", of.collider_file());
         self.files.push((path, of.housing.collider.to_obj()));
         self
+    }
+
+    /// Reports a link that the format cannot name, with what to do instead.
+    fn without_parent(&mut self, of: &Description, format: &str, remedy: &'static str) {
+        if let Some(parent) = &of.parent {
+            self.findings.push(Finding::new(
+                "parent-ignored",
+                Level::Warning,
+                "parent",
+                format!(
+                    "{format} cannot name {parent}, a link of another file; the pose is the whole model's"
+                ),
+                remedy,
+            ));
+        }
     }
 
     fn text(&mut self, path: impl Into<String>, text: String) {

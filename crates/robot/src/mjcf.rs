@@ -68,7 +68,7 @@ fn model(of: &Description) -> Element {
         )
         .with(offscreen(of))
         .with(assets)
-        .with(Element::new("worldbody").with(body(of, &site)));
+        .with(Element::new("worldbody").with(carried(of, body(of, &site))));
     if of.imu.is_some() {
         model.with(sensors)
     } else {
@@ -88,6 +88,14 @@ fn offscreen(of: &Description) -> Element {
             .set("offwidth", width)
             .set("offheight", height),
     )
+}
+
+/// Returns the body below the link that carries it, if there is one.
+fn carried(of: &Description, body: Element) -> Element {
+    match &of.parent {
+        Some(parent) => Element::new("body").set("name", parent).with(body),
+        None => body,
+    }
 }
 
 fn body(of: &Description, imu_site: &str) -> Element {
@@ -121,7 +129,11 @@ fn body(of: &Description, imu_site: &str) -> Element {
                 .set("conaffinity", "0")
                 .set("group", "2")
         }))
-        .with(geom("collider").set("group", "3"))
+        .with(
+            geom("collider")
+                .set("name", format!("{}_collider", of.name))
+                .set("group", "3"),
+        )
         .with_all(of.all_cameras().map(|camera| self::camera(of, camera)));
     match &of.imu {
         Some(imu) => body.with(placed(

@@ -6,7 +6,6 @@
 //! A principal point counts from the border of the image, so the centre of the first pixel is at 0.5. Depth has no noise: Gazebo's is
 //! constant over distance, unlike a stereo camera's.
 
-use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::math::DMat3;
 use oaktwin_camera::{RigidTransform, frame_names};
 use oaktwin_imu::ChannelNoise;
@@ -38,15 +37,11 @@ impl Reader {
 
 pub(crate) fn export(of: &Description, reader: Reader) -> Export {
     let mut export = Export::with_visuals(of).with_collider(of);
-    if let Some(parent) = &of.parent {
-        export.findings.push(Finding::new(
-            "parent-ignored",
-            Level::Warning,
-            "parent",
-            format!("SDF cannot name {parent}, a link of another file; the pose is the whole model's"),
-            "include the model in the robot's, and add a fixed joint from its link",
-        ));
-    }
+    export.without_parent(
+        of,
+        "SDF",
+        "include the model in the robot's, and add a fixed joint from its link",
+    );
     export.text("model.sdf", sdf(of, reader).document());
     if reader == Reader::Gazebo {
         export.text("model.config", config(of).document());

@@ -20,6 +20,11 @@ pub(crate) fn export(of: &Description) -> Export {
     for camera in of.all_cameras() {
         export.findings.extend(lost(camera));
     }
+    export.without_parent(
+        of,
+        "a PROTO",
+        "add the node to the children of that solid, or to its slot for tools",
+    );
     let name = proto_name(&of.id);
     export.text(format!("{name}.proto"), proto(of, &name));
     export

@@ -9,6 +9,7 @@ use oaktwin_catalog::{DepthKind, Role};
 use oaktwin_depth::align::{AlignedZ, Fill};
 use oaktwin_depth::parameters::{Choice, ENGINES, GROUPS, Platform};
 use oaktwin_depth::rectify::Method;
+use oaktwin_depth::{EngineInput, EngineKind};
 use oaktwin_image::annotation::Annotator;
 use oaktwin_pipeline::sensor::{OptionValue, SENSOR_OPTIONS, SensorOption, SensorOptions};
 use oaktwin_render::Backend;
@@ -23,7 +24,8 @@ const WIDTH: usize = 120;
 
 /// The generated files: path and text.
 pub(crate) fn files(root: &Path) -> io::Result<Vec<(PathBuf, String)>> {
-    let all: Vec<&SensorOption> = SENSOR_OPTIONS.iter().collect();
+    let is_offered = |option: &&SensorOption| !matches!(option.value, OptionValue::File);
+    let all: Vec<&SensorOption> = SENSOR_OPTIONS.iter().filter(is_offered).collect();
     let of_matcher: Vec<&SensorOption> = all
         .iter()
         .copied()
@@ -33,11 +35,15 @@ pub(crate) fn files(root: &Path) -> io::Result<Vec<(PathBuf, String)>> {
     let parts = [
         ("_types.pyi", "names", names()),
         ("_types.pyi", "options", typed_dict(&all)),
-        ("_sensors.pyi", "options of DepthSensor", parameters(&all)),
+        (
+            "_sensors.pyi",
+            "options of DepthSensor",
+            parameters(&all, of_sensor),
+        ),
         (
             "_sensors.pyi",
             "options of StereoMatcher",
-            parameters(&of_matcher),
+            parameters(&of_matcher, full_type),
         ),
     ];
     let mut files: Vec<(PathBuf, String)> = Vec::new();
@@ -79,7 +85,16 @@ fn with_part(text: &str, name: &str, part: &str) -> String {
 /// The `Literal`s.
 fn names() -> String {
     let groups: Vec<&str> = GROUPS.iter().map(|group| group.name).collect();
-    let annotators: Vec<&str> = Annotator::all().map(Annotator::name).collect();
+    let (of_sensors, of_scenes): (Vec<Annotator>, Vec<Annotator>) =
+        Annotator::all().partition(|annotator| annotator.is_depth_sensor());
+    let of_sensors: Vec<&str> = of_sensors.into_iter().map(Annotator::name).collect();
+    // An attribute of cameras in Python.
+    let of_scenes = of_scenes
+        .into_iter()
+        .filter(|one| *one != Annotator::CameraParams);
+    let of_scenes: Vec<&str> = of_scenes.map(Annotator::name).collect();
+    let of_depth = |name: &&str| EngineKind::parse(name).is_ok_and(|kind| kind.input == EngineInput::Depth);
+    let depth_engines: Vec<&str> = groups[..ENGINES].iter().copied().filter(of_depth).collect();
     let lenses: Vec<&str> = LensFamily::ALL.iter().map(|family| family.name).collect();
     let presets = SENSOR_OPTIONS.iter().find_map(|option| match option.value {
         OptionValue::Text(_, names) if option.name == "preset" => Some(names()),
@@ -93,23 +108,25 @@ fn names() -> String {
     let mut out = String::new();
     for (name, names) in [
         ("AlignedZ", AlignedZ::NAMES),
-        ("Annotator", &annotators[..]),
         ("Backend", Backend::NAMES),
+        ("DepthEngine", &depth_engines),
         ("Engine", &groups[..ENGINES]),
         ("Fill", Fill::NAMES),
+        ("Group", &groups),
         ("Intrinsics", RectifiedIntrinsics::NAMES),
         ("Isaac", IsaacVersion::NAMES),
         ("Lens", LensChoice::NAMES),
         ("LensModel", &lenses),
         ("Mount", Mount::NAMES),
         ("Offsets", oaktwin_camera::ApertureOffsets::NAMES),
-        ("Parameters", &groups),
         ("Platform", Platform::NAMES),
         ("Preset", &presets),
         ("Rectify", Method::NAMES),
         ("Robot", Format::NAMES),
         ("Role", Role::NAMES),
+        ("SceneAnnotator", &of_scenes),
         ("Sensor", DepthKind::NAMES),
+        ("SensorAnnotator", &of_sensors),
         ("Target", Target::NAMES),
         ("Up", Up::NAMES),
     ] {
@@ -129,7 +146,7 @@ fn type_of(option: &SensorOption) -> String {
     match option.value {
         OptionValue::Flag => "bool".to_owned(),
         OptionValue::Number => "int".to_owned(),
-        OptionValue::Text(_, names) if names().is_empty() => "str".to_owned(),
+        OptionValue::Text(_, names) if names().is_empty() => "_Drift".to_owned(),
         OptionValue::Text(..) | OptionValue::Choice(..) => {
             let mut name = option.name.to_owned();
             name[..1].make_ascii_uppercase();
@@ -137,7 +154,7 @@ fn type_of(option: &SensorOption) -> String {
         }
         OptionValue::File => "str | PathLike[str]".to_owned(),
         OptionValue::List(_) => "Sequence[str]".to_owned(),
-        OptionValue::Assignments => "Mapping[str, object]".to_owned(),
+        OptionValue::Assignments => "_Parameters".to_owned(),
     }
 }
 
@@ -162,15 +179,18 @@ fn full_type(option: &SensorOption) -> String {
     format!("{}{or_none}", type_of(option))
 }
 
-fn parameters(options: &[&SensorOption]) -> String {
-    let line = |option: &&SensorOption| {
-        format!(
-            "{}: {} = {},\n",
-            option.name,
-            full_type(option),
-            default_of(option)
-        )
-    };
+/// The type of an option as a parameter of `DepthSensor`, which measures depth images and tells its seed.
+fn of_sensor(option: &SensorOption) -> String {
+    match option.name {
+        "engine" => "_DepthEngine | None".to_owned(),
+        "seed" => "int | None".to_owned(),
+        _ => full_type(option),
+    }
+}
+
+fn parameters(options: &[&SensorOption], type_of: fn(&SensorOption) -> String) -> String {
+    let line =
+        |option: &&SensorOption| format!("{}: {} = {},\n", option.name, type_of(option), default_of(option));
     options.iter().map(line).collect()
 }
 

@@ -42,7 +42,7 @@ pub enum OptionValue {
     Number,
     /// A text with its name in help, and the valid texts, none if they are not listed; letter case, hyphens and underscores are ignored.
     Text(&'static str, fn() -> Vec<&'static str>),
-    /// The path of a file.
+    /// The path of a file, on a command line only.
     File,
     /// One of the names of an enumeration, with its name in help; each name with a description.
     Choice(&'static str, fn() -> Vec<(&'static str, &'static str)>),
@@ -104,7 +104,8 @@ pub static SENSOR_OPTIONS: &[SensorOption] = &[
         value: OptionValue::File,
         help: "Read the engine's parameters from a TOML file of `oaktwin fit`; --param overrides it",
         names: None,
-        doc: "the path of a TOML file with an engine and its parameters, as written by `oaktwin fit`; `parameters` override it.",
+        // Python's `parameters` takes the path.
+        doc: "",
         is_of_matcher: false,
         set: |options, path| {
             let file = ParameterFile::read(Path::new(path)).map_err(|error| {
@@ -122,7 +123,8 @@ pub static SENSOR_OPTIONS: &[SensorOption] = &[
         value: OptionValue::Assignments,
         help: "Set a parameter of the engine, listed by `oaktwin params ENGINE`; repeatable",
         names: None,
-        doc: "a mapping of parameters by name, listed by `oaktwin.parameters(engine)`; overrides all other settings.",
+        doc: "the parameters of the engine, which override all other settings: a mapping by name, as listed by \
+              `oaktwin.parameters(engine)`, a `Fit`, or the path of a TOML file that `Fit.save` or `oaktwin fit` has written.",
         is_of_matcher: true,
         set: |options, text| {
             let (name, value) = assignment(text)?;
@@ -168,7 +170,7 @@ pub static SENSOR_OPTIONS: &[SensorOption] = &[
         value: OptionValue::Number,
         help: "The noise seed [default: 0]",
         names: None,
-        doc: "the noise seed: equal seeds, names, frames and items give equal noise.",
+        doc: "the noise seed: equal seeds, names, frames and items give equal noise. None draws one of fresh entropy.",
         is_of_matcher: false,
         set: |options, text| number("seed", text).map(|seed| options.seed = seed),
         get: |options| texts(Some(options.seed)),
@@ -190,7 +192,7 @@ pub static SENSOR_OPTIONS: &[SensorOption] = &[
         value: OptionValue::Text("NAME=VALUE,…", Vec::new),
         help: "Change the stereo pair after its calibration, such as by yaw=0.3,pitch=0.2",
         names: Some(drift_names),
-        doc: "the change of the stereo pair since its calibration, such as \"yaw=0.3,baseline=50\": rotations of the right camera \
+        doc: "the change of the stereo pair since its calibration, such as {\"yaw\": 0.3, \"baseline\": 50}: rotations of the right camera \
               in mrad (yaw, pitch, roll), the growth of the baseline in µm, of the focal length in ppm, or the warming in K \
               (temperature). \"stereo-noise\" computes the resulting depth errors and lost pixels.",
         is_of_matcher: false,

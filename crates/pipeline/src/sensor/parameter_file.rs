@@ -45,7 +45,11 @@ impl ParameterFile {
         Self::parse(text).map_err(|(what, remedy)| FileError::new(path, what, remedy))
     }
 
-    fn parse(text: &str) -> Result<Self, (String, String)> {
+    /// Reads the text of a file.
+    ///
+    /// # Errors
+    /// Returns what is wrong and what to do.
+    pub fn parse(text: &str) -> Result<Self, (String, String)> {
         let document: toml::Table = text.parse().map_err(|error: toml::de::Error| {
             let line = error.span().map_or(1, |span| {
                 text[..span.start.min(text.len())].matches('\n').count() + 1

@@ -14,6 +14,7 @@ use crate::sensor::{
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform, StereoGeometry};
 use oaktwin_catalog::{Role, Twin};
+use oaktwin_depth::filter::Chain;
 use oaktwin_depth::imager::Recorded;
 use oaktwin_depth::preset::Platform;
 use oaktwin_depth::rectify::{Method, RectifyOptions, StereoRectify};
@@ -60,6 +61,8 @@ pub struct Matcher {
     body_from_camera: RigidTransform,
     baseline_m: f64,
     sensor: Sensor,
+    /// The filters of each rig of batches, with their memory.
+    rigs: Vec<Chain>,
     findings: Vec<Finding>,
 }
 
@@ -137,6 +140,7 @@ impl Matcher {
             body_from_camera,
             baseline_m: stereo.baseline_m,
             sensor,
+            rigs: Vec::new(),
             findings,
         })
     }
@@ -193,6 +197,16 @@ impl Matcher {
     /// Forgets all earlier frames.
     pub fn reset(&mut self) {
         self.sensor.reset();
+        self.rigs.clear();
+    }
+
+    /// Forgets the earlier frames of some rigs.
+    pub fn reset_rigs(&mut self, numbers: &[usize]) {
+        for number in numbers {
+            if let Some(filters) = self.rigs.get_mut(*number) {
+                filters.reset();
+            }
+        }
     }
 
     /// Matches a pair.
@@ -205,25 +219,45 @@ impl Matcher {
         see(&mut self.sensor, rectified, is_raw)
     }
 
-    /// Matches simultaneous pairs of many rigs: each independently, without history. Each thread matches one pair; the threads share
-    /// the last ones. Findings name the pair's number, counted from `first`.
+    /// Matches simultaneous pairs of many rigs, each as the next frame of its rig, whose numbers count from `first`. Each thread
+    /// matches one pair; the threads share the last ones. Findings name the pair's number.
     ///
     /// # Errors
     /// Returns the error of the first pair that has one, as [`Matcher::look`] does.
-    pub fn look_all(&self, pairs: Vec<[Recorded; 2]>, first: usize) -> Result<Vec<Seen>, StereoError> {
-        let mut fresh = self.sensor.clone();
-        fresh.reset();
+    pub fn look_all(&mut self, pairs: Vec<[Recorded; 2]>, first: usize) -> Result<Vec<Seen>, StereoError> {
+        let end = first + pairs.len();
+        if self.rigs.len() < end {
+            let mut fresh = self.sensor.filters().clone();
+            fresh.reset();
+            self.rigs.resize(end, fresh);
+        }
+        let mut rigs = std::mem::take(&mut self.rigs);
+        let seen = self.look_each(pairs, rigs.get_mut(first..end).unwrap_or_default(), first);
+        self.rigs = rigs;
+        seen
+    }
+
+    /// Matches a pair of each rig.
+    fn look_each(
+        &self,
+        pairs: Vec<[Recorded; 2]>,
+        rigs: &mut [Chain],
+        first: usize,
+    ) -> Result<Vec<Seen>, StereoError> {
         let threads = rayon::current_num_threads().max(1);
         let mut all = Vec::with_capacity(pairs.len());
-        let mut pairs = pairs.into_iter();
+        let mut pairs = pairs.into_iter().zip(rigs);
         loop {
-            let some: Vec<[Recorded; 2]> = pairs.by_ref().take(threads).collect();
+            let some: Vec<([Recorded; 2], &mut Chain)> = pairs.by_ref().take(threads).collect();
             if some.is_empty() {
                 return Ok(all);
             }
-            let look = |[left, right]: [Recorded; 2]| {
+            let look = |([left, right], filters): ([Recorded; 2], &mut Chain)| {
                 let rectified = self.rectified(left, right)?;
-                see(&mut fresh.clone(), rectified, self.rectify.is_some())
+                let mut sensor = self.sensor.with_filters(std::mem::take(filters));
+                let seen = see(&mut sensor, rectified, self.rectify.is_some());
+                *filters = sensor.into_filters();
+                seen
             };
             let some: Vec<Result<Seen, StereoError>> = some.into_par_iter().map(look).collect();
             for seen in some {

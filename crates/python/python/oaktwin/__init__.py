@@ -24,12 +24,15 @@ from ._devices import Device, models, parameters, presets, simulate_imu
 from ._findings import Error, Finding, FindingWarning
 from ._fit import Fit, fit
 from ._oaktwin import __version__, set_memory_limit
+from ._poses import BodyPose, CameraPose
 from ._scenes import Mesh, Recording, Scene, annotators
 from ._sensors import DepthSensor, Filter, StereoMatcher, align
 
 __all__ = [
     "Accuracy",
+    "BodyPose",
     "Camera",
+    "CameraPose",
     "Coverage",
     "DepthSensor",
     "Device",

@@ -1,9 +1,10 @@
 from collections.abc import Sequence
-from typing import Literal, final
+from typing import Any, Literal, final, overload
 
 import numpy as np
 import numpy.typing as npt
 
+from ._poses import BodyPose, CameraPose, Mount
 from ._types import _Float64, _Intrinsics, _LensModel
 
 __all__ = ["Camera", "Rectification", "look_at"]
@@ -15,7 +16,7 @@ class Camera:
     Its frame is OpenCV's: x right, y down, z forward; metres. Pixel coordinates are OpenCV's: the centre of the first
     pixel is (0, 0), so the centre of the image is ((width - 1) / 2, (height - 1) / 2).
 
-    size: (width, height) of the image, px.
+    size, height: (width, height) of the image, px, or two numbers.
     K: camera matrix (3, 3), px; or give hfov_deg.
     hfov_deg: horizontal field of view of an ideal centred camera, degrees between 0 and 180.
     distortion: OpenCV's coefficients, up to 14 of the lens "opencv" (k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tx ty), up to 4 of
@@ -29,7 +30,8 @@ class Camera:
     """
     def __new__(
         cls,
-        size: Sequence[int],
+        size: Sequence[int] | int,
+        height: int | None = None,
         *,
         K: npt.ArrayLike | None = None,
         hfov_deg: float | None = None,
@@ -73,16 +75,16 @@ class Camera:
     def clip(self) -> tuple[float, float]:
         """The clipping range (near, far), metres."""
     @property
-    def body_from_camera(self) -> _Float64:
+    def body_from_camera(self) -> Mount:
         """(4, 4): the transform from the camera's frame (x right, y down, z forward) to the device's body (x forward, y left, z up, its origin
         midway between left and right), metres.
         """
     def resized(
-        self, width: int, height: int, *, keep_aspect_ratio: bool = True, keep_center: bool = False
+        self, width: int | Sequence[int], height: int | None = None, *, keep_aspect_ratio: bool = True, keep_center: bool = False
     ) -> Camera:
         """Returns the camera at another image size, as DepthAI computes it.
 
-        width, height: px.
+        width, height: px, or the pair (width, height).
         keep_aspect_ratio: whether to scale the image to cover the size and crop it; otherwise each axis is scaled separately.
         keep_center: whether a principal point in the centre stays there, as for images resized by cv2.resize. DepthAI scales it
             without regard to the half pixel between the border and the first pixel's centre (default).
@@ -127,11 +129,52 @@ class Camera:
         Positions may lie outside the image; they are NaN outside the lens's field of view. Raises oaktwin.Error for a target with
         distortion.
         """
-    def cropped(self, x: float, y: float, width: int, height: int) -> Camera:
-        """Returns the camera of a part of the image: width x height pixels with the upper left corner (x, y).
+    def cropped(self, x: float, y: float, width: int | Sequence[int], height: int | None = None) -> Camera:
+        """Returns the camera of a part of the image: width x height pixels, or the pair of both, with the upper left corner (x, y).
 
-        Raises oaktwin.Error for an image without pixels, or a corner that is not finite.
+        Raises oaktwin.Error for an image without pixels, and for a part that is not within the image.
         """
+    @staticmethod
+    def from_ros(info: object) -> Camera:
+
+        """Returns the camera of ROS's calibration, a pinhole or with a lens.
+
+        info: a sensor_msgs/CameraInfo, or a mapping with its fields: "width", "height", "distortion_model", "d" and "k".
+        """
+    def to_ros(self) -> dict[str, Any]:
+
+        """The fields of a sensor_msgs/CameraInfo: `CameraInfo(**camera.to_ros())`.
+
+        Raises oaktwin.Error for a lens that ROS does not have.
+        """
+    @staticmethod
+    def from_open3d(intrinsic: object) -> Camera:
+
+        """Returns the camera of an open3d.camera.PinholeCameraIntrinsic."""
+    def to_open3d(self) -> dict[str, Any]:
+
+        """The arguments of Open3D's camera: `open3d.camera.PinholeCameraIntrinsic(**camera.to_open3d())`.
+
+        Raises oaktwin.Error for a camera that is not a pinhole.
+        """
+    @staticmethod
+    def from_mujoco(model: object, name: str | int, *, size: Sequence[int] | None = None) -> Camera:
+
+        """Returns a camera of a MuJoCo model, version 3.6 or newer.
+
+        model: the mujoco.MjModel.
+        name: the name of the camera, or its number.
+        size: (width, height) of its images, px; by default its resolution.
+
+        MuJoCo's camera frame is OpenGL's: the pose of its camera is `CameraPose.of(matrix, "mujoco")`.
+        """
+    def to_mujoco(self) -> dict[str, Any]:
+
+        """The intrinsics as arguments of MuJoCo's `MjSpec`: `body.add_camera(name="left", **camera.to_mujoco())`.
+
+        Raises oaktwin.Error for a camera that is not a pinhole.
+        """
+    def _repr_html_(self) -> str: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     def __reduce__(self) -> tuple[object, ...]: ...
@@ -182,24 +225,34 @@ class Rectification:
         camera name.
         """
 
+@overload
 def look_at(
     eye: Sequence[float] | _Float64,
     target: Sequence[float] | _Float64,
     up: Sequence[float] | _Float64 = (0.0, 0.0, 1.0),
     *,
-    frame: Literal["camera", "body"] = "camera",
-) -> _Float64:
+    frame: Literal["camera"] = "camera",
+) -> CameraPose:
     """Returns the pose at a position in the world that faces a target: a (4, 4) float64 matrix, world_from_camera, metres.
+    `Scene.look_at` knows the up axis of its world.
 
     eye: the position (3 values), metres in the world.
     target: the position to face (3 values), metres in the world.
     up: the direction in the world (3 values) that points up in the image; any length.
-    frame: "camera" (default) for a camera's axes, OpenCV's: x right, y down, z forward; "body" for a device's: x forward,
-        y left, z up. The pose of a device's camera is `look_at(..., frame="body") @ camera.body_from_camera`.
+    frame: "camera" (default) for a camera's axes, OpenCV's (x right, y down, z forward), a `CameraPose`; "body" for a device's
+        (x forward, y left, z up), a `BodyPose`. The pose of a device's camera is `look_at(..., frame="body") @ camera.body_from_camera`.
 
     Raises oaktwin.Error if eye and target are equal, or if the view direction is parallel to up.
     """
 
+@overload
+def look_at(
+    eye: Sequence[float] | _Float64,
+    target: Sequence[float] | _Float64,
+    up: Sequence[float] | _Float64 = (0.0, 0.0, 1.0),
+    *,
+    frame: Literal["body"],
+) -> BodyPose: ...
 def _camera(
     name: str,
     size: tuple[int, int],

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
@@ -10,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _oaktwin
+from ._html import table
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -83,15 +83,9 @@ class Coverage:
         )
 
     def _repr_html_(self) -> str:
-        def cell(value: object) -> str:
-            shown = "" if value is None else f"{value:.4g}" if isinstance(value, float) else str(value)
-            return f"<td>{html.escape(shown)}</td>"
-
         names = ("model", "name", *_NUMBERS)
-        head = "".join(f"<th>{name}</th>" for name in names)
         rows = (self.candidates[index] for index in self.ranking)
-        body = "".join("<tr>" + "".join(cell(row[name]) for name in names) + "</tr>" for row in rows)
-        return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+        return table(names, ([row[name] for name in names] for row in rows))
 
 
 def coverage(
@@ -102,7 +96,7 @@ def coverage(
     region: str | Sequence[str] | None = None,
     region_box: npt.ArrayLike | None = None,
     height: Sequence[float] | str | None = None,
-    tilt: Sequence[float] | str | None = None,
+    tilt_deg: Sequence[float] | str | None = None,
     sensor: str | None = None,
     size: tuple[int, int] | None = None,
     samples: int = 10_000,
@@ -117,13 +111,13 @@ def coverage(
 
     scene: the scene; the program opens it with micro_texture=True, without which stereo cameras measure little of plain surfaces.
     devices: a device, or several.
-    poses: world_from_body, (4, 4), or (N, 4, 4) for several poses, metres; x forward, y left, z up. See `look_at` with
-        frame="body".
+    poses: world_from_body, (4, 4), or (N, 4, 4) for several poses, metres; x forward, y left, z up. See
+        `Scene.look_at` with a device; a `CameraPose` is rejected.
     region: the path of a prim, or several: the region is the meshes at and below it; by default the whole scene.
     region_box: (2, 3), the minimum and maximum corner of a box in the world, metres: surface outside it does not belong to the
         region.
     height: heights along the up axis that replace the poses', metres, or the program's syntax "0.5:2:0.5".
-    tilt: angles below the horizontal that replace the poses', degrees; the heading is kept.
+    tilt_deg: angles below the horizontal that replace the poses', degrees; the heading is kept.
     sensor: "stereo", "tof" or the name of a prim; by default each device's own depth sensor.
     size: (width, height) of the sensor's images in px, resized by DepthAI's rule; by default its own.
     samples: the number of points that are distributed evenly over the surface, 1 to 1000000.
@@ -146,7 +140,7 @@ def coverage(
         region=region,
         region_box=region_box,
         height=height,
-        tilt=tilt,
+        tilt_deg=tilt_deg,
         sensor=sensor,
         size=size,
         samples=samples,

@@ -1,4 +1,4 @@
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import Literal, final
@@ -8,7 +8,9 @@ import numpy.typing as npt
 from ._cameras import Camera, Rectification
 from ._findings import Finding
 from ._types import (
+    _CalibrationHandler,
     _Float64,
+    _Group,
     _Inertial,
     _Intrinsics,
     _Isaac,
@@ -16,7 +18,6 @@ from ._types import (
     _Lens,
     _Mount,
     _Offsets,
-    _Parameters,
     _Part,
     _Platform,
     _Preset,
@@ -57,7 +58,7 @@ class Device:
     def __reduce__(self) -> tuple[object, ...]: ...
     @staticmethod
     def from_calibration(
-        path: str | PathLike[str],
+        calibration: str | PathLike[str] | bytes | bytearray | Mapping[str, object] | _CalibrationHandler,
         model: str | None = None,
         *,
         force: bool = False,
@@ -66,8 +67,9 @@ class Device:
     ) -> Device:
         """Creates the twin of one unit from its DepthAI calibration (JSON).
 
-        path: the file.
-        model: the model of the unit; by default the product name in the file.
+        calibration: the path of the file; its text, as a string or bytes; its content as a dictionary; or a `CalibrationHandler` of
+            DepthAI.
+        model: the model of the unit; by default the product name in the calibration.
         force: whether to ignore calibration errors, which become findings.
         lens: see `Device`; a calibrated camera always has its own lens.
         catalog: see `Device`.
@@ -83,7 +85,7 @@ class Device:
         """"nominal", or the calibration file's name."""
     @property
     def findings(self) -> list[Finding]:
-        """The findings about the calibration."""
+        """The findings about the calibration, or about a model that stands in for another."""
     @property
     def cameras(self) -> dict[str, Camera]:
         """The cameras by role: "rgb", "left", "right", "tof"."""
@@ -184,6 +186,7 @@ class Device:
         """
     def to_depthai(self) -> dict[str, str]:
         """Returns DepthAI's calibration JSON: a mapping from a file name to its text; for a nominal device, the ideal unit's."""
+    def _repr_html_(self) -> str: ...
     def report(self) -> _Json:
         """Everything known about the device, each number with its source: what `oaktwin show --json` prints."""
 
@@ -203,7 +206,7 @@ def models(
     """
 
 def parameters(
-    group: _Parameters, *, platform: _Platform = "rvc2"
+    group: _Group, *, platform: _Platform = "rvc2"
 ) -> list[_Json]:
     """The parameters of an engine, the imager or the filters, as dictionaries.
 
@@ -234,20 +237,21 @@ def simulate_imu(
     *,
     rate: float | None = None,
     part: str | None = None,
-    seed: int = 0,
+    seed: int | None = 0,
     up: _Up = "z",
 ) -> _Inertial:
     """Simulates the inertial sensor of a device along a trajectory, as `oaktwin render --imu` does.
 
     times: (N,) the times of the poses in seconds, increasing; at least two.
-    poses: (N, 4, 4) world_from_body: the poses of the device's body, metres.
+    poses: (N, 4, 4) world_from_body: the poses of the device's body, metres; a `CameraPose` is rejected.
     rate: the samples per second; by default 400, or the part's maximum if lower.
     part: the inertial part, such as "BMI270"; by default the device's.
-    seed: the noise seed.
+    seed: the noise seed; None for one of fresh entropy.
     up: the vertical axis of the world, "z" or "y".
 
     Returns a mapping: "timestamp" (M,) int64 nanoseconds, "angular_velocity" (M, 3) float64 rad/s and "linear_acceleration"
-    (M, 3) float64 m/s², which is +9.81 upwards at rest; both in the frame of the sensor, `device.extrinsics("imu", "body")`.
+    (M, 3) float64 m/s², which is +9.81 upwards at rest; both in the frame of the sensor, `device.extrinsics("imu", "body")`;
+    and "seed".
 
     Warns with oaktwin.FindingWarning. Raises oaktwin.Error for invalid input, and for a device without an inertial sensor.
     """

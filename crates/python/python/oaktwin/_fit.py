@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from . import _oaktwin
+from ._html import table
 from ._plot import finished, new_axes
 
 if TYPE_CHECKING:
@@ -21,7 +22,9 @@ class Fit:
     """Fitted parameters of a depth sensor.
 
     report: all results, as printed by `oaktwin fit --json`; names contain the units.
-    toml: the parameters as text, for `DepthSensor(params=)` and the program's `--params`.
+    toml: the parameters as the text of a file, which the program's `--params` reads.
+
+    `DepthSensor(parameters=fit)` uses it.
     """
 
     def __init__(self, report: _Json, toml: str) -> None:
@@ -30,7 +33,7 @@ class Fit:
 
     @property
     def parameters(self) -> dict[str, float]:
-        """The values by name, for `DepthSensor(parameters=)`."""
+        """The values by name."""
         return {one["name"]: one["value"] for one in self.report["parameters"] if one["is_fitted"]}
 
     @property
@@ -68,6 +71,12 @@ class Fit:
         ax.axhline(0.0, color="0.7", linewidth=0.8)
         return finished(ax, self.report)
 
+    def _repr_html_(self) -> str:
+        intervals = self.intervals
+        rows = [(name, value, *(intervals[name] or (None, None))) for name, value in self.parameters.items()]
+        title = f"{self.report['model']}, {self.report['engine']}"
+        return table(("parameter", "value", "from (95 %)", "to (95 %)"), rows, title)
+
     def __repr__(self) -> str:
         values = ", ".join(f"{name} {value:.4g}" for name, value in self.parameters.items())
         return f"<oaktwin.Fit {self.report['model']} {self.report['engine']}: {values or 'no parameter found'}>"
@@ -98,7 +107,7 @@ def fit(
     focal_px: the focal length of the unit, px of images `width_px` wide; by default the device's own.
     width_px: the width of the unit's images: 1280 at 800P, 640 at 480P and 400P.
     fits_focal_length: whether to fit the focal length as well.
-    options: what is known of the sensor: the options engine, preset, params, parameters and extended_disparity of `DepthSensor`, such as
+    options: what is known of the sensor: the options engine, preset, parameters and extended_disparity of `DepthSensor`, such as
         parameters={"subpixelFractionalBits": 3}.
 
     Ctrl-C interrupts the fit. Issues an `oaktwin.FindingWarning` for oddities of the recordings. Raises FileNotFoundError for

@@ -78,7 +78,7 @@ def coverage(
     region: str | Sequence[str] | None = None,
     region_box: npt.ArrayLike | None = None,
     height: Sequence[float] | str | None = None,
-    tilt: Sequence[float] | str | None = None,
+    tilt_deg: Sequence[float] | str | None = None,
     sensor: str | None = None,
     size: tuple[int, int] | None = None,
     samples: int | None = None,

@@ -2,7 +2,7 @@ from collections.abc import Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from types import TracebackType
-from typing import final
+from typing import final, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -10,7 +10,8 @@ import numpy.typing as npt
 from ._cameras import Camera
 from ._devices import Device
 from ._findings import Finding
-from ._types import _Annotator, _Array, _Backend, _Float64, _Json, _Pair, _Rendered, _Up
+from ._poses import BodyPose, CameraPose, Poses
+from ._types import _Array, _Backend, _Drift, _Float64, _Json, _Pair, _Rendered, _SceneAnnotator, _Up
 
 __all__ = ["Mesh", "Recipe", "Recording", "Scene", "annotators"]
 
@@ -121,8 +122,10 @@ class Scene:
     def set_poses(self, poses: Mapping[str, npt.ArrayLike]) -> None:
         """Moves several parts: a mapping from names to poses, as in `set_pose`. If one is invalid, none is moved."""
     @property
-    def poses(self) -> dict[str, _Float64]:
-        """The poses of all parts, a dictionary from prim path to (4, 4) float64 world_from_part, metres."""
+    def poses(self) -> Poses:
+        """The poses of all parts, a dictionary from prim path to (4, 4) float64 world_from_part, metres. It finds parts by their names,
+        too: `scene.poses["link"]` is `scene.poses["/World/link"]`.
+        """
     def save_usd(self, path: str | PathLike[str]) -> None:
         """Writes the scene as a USD file, with its present poses, materials, lights and semantic labels.
 
@@ -130,12 +133,34 @@ class Scene:
 
         Raises oaktwin.Error for another extension, and OSError if a file cannot be written.
         """
+    @overload
+    def look_at(
+        self,
+        eye: Sequence[float] | _Float64,
+        target: Sequence[float] | _Float64,
+        of: Camera | None = None,
+    ) -> CameraPose:
+
+        """Returns the pose at a position that faces a target, upright in the world of the scene: a (4, 4) float64 matrix, metres.
+
+        eye, target: the position and the point to face (3 values each), metres in the world.
+        of: what is placed: a `Camera` for a `CameraPose`, or a `Device` for the `BodyPose` of its body. By default, a camera.
+
+        Raises oaktwin.Error if eye and target are equal, or one is above the other: `oaktwin.look_at` takes another up direction.
+        """
+    @overload
+    def look_at(
+        self,
+        eye: Sequence[float] | _Float64,
+        target: Sequence[float] | _Float64,
+        of: Device,
+    ) -> BodyPose: ...
     def render(
         self,
         camera: Camera,
         world_from_camera: npt.ArrayLike,
         *,
-        annotators: Sequence[_Annotator] | None = None,
+        annotators: Sequence[_SceneAnnotator] | None = None,
         backend: _Backend = "auto",
         smooth_edges: bool = True,
     ) -> _Rendered:
@@ -166,39 +191,41 @@ class Scene:
         projector: float = 0.0,
         ambient: float = 1.0,
         imager: Mapping[str, object] | None = None,
-        seed: int | None = None,
+        seed: int | None = 0,
         device_seed: int | None = None,
-        drift: str | None = None,
+        drift: _Drift | None = None,
         frame: int | None = None,
     ) -> _Pair:
         """Renders the images of a device's stereo pair, raw and rectified as on the device, for a `StereoMatcher`.
 
         device: the device with the stereo pair.
-        world_from_body: the pose of its body, (4, 4), metres; x forward, y left, z up. See `look_at` with frame="body".
+        world_from_body: the pose of its body, (4, 4), metres; x forward, y left, z up. See `look_at`; a `CameraPose` is rejected.
         sensor: the depth sensor with the pair, by prim, such as "Camera_pseudo_depth_50mm" of the OAK-D LR; by default the
             device's first pair.
         size: (width, height) of the images in px, resized by DepthAI's rule; by default the cameras' own.
         projector: the intensity of a Pro's infrared dot projector, from 0 (default, off) to 1.
         ambient: the scale of the scene's lights; 0 is darkness.
         imager: a mapping of image sensor parameters by name: {"bits": 10, "noise": False, ...}.
-        seed: the noise seed.
+        seed: the noise seed; None for one of fresh entropy.
         device_seed: the seed of the unit's calibration error, which displaces the right camera from its assumed pose; None
             (default) for no error.
-        drift: the change of the pair since the calibration to which its images are rectified, such as "yaw=0.3,baseline=50"; see
+        drift: the change of the pair since the calibration to which its images are rectified, such as {"yaw": 0.3, "baseline": 50}; see
             `DepthSensor`.
-        frame: the frame number in the sequence, which determines the noise together with the seed.
+        frame: the frame number in the sequence, which determines the noise together with the seed. By default, the calls of a scene
+            without `frame` are numbered from 0 on; copies and pickles continue the numbering.
 
         Returns a dictionary: "left", "right", "rectified_left", "rectified_right", (H, W) uint8, or uint16 with 10 bits; the
         rectified images are 0 outside the camera's image; "z", the ground truth in the rectified left camera, (H, W) float32
-        metres along its optical axis, inf for a miss.
+        metres along its optical axis, inf for a miss; "camera", the rectified left camera; "baseline" of the rectified pair in metres;
+        "frame" and "seed".
 
         Issues an oaktwin.FindingWarning for missing or unsupported contents. Raises oaktwin.Error for a device without a stereo
         pair or without the requested projector, an invalid pose, values out of range, and images that do not fit in memory.
         """
     def __reduce__(self) -> tuple[object, ...]: ...
-    def __setstate__(self, poses: Mapping[str, npt.ArrayLike]) -> None: ...
+    def __setstate__(self, state: tuple[dict[str, npt.ArrayLike], int]) -> None: ...
     @property
-    def cameras(self) -> dict[str, tuple[Camera, _Float64]]:
+    def cameras(self) -> dict[str, tuple[Camera, CameraPose]]:
         """The cameras in the file that `oaktwin render` renders: the cameras of render products with a depth sensor, otherwise all. A
         dictionary from the prim's path to (camera, world_from_camera), the latter (4, 4) float64 metres with OpenCV's axes:
         `scene.render(*scene.cameras["/World/Camera"])`.
@@ -320,7 +347,10 @@ class Recipe:
         Raises oaktwin.Error if an object or the camera has no place.
         """
     def preview(self, frames: int = 16) -> npt.NDArray[np.uint8]:
-        """Returns a contact sheet of the first frames as an sRGB image (H, W, 3) of uint8: colour, exact depth and measured depth."""
+        """Returns a contact sheet of the first frames as an sRGB image (H, W, 3) of uint8: colour, exact depth and measured depth.
+
+        frames: the number of frames, at least 1.
+        """
     def generate(
         self,
         output: str | PathLike[str],

@@ -1,19 +1,71 @@
 //! What a device consists of, and units of its model.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use oaktwin::calibration::{Calibration, nominal_calibration};
+use oaktwin::calibration::{Calibration, Raw, nominal_calibration};
 use oaktwin::camera::RigidTransform;
+use oaktwin::catalog;
 use oaktwin::diagnostic::suggest;
 use oaktwin::population::Population;
 use oaktwin::render::{OakOptions, oak_cameras};
+use oaktwin::unit;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyByteArray, PyBytes, PyDict};
 
 use super::Device;
 use crate::camera::Camera;
-use crate::error::{error, wrong};
+use crate::error::{error, reading, wrong};
 use crate::export::export;
+use crate::models::Models;
+use crate::settings::mistyped;
+
+/// The name of a calibration that is not a file.
+const NO_FILE: &str = "calibration";
+
+/// Reads a calibration: a path, text, bytes, a dictionary, or a `CalibrationHandler` of `DepthAI`.
+pub(super) fn calibration(object: &Bound<'_, PyAny>) -> PyResult<Raw> {
+    let py = object.py();
+    let dump = |content: &Bound<'_, PyAny>| -> PyResult<String> {
+        let text = py.import("json")?.call_method1("dumps", (content,));
+        text.map_err(|cause| {
+            let is = format!("cannot be written as JSON ({cause})");
+            wrong(NO_FILE, is, "pass the content of DepthAI's file")
+        })?
+        .extract()
+    };
+    let text = if object.hasattr("eepromToJson")? {
+        dump(&object.call_method0("eepromToJson")?)?.into_bytes()
+    } else if object.hasattr("items")? {
+        dump(object)?.into_bytes()
+    } else if object.is_instance_of::<PyBytes>() || object.is_instance_of::<PyByteArray>() {
+        object.extract::<Vec<u8>>()?
+    } else if let Ok(text) = object.extract::<String>()
+        && text.trim_start().starts_with('{')
+    {
+        text.into_bytes()
+    } else {
+        let kinds = "the path, the text or the content of a calibration, or a CalibrationHandler";
+        let path: PathBuf = object.extract().map_err(|_| mistyped(NO_FILE, object, kinds))?;
+        let read = unit::read_calibration(&path).map_err(|error| reading(&path, &error));
+        return read.map(|(raw, _, _)| raw);
+    };
+    Raw::parse(&text, NO_FILE).map_err(error)
+}
+
+/// Returns the entry of a model. The name of a file is none.
+pub(super) fn entry<'a>(models: &'a Models, name: &str) -> PyResult<&'a catalog::Device> {
+    models.get().device(name).map_err(|unknown| {
+        let is_json = Path::new(name)
+            .extension()
+            .is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
+        if is_json || Path::new(name).is_file() {
+            let remedy = format!("use Device.from_calibration({name:?})");
+            wrong(name, "is a file, not a model", remedy)
+        } else {
+            error(unknown)
+        }
+    })
+}
 
 /// The maximum number of units of a population.
 const MAX_UNITS: u64 = 10_000;

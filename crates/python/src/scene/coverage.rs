@@ -20,8 +20,8 @@ use crate::error::{error, wrong};
 use crate::finding;
 use crate::json;
 use crate::pair::PairSettings;
-use crate::pose::poses;
-use crate::settings::{sensor_options, strings};
+use crate::pose::Of;
+use crate::settings::{mistyped, sensor_options, strings};
 use crate::threads;
 
 /// The arguments besides the options of the sensor.
@@ -29,7 +29,7 @@ const ARGUMENTS: [&str; 11] = [
     "region",
     "region_box",
     "height",
-    "tilt",
+    "tilt_deg",
     "sensor",
     "size",
     "samples",
@@ -41,7 +41,7 @@ const ARGUMENTS: [&str; 11] = [
 
 /// Wraps the report of `oaktwin coverage --json` as a dictionary, and the outcomes by point, for `oaktwin.coverage`.
 #[pyfunction]
-#[pyo3(signature = (scene, devices, world_from_body, *, region = None, region_box = None, height = None, tilt = None, sensor = None,
+#[pyo3(signature = (scene, devices, world_from_body, *, region = None, region_box = None, height = None, tilt_deg = None, sensor = None,
     size = None, samples = None, points = false, projector = None, ambient = 1.0, imager = None, **options))]
 #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
@@ -52,8 +52,8 @@ pub(crate) fn coverage<'py>(
     world_from_body: &Bound<'py, PyAny>,
     region: Option<&Bound<'py, PyAny>>,
     region_box: Option<&Bound<'py, PyAny>>,
-    height: Option<List>,
-    tilt: Option<List>,
+    height: Option<&Bound<'py, PyAny>>,
+    tilt_deg: Option<&Bound<'py, PyAny>>,
     sensor: Option<String>,
     size: Option<Size>,
     #[pyo3(from_py_with = optional::samples)] samples: Option<u32>,
@@ -89,10 +89,14 @@ pub(crate) fn coverage<'py>(
         finding::warn(py, &findings)?;
         rigs.push(rig);
     }
-    let base = Base::Poses(poses("poses", world_from_body)?.0);
+    let base = Base::Poses(Of::Body.several("poses", world_from_body)?.0);
     let sweep = Sweep {
-        heights_m: List::numbers(height, |text| Ok(Sweep::parse(Some(text), None)?.heights_m))?,
-        tilts_deg: List::numbers(tilt, |text| Ok(Sweep::parse(None, Some(text))?.tilts_deg))?,
+        heights_m: List::numbers(List::of("height", height)?, |text| {
+            Ok(Sweep::parse(Some(text), None)?.heights_m)
+        })?,
+        tilts_deg: List::numbers(List::of("tilt_deg", tilt_deg)?, |text| {
+            Ok(Sweep::parse(None, Some(text))?.tilts_deg)
+        })?,
     };
     let stage = scene.read(py);
     let renderer = &stage.renderer;
@@ -121,13 +125,25 @@ pub(crate) fn coverage<'py>(
 }
 
 /// Numbers, or the program's text syntax.
-#[derive(FromPyObject)]
 pub(crate) enum List {
     Text(String),
     Numbers(Vec<f64>),
 }
 
 impl List {
+    /// Reads an argument that may be None.
+    fn of(name: &str, object: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Self>> {
+        let Some(object) = object else {
+            return Ok(None);
+        };
+        if let Ok(text) = object.extract() {
+            return Ok(Some(Self::Text(text)));
+        }
+        let numbers = object.extract().map(Self::Numbers);
+        let expected = "a list of numbers, or a range such as \"0.5:2:0.5\"";
+        numbers.map(Some).map_err(|_| mistyped(name, object, expected))
+    }
+
     fn numbers(
         list: Option<Self>,
         parse: impl FnOnce(&str) -> Result<Vec<f64>, CoverageError>,
@@ -147,7 +163,10 @@ fn region(objects: Option<&Bound<'_, PyAny>>, corners: Option<&Bound<'_, PyAny>>
         Some(paths) => strings("region", paths)?,
     };
     let within = corners.map(|corners| {
-        let pair: Vec<Bound<'_, PyAny>> = corners.try_iter()?.collect::<PyResult<_>>()?;
+        let pair: Vec<Bound<'_, PyAny>> = corners
+            .try_iter()
+            .and_then(Iterator::collect)
+            .map_err(|_| mistyped("region_box", corners, "the minimum and the maximum corner"))?;
         match &pair[..] {
             [min, max] => Ok(Bounds {
                 min: vector("region_box", min)?,

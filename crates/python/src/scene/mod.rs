@@ -1,37 +1,36 @@
 pub(crate) mod annotators;
 pub(crate) mod coverage;
 mod parts;
+mod views;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::RwLock;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use numpy::PyArray2;
 use oaktwin::diagnostic;
-use oaktwin::image::annotation::Annotator;
 use oaktwin::pair::{PairCameras, PairError};
 use oaktwin::render::{
-    AnnotateOptions, Backend, CameraError, OpenOptions, PlacedCamera, SceneCameraOptions, SceneFile,
-    check_saved_name, save_usd, scene_cameras,
+    AnnotateOptions, CameraError, OpenOptions, PlacedCamera, SceneCameraOptions, SceneFile, check_saved_name,
+    save_usd, scene_cameras,
 };
 use oaktwin::scene::Instance;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use self::annotators::{check_memory, scene_annotator};
 use self::parts::{Parts, Stage, items};
-use crate::arguments::{Annotators, FrameNumber, Size, subdivide};
+use crate::arguments::{Annotators, FrameNumber, Size, optional, subdivide};
 use crate::asset;
 use crate::camera::Camera;
-use crate::choice::{maybe_named, named};
+use crate::choice::maybe_named;
 use crate::device::Device;
 use crate::error::{error, reading, writing, wrong};
 use crate::finding::{self, Finding};
-use crate::frames::Frames;
 use crate::mesh::Mesh;
 use crate::pair::{self, PairSettings};
-use crate::pose::{matrix, one_pose, poses, rows};
-use crate::settings::whole;
+use crate::pose::{Of, matrix, one_pose, rows};
+use crate::settings::{drift, mistyped, seed_or_entropy};
 use crate::threads;
 
 /// A scene to render on the CPU: `Scene.open(path)`, `Scene.from_meshes({name: mesh})` or
@@ -42,6 +41,8 @@ use crate::threads;
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct Scene {
     stage: RwLock<Stage>,
+    /// The frame number of the next pair without one.
+    next_frame: AtomicU64,
     origin: Origin,
     cameras: Result<Vec<PlacedCamera>, CameraError>,
     findings: Vec<diagnostic::Finding>,
@@ -116,6 +117,7 @@ impl Scene {
         let path = std::path::absolute(&path).unwrap_or(path);
         Ok(Self {
             stage: RwLock::new(Stage::new(file.scene)),
+            next_frame: AtomicU64::new(0),
             origin: Origin::File { path, options },
             cameras,
             findings: file.findings,
@@ -177,7 +179,13 @@ impl Scene {
             })?;
             Ok((name, mesh.unbind()))
         };
-        let label = |(name, label): (String, Bound<'_, PyAny>)| Ok((name, label.extract()?));
+        let label = |(name, label): (String, Bound<'_, PyAny>)| {
+            let text = label.extract();
+            Ok((
+                name,
+                text.map_err(|_| mistyped("labels", &label, "a text for each name"))?,
+            ))
+        };
         let parts = Parts {
             meshes: items("meshes", Some(meshes))?
                 .into_iter()
@@ -209,15 +217,16 @@ impl Scene {
         self.write(py, |stage| stage.place(&poses))
     }
 
-    /// The poses of all parts, a dictionary from prim path to (4, 4) float64 world_from_part, metres.
+    /// The poses of all parts, a dictionary from prim path to (4, 4) float64 world_from_part, metres. It finds parts by their names,
+    /// too: `scene.poses["link"]` is `scene.poses["/World/link"]`.
     #[getter]
-    fn poses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+    fn poses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let all = PyDict::new(py);
         let stage = self.read(py);
         for (path, pose) in stage.poses() {
             all.set_item(path, rows(py, &pose)?)?;
         }
-        Ok(all)
+        py.import("oaktwin._poses")?.getattr("Poses")?.call1((all,))
     }
 
     /// Writes the scene as a USD file, with its present poses, materials, lights and semantic labels.
@@ -232,6 +241,23 @@ impl Scene {
         let scene = stage.renderer.scene();
         let written = py.detach(|| save_usd(scene, &path));
         written.map_err(|error| writing(&path, &error))
+    }
+
+    /// Returns the pose at a position that faces a target, upright in the world of the scene: a (4, 4) float64 matrix, metres.
+    ///
+    /// eye, target: the position and the point to face (3 values each), metres in the world.
+    /// of: what is placed: a `Camera` for a `CameraPose`, or a `Device` for the `BodyPose` of its body. By default, a camera.
+    ///
+    /// Raises oaktwin.Error if eye and target are equal, or one is above the other: `oaktwin.look_at` takes another up direction.
+    #[pyo3(signature = (eye, target, of = None))]
+    fn look_at<'py>(
+        &self,
+        py: Python<'py>,
+        eye: &Bound<'py, PyAny>,
+        target: &Bound<'py, PyAny>,
+        of: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.facing(py, eye, target, of)
     }
 
     /// Renders the ground truth of a camera.
@@ -260,63 +286,39 @@ impl Scene {
         backend: &str,
         smooth_edges: bool,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let backend: Backend = named("backend", backend)?;
-        let asked = match annotators {
-            Some(Annotators(names)) => names
-                .iter()
-                .map(|name| scene_annotator(name))
-                .collect::<PyResult<_>>()?,
-            None => vec![Annotator::DistanceToImagePlane],
-        };
-        let (poses, is_batch) = poses("world_from_camera", world_from_camera)?;
-        check_memory(camera, &asked, poses.len())?;
         let options = AnnotateOptions {
             smooth_edges,
             ..AnnotateOptions::default()
         };
-        let stage = self.read(py);
-        let renderer = &stage.renderer;
-        let mut frames = Frames::new(camera.camera.intrinsics.size, is_batch.then_some(poses.len()));
-        for (number, world_from_camera) in poses.iter().enumerate() {
-            py.check_signals()?;
-            let view = oaktwin::render::View {
-                camera: camera.camera,
-                world_from_camera: *world_from_camera,
-                clip: camera.clip,
-            };
-            let (frame, findings) = threads::run(py, || renderer.annotate(&view, &asked, backend, &options))?;
-            if number == 0 {
-                finding::warn(py, &findings)?;
-            }
-            frames.put(py, number, frame)?;
-        }
-        frames.finish(py, &asked)
+        self.rendered(py, camera, world_from_camera, annotators, backend, &options)
     }
 
     /// Renders the images of a device's stereo pair, raw and rectified as on the device, for a `StereoMatcher`.
     ///
     /// device: the device with the stereo pair.
-    /// world_from_body: the pose of its body, (4, 4), metres; x forward, y left, z up. See `look_at` with frame="body".
+    /// world_from_body: the pose of its body, (4, 4), metres; x forward, y left, z up. See `look_at`; a `CameraPose` is rejected.
     /// sensor: the depth sensor with the pair, by prim, such as "Camera_pseudo_depth_50mm" of the OAK-D LR; by default the
     ///     device's first pair.
     /// size: (width, height) of the images in px, resized by DepthAI's rule; by default the cameras' own.
     /// projector: the intensity of a Pro's infrared dot projector, from 0 (default, off) to 1.
     /// ambient: the scale of the scene's lights; 0 is darkness.
     /// imager: a mapping of image sensor parameters by name: {"bits": 10, "noise": False, ...}.
-    /// seed: the noise seed.
+    /// seed: the noise seed; None for one of fresh entropy.
     /// device_seed: the seed of the unit's calibration error, which displaces the right camera from its assumed pose; None
     ///     (default) for no error.
-    /// drift: the change of the pair since the calibration to which its images are rectified, such as "yaw=0.3,baseline=50"; see
+    /// drift: the change of the pair since the calibration to which its images are rectified, such as {"yaw": 0.3, "baseline": 50}; see
     ///     `DepthSensor`.
-    /// frame: the frame number in the sequence, which determines the noise together with the seed.
+    /// frame: the frame number in the sequence, which determines the noise together with the seed. By default, the calls of a scene
+    ///     without `frame` are numbered from 0 on; copies and pickles continue the numbering.
     ///
     /// Returns a dictionary: "left", "right", "rectified_left", "rectified_right", (H, W) uint8, or uint16 with 10 bits; the
     /// rectified images are 0 outside the camera's image; "z", the ground truth in the rectified left camera, (H, W) float32
-    /// metres along its optical axis, inf for a miss.
+    /// metres along its optical axis, inf for a miss; "camera", the rectified left camera; "baseline" of the rectified pair in metres;
+    /// "frame" and "seed".
     ///
     /// Issues an oaktwin.FindingWarning for missing or unsupported contents. Raises oaktwin.Error for a device without a stereo
     /// pair or without the requested projector, an invalid pose, values out of range, and images that do not fit in memory.
-    #[pyo3(signature = (device, world_from_body, *, sensor = None, size = None, projector = 0.0, ambient = 1.0, imager = None, seed = None,
+    #[pyo3(signature = (device, world_from_body, *, sensor = None, size = None, projector = 0.0, ambient = 1.0, imager = None, seed = 0,
         device_seed = None, drift = None, frame = None))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn render_pair<'py>(
@@ -329,9 +331,9 @@ impl Scene {
         projector: f64,
         ambient: f64,
         imager: Option<&Bound<'py, PyAny>>,
-        seed: Option<&Bound<'py, PyAny>>,
-        device_seed: Option<u64>,
-        drift: Option<&str>,
+        #[pyo3(from_py_with = seed_or_entropy)] seed: u64,
+        #[pyo3(from_py_with = optional::device_seed)] device_seed: Option<u64>,
+        drift: Option<&Bound<'py, PyAny>>,
         frame: Option<FrameNumber>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let settings = PairSettings {
@@ -340,23 +342,28 @@ impl Scene {
             projector,
             ambient,
             imager,
-            seed: seed.map_or(Ok(0), |seed| whole("seed", seed))?,
+            seed,
             device_seed,
-            drift,
+            drift: drift.map(|drift| self::drift("drift", drift)).transpose()?,
         };
         let options = settings.options(device)?;
-        let world_from_body = one_pose("world_from_body", world_from_body)?;
-        let frame = frame.map_or(0, |frame| frame.0);
+        let world_from_body = Of::Body.one("world_from_body", world_from_body)?;
+        let next = || self.next_frame.fetch_add(1, Ordering::Relaxed);
+        let frame = frame.map_or_else(next, |frame| frame.0);
         py.check_signals()?;
         let stage = self.read(py);
         let renderer = &stage.renderer;
         let pair = threads::run(py, || {
             let cameras = PairCameras::new(&device.twin, &options)?;
-            Ok::<_, PairError>(cameras.look(renderer, &world_from_body, frame))
+            let pair = cameras.look(renderer, &world_from_body, frame);
+            Ok::<_, PairError>((pair, pair::Rectified::of(&cameras)))
         })?;
-        let pair = pair.map_err(error)?;
+        let (pair, rectified) = pair.map_err(error)?;
         finding::warn(py, &pair.findings)?;
-        pair::arrays(py, pair)
+        let all = pair::arrays(py, pair, rectified)?;
+        all.set_item("frame", frame)?;
+        all.set_item("seed", seed)?;
+        Ok(all)
     }
 
     /// The cameras in the file that `oaktwin render` renders: the cameras of render products with a depth sensor, otherwise all. A
@@ -368,7 +375,8 @@ impl Scene {
     fn cameras<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let all = PyDict::new(py);
         for placed in self.cameras.as_ref().map_err(error)? {
-            let world_from_camera = rows(py, &(placed.world_from_mount * placed.mount_from_camera))?;
+            let world_from_camera =
+                Of::Camera.array(py, &(placed.world_from_mount * placed.mount_from_camera))?;
             let camera = Camera::placed(&placed.path, placed);
             all.set_item(&placed.path, (camera, world_from_camera))?;
         }
@@ -380,8 +388,10 @@ impl Scene {
         parts::reduce(self, py)
     }
 
-    fn __setstate__(&self, py: Python<'_>, poses: &Bound<'_, PyAny>) -> PyResult<()> {
-        self.set_poses(py, poses)
+    fn __setstate__(&self, py: Python<'_>, state: (Bound<'_, PyDict>, u64)) -> PyResult<()> {
+        let (poses, next_frame) = state;
+        self.next_frame.store(next_frame, Ordering::Relaxed);
+        self.set_poses(py, &poses)
     }
 
     /// Warnings about missing and unsupported contents of the file.

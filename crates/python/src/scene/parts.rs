@@ -1,6 +1,7 @@
 //! The parts of a scene: their names, poses and pickles.
 
 use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{RwLock, RwLockReadGuard, TryLockError};
 
 use oaktwin::camera::RigidTransform;
@@ -18,7 +19,10 @@ use crate::mesh::Mesh;
 use crate::pose::{one_pose, rows};
 
 /// A callable, its arguments, and the state that is set afterwards.
-pub(super) type Reduced<'py> = (Bound<'py, PyAny>, Bound<'py, PyTuple>, Option<Bound<'py, PyDict>>);
+pub(super) type Reduced<'py> = (Bound<'py, PyAny>, Bound<'py, PyTuple>, State<'py>);
+
+/// The poses that are set, and the frame number of the next pair.
+type State<'py> = (Bound<'py, PyDict>, u64);
 
 /// A renderer with the poses of its instances, which are the parts of the scene.
 pub(super) struct Stage {
@@ -207,6 +211,7 @@ impl Scene {
         stage.placed.extend(poses.enumerate());
         Ok(Self {
             stage: RwLock::new(stage),
+            next_frame: AtomicU64::new(0),
             origin: Origin::Meshes(parts.meshes),
             cameras: Ok(Vec::new()),
             findings: Vec::new(),
@@ -241,6 +246,7 @@ pub(super) fn reduce<'py>(scene: &Scene, py: Python<'py>) -> PyResult<Reduced<'p
     let own = py.get_type::<Scene>();
     let (options, poses) = (PyDict::new(py), PyDict::new(py));
     let stage = scene.read(py);
+    let next_frame = scene.next_frame.load(Ordering::Relaxed);
     let call = |make: &str, options| partial.call((own.getattr(make)?,), Some(options));
     match &scene.origin {
         Origin::File {
@@ -253,12 +259,16 @@ pub(super) fn reduce<'py>(scene: &Scene, py: Python<'py>) -> PyResult<Reduced<'p
             options.set_item("scale", opened.scale)?;
             options.set_item("scene_limit", opened.limit.factor())?;
             options.set_item("allow_outside", opened.allow_outside)?;
+            options.set_item("micro_texture", opened.micro_texture)?;
             let instances = &stage.renderer.scene().instances;
             for (index, (pose, _)) in &stage.placed {
                 poses.set_item(&instances[*index].path, rows(py, pose)?)?;
             }
-            let state = (!poses.is_empty()).then_some(poses);
-            Ok((call("open", &options)?, PyTuple::new(py, [path])?, state))
+            Ok((
+                call("open", &options)?,
+                PyTuple::new(py, [path])?,
+                (poses, next_frame),
+            ))
         }
         Origin::Meshes(meshes) => {
             let (labels, all) = (PyDict::new(py), PyDict::new(py));
@@ -273,7 +283,8 @@ pub(super) fn reduce<'py>(scene: &Scene, py: Python<'py>) -> PyResult<Reduced<'p
             options.set_item("poses", poses)?;
             options.set_item("labels", labels)?;
             options.set_item("up", stage.renderer.scene().up.name())?;
-            Ok((call("from_meshes", &options)?, PyTuple::new(py, [all])?, None))
+            let state = (PyDict::new(py), next_frame);
+            Ok((call("from_meshes", &options)?, PyTuple::new(py, [all])?, state))
         }
     }
 }

@@ -1,16 +1,91 @@
 //! Isaac Sim's annotators of the depth sensor as NumPy arrays.
 
 use numpy::{Element, PyArray1, PyArrayMethods};
-use oaktwin::image::Image;
-use oaktwin::image::annotation::{Annotation, Annotator};
-use oaktwin::render::annotator;
-use pyo3::prelude::*;
+use std::sync::{Arc, PoisonError};
 
+use oaktwin::camera::ImageSize;
+use oaktwin::image::annotation::{Annotation, Annotator, Frame, Reasons};
+use oaktwin::image::{Image, ZDepth};
+use oaktwin::render::{annotator, sense_frame};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use super::DepthSensor;
+use crate::arguments::{Annotators, FrameNumber};
 use crate::error::{error, wrong};
-use crate::images::array;
+use crate::images::{Depth, Pictures, array};
+use crate::threads;
+
+impl DepthSensor {
+    /// The outputs of annotators for one image.
+    pub(super) fn annotated<'py>(
+        &self,
+        py: Python<'py>,
+        depth: &Bound<'py, PyAny>,
+        rgb: Option<&Bound<'py, PyAny>>,
+        annotators: &Annotators,
+        frame: Option<FrameNumber>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let asked = annotators.0.iter().map(|name| sensor_annotator(name));
+        let asked = asked.collect::<PyResult<Vec<_>>>()?;
+        let (depth, shape) = Depth::read("depth", depth)?;
+        if shape.batch.is_some() {
+            return Err(wrong("depth", "is a batch", "give one image (H, W)"));
+        }
+        let pictures = rgb.map(|rgb| Pictures::read(rgb, shape)).transpose()?;
+        let ImageSize { width, height } = shape.size;
+        let mut seen = Frame {
+            distance_to_image_plane: Image::new(width, height, depth.slice()?.metres().into_owned())
+                .map(ZDepth),
+            rgb: pictures
+                .as_ref()
+                .map(Pictures::rgba)
+                .transpose()?
+                .and_then(|rgb| Image::new(width, height, rgb.into_owned())),
+            ..Frame::default()
+        };
+        let frame = self.frame(frame);
+        py.detach(|| {
+            let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
+            let eye = self.look(&mut eye, shape.size)?;
+            let sensor = Arc::make_mut(&mut eye.sensor);
+            let missing =
+                threads::install(|| sense_frame(sensor, &eye.camera, frame, None, &asked, &mut seen));
+            // What is missing is reported below.
+            missing.map(drop).map_err(error)
+        })?;
+        let distance = seen.depth_sensor_distance.as_ref();
+        let is_lost = distance.is_some_and(|z| z.0.pixels().iter().all(|metres| *metres == 0.0));
+        self.notice_image(py, depth.slice()?, is_lost, pictures.is_some())?;
+        let all = PyDict::new(py);
+        for annotator in asked {
+            let data = seen.take(annotator).ok_or_else(|| not_made(annotator))?;
+            if let Annotation::Reasons(reasons) = &data {
+                all.set_item("depth_sensor_reason_names", names(py, reasons)?)?;
+            }
+            let image = sensor_array(py, data)?.ok_or_else(|| not_made(annotator))?;
+            all.set_item(annotator.name(), image)?;
+        }
+        Ok(all)
+    }
+}
+
+fn not_made(annotator: Annotator) -> PyErr {
+    let remedy = "give rgb=, or use the engine single-view";
+    wrong(annotator.name(), "is not made of what was given", remedy)
+}
+
+/// The names of the codes of reasons.
+fn names<'py>(py: Python<'py>, reasons: &Reasons) -> PyResult<Bound<'py, PyDict>> {
+    let names = PyDict::new(py);
+    for (code, label) in &reasons.legend {
+        names.set_item(code, &label.name)?;
+    }
+    Ok(names)
+}
 
 /// Returns the depth sensor annotator with a name.
-pub(super) fn sensor_annotator(name: &str) -> PyResult<Annotator> {
+fn sensor_annotator(name: &str) -> PyResult<Annotator> {
     let found = annotator(name).map_err(error)?;
     if found.is_depth_sensor() {
         return Ok(found);
@@ -20,7 +95,7 @@ pub(super) fn sensor_annotator(name: &str) -> PyResult<Annotator> {
 }
 
 /// Converts an annotation of a depth sensor to an array.
-pub(super) fn sensor_array(py: Python<'_>, annotation: Annotation) -> PyResult<Option<Bound<'_, PyAny>>> {
+fn sensor_array(py: Python<'_>, annotation: Annotation) -> PyResult<Option<Bound<'_, PyAny>>> {
     match annotation {
         Annotation::ZDepth(image) => array(py, image.0).map(Some),
         Annotation::Scalar(image) => array(py, image).map(Some),

@@ -1,3 +1,4 @@
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, PoisonError};
 
 use oaktwin::camera::{self, ImageSize, RigidTransform};
@@ -22,7 +23,10 @@ pub(super) struct Eye {
 pub(super) struct Source {
     pub(super) twin: Arc<Twin>,
     pub(super) depth: TwinDepthSensor,
+    /// The options; the seed is `seed`.
     pub(super) options: SensorOptions,
+    /// The noise seed, which a reset can change.
+    pub(super) seed: AtomicU64,
     pub(super) field_of_view: FieldOfView,
 }
 
@@ -37,7 +41,19 @@ impl Source {
     /// Creates the sensor for images of a size; the default is the size of the camera, if set, otherwise the size of the
     /// model.
     pub(super) fn eye(&self, size: Option<ImageSize>) -> PyResult<Eye> {
-        self.eye_with(size, &self.options)
+        self.eye_with(size, &self.options())
+    }
+
+    /// The options with the present seed.
+    pub(super) fn options(&self) -> SensorOptions {
+        SensorOptions {
+            seed: self.seed(),
+            ..self.options.clone()
+        }
+    }
+
+    pub(super) fn seed(&self) -> u64 {
+        self.seed.load(Ordering::Relaxed)
     }
 
     /// Creates such a sensor with other options.
@@ -84,6 +100,21 @@ impl DepthSensor {
             *eye = self.source.eye(Some(size))?;
         }
         Ok(eye)
+    }
+
+    /// Starts a new sequence, with another seed if one is given.
+    pub(super) fn restart(&self, seed: Option<u64>) -> PyResult<()> {
+        self.memory.reset(None);
+        let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
+        match seed {
+            Some(seed) => {
+                self.source.seed.store(seed, Ordering::Relaxed);
+                self.next_frame.store(0, Ordering::Relaxed);
+                *eye = self.source.eye(Some(eye.camera.intrinsics.size))?;
+            }
+            None => Arc::make_mut(&mut eye.sensor).reset(),
+        }
+        Ok(())
     }
 
     /// Returns the sensor for images of a size, which is shared.

@@ -1,26 +1,25 @@
 mod annotate;
 mod eye;
 mod image_camera;
+mod memory;
 mod sense;
 mod units;
 
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 
 use oaktwin::align::{self, AlignTo};
 use oaktwin::camera::ImageSize;
-use oaktwin::image::annotation::Frame;
-use oaktwin::image::{Image, ZDepth};
-use oaktwin::render::{Clip, sense_frame};
+use oaktwin::render::Clip;
 use oaktwin::sense::{self as sensing, FieldOfView};
 use oaktwin::sensor::{EngineInput, SensorOptions, depth_sensor};
 use oaktwin::usd::asset::LensChoice;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use annotate::{sensor_annotator, sensor_array};
 use eye::{Eye, Source};
 use image_camera::field_of_view;
+use memory::Memory;
 use units::Units;
 
 use crate::align::aligned;
@@ -32,8 +31,7 @@ use crate::error::{error, wrong};
 use crate::finding::{self, Finding, Notices};
 use crate::images::{Depth, Out, Pictures};
 use crate::parameters::by_name;
-use crate::settings::{keywords, sensor_options};
-use crate::threads;
+use crate::settings::{fresh_seed, item_numbers, keywords, sensor_options, whole};
 
 #[doc = concat!(
     "DepthSensor(device, *, sensor=None, fx=None, hfov_deg=None, camera=None, name=None, ",
@@ -66,7 +64,7 @@ use crate::threads;
 /// rgb: the colour images of the same camera, uint8 sRGB, (H, W, 3 or 4) or (N, H, W, 3 or 4), used for the texture in
 ///     the confidence and for the brightness in filters. Three channels are copied.
 /// frame: the number of the frame in the sequence. Noise differs between frames and is reproducible for each. By default,
-///     the calls of a sensor without `frame` are numbered from 0 on, and again after `reset()`.
+///     the calls of a sensor without `frame` are numbered from 0 on; copies and pickles continue the numbering.
 /// seed, device_seed: for a batch, a sequence of N seeds. Item i is measured like the image of a DepthSensor with `seed[i]`,
 ///     or by the unit with `device_seed[i]`. By default all items have the sensor's seeds, and their index distinguishes their
 ///     noise.
@@ -76,13 +74,14 @@ use crate::threads;
 /// Returns `out`, or a new NumPy array in the unit of the input: metres or millimetres, 0 where invalid. It has the
 /// shape of the input; smaller if a filter decimates.
 ///
-/// A temporal filter uses the (H, W) images of earlier calls, but neither uses nor remembers the images of a batch.
+/// A temporal filter remembers the (H, W) images of earlier calls, and of batches the images of each item, until the image size
+/// changes; see `reset()`.
 ///
 /// Raises TypeError for an object that is not an array or has another dtype, oaktwin.Error for an invalid shape and for
 /// a size that differs from the camera's.
 ///
-/// Thread-safe; calls of one sensor with a temporal filter run one after another. Pickling preserves the settings and
-/// the device's calibration, but not the state of temporal filters.
+/// Thread-safe; calls of one sensor with a temporal filter run one after another. Copies and pickles have the settings,
+/// the device's calibration and the number of the next frame, but not the state of temporal filters.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct DepthSensor {
     device: Py<Device>,
@@ -92,6 +91,8 @@ pub(crate) struct DepthSensor {
     eye: Mutex<Eye>,
     /// The frame number of the next call without one.
     next_frame: AtomicU64,
+    /// What temporal filters remember of batches.
+    memory: Memory,
     notices: Notices,
     units: Units,
 }
@@ -115,10 +116,12 @@ impl DepthSensor {
         name: Option<String>,
         options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
-        let options = SensorOptions {
+        let entropy = fresh_seed(py, options)?;
+        let mut options = SensorOptions {
             name,
             ..sensor_options("DepthSensor", &ARGUMENTS, options, |_| true)?
         };
+        options.seed = entropy.unwrap_or(options.seed);
         let (whole, device) = (device, device.get());
         let twin = &device.twin;
         let depth = depth_sensor(twin, sensor).map_err(error)?.clone();
@@ -134,6 +137,7 @@ impl DepthSensor {
         let source = Source {
             twin: Arc::clone(twin),
             depth,
+            seed: AtomicU64::new(options.seed),
             options,
             field_of_view: field_of_view(fx, hfov_deg, camera.as_ref())?,
         };
@@ -147,13 +151,14 @@ impl DepthSensor {
             camera,
             lens: device.lens,
             next_frame: AtomicU64::new(0),
+            memory: Memory::default(),
             notices,
             units: Units::default(),
         })
     }
 
     fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<((&Py<Device>,), Bound<'py, PyDict>)> {
-        let own = &self.source.options;
+        let own = &self.source.options();
         let options = keywords(py, own, |_| true)?;
         let (fx, hfov_deg) = match self.source.field_of_view {
             FieldOfView::Known | FieldOfView::Camera(_) => (None, None),
@@ -166,6 +171,15 @@ impl DepthSensor {
         options.set_item("camera", self.camera.clone())?;
         options.set_item("name", &own.name)?;
         Ok(((&self.device,), options))
+    }
+
+    /// The number of the next frame.
+    fn __getstate__(&self) -> u64 {
+        self.next_frame.load(Ordering::Relaxed)
+    }
+
+    fn __setstate__(&self, next_frame: u64) {
+        self.next_frame.store(next_frame, Ordering::Relaxed);
     }
 
     /// Measures a depth image or a batch; see the class.
@@ -189,7 +203,6 @@ impl DepthSensor {
         let (result, mut out) = Out::of(py, out, out_shape, &depth)?;
         let values = depth.slice()?;
         let mut room = out.slice()?;
-        room.check_apart(values)?;
         let items = self.items(shape, &sensor, seed, device_seed)?;
         let frame = self.frame(frame);
         let rgb = pictures.as_ref().map(Pictures::rgba).transpose()?;
@@ -224,7 +237,9 @@ impl DepthSensor {
     /// Returns a dictionary by name. "depth_sensor_distance": (H, W) float32 metres, 0 where invalid, as returned by a
     /// call. Positions: (H, W, 4) float32 metres in the camera's frame with USD's axes (x right, y up, z backward),
     /// then 1. Colours: (H, W, 4) uint8. Positions and colours are 0 where invalid. The imager: (H, W) float32, 0 to 1.
-    /// The visualization: (H, W, 4) uint8. Only "single-view" supports the imager and the visualization.
+    /// The visualization: (H, W, 4) uint8. Only "single-view" supports the imager and the visualization. "depth_sensor_confidence":
+    /// (H, W) uint16, higher is better. "depth_sensor_reason": (H, W) uint8, 0 where a depth was measured, with the meaning of the
+    /// codes in "depth_sensor_reason_names".
     ///
     /// Raises oaktwin.Error for unknown names, for outputs that the engine does not support, and for a missing colour
     /// image.
@@ -238,57 +253,37 @@ impl DepthSensor {
         annotators: Annotators,
         frame: Option<FrameNumber>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let asked = annotators.0.iter().map(|name| sensor_annotator(name));
-        let asked = asked.collect::<PyResult<Vec<_>>>()?;
-        let (depth, shape) = Depth::read("depth", depth)?;
-        if shape.batch.is_some() {
-            return Err(wrong("depth", "is a batch", "give one image (H, W)"));
-        }
-        let pictures = rgb.map(|rgb| Pictures::read(rgb, shape)).transpose()?;
-        let ImageSize { width, height } = shape.size;
-        let mut seen = Frame {
-            distance_to_image_plane: Image::new(width, height, depth.slice()?.metres().into_owned())
-                .map(ZDepth),
-            rgb: pictures
-                .as_ref()
-                .map(Pictures::rgba)
-                .transpose()?
-                .and_then(|rgb| Image::new(width, height, rgb.into_owned())),
-            ..Frame::default()
-        };
-        let frame = self.frame(frame);
-        py.detach(|| {
-            let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
-            let eye = self.look(&mut eye, shape.size)?;
-            let sensor = Arc::make_mut(&mut eye.sensor);
-            let missing =
-                threads::install(|| sense_frame(sensor, &eye.camera, frame, None, &asked, &mut seen));
-            // What is missing is reported below.
-            missing.map(drop).map_err(error)
-        })?;
-        let distance = seen.depth_sensor_distance.as_ref();
-        let is_lost = distance.is_some_and(|z| z.0.pixels().iter().all(|metres| *metres == 0.0));
-        self.notice_image(py, depth.slice()?, is_lost, pictures.is_some())?;
-        let all = PyDict::new(py);
-        for annotator in asked {
-            let data = seen.take(annotator).map(|data| sensor_array(py, data));
-            let image = data.transpose()?.flatten().ok_or_else(|| {
-                let is = "is not made of what was given";
-                let remedy = "give rgb=, or use the engine single-view";
-                wrong(annotator.name(), is, remedy)
-            })?;
-            all.set_item(annotator.name(), image)?;
-        }
-        Ok(all)
+        self.annotated(py, depth, rgb, &annotators, frame)
     }
 
-    /// Starts a new sequence: resets the state of temporal filters, and the frame number of calls without `frame` to 0.
-    fn reset(&self, py: Python<'_>) {
-        self.next_frame.store(0, Ordering::Relaxed);
-        py.detach(|| {
-            let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
-            Arc::make_mut(&mut eye.sensor).reset();
-        });
+    /// Starts a new sequence: temporal filters forget earlier images. The numbering of frames continues, so that no noise repeats.
+    ///
+    /// items: the numbers of the items of batches that start a new sequence, or a mask; the others, and the (H, W) images, go on.
+    /// seed: the new noise seed, with which frames are numbered from 0 on. Equal seeds give equal noise: give each worker process
+    ///     its own.
+    #[pyo3(signature = (items = None, *, seed = None))]
+    fn reset(
+        &self,
+        py: Python<'_>,
+        items: Option<&Bound<'_, PyAny>>,
+        seed: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<()> {
+        if let (Some(_), Some(_)) = (items, seed) {
+            return Err(wrong("seed", "is for all items", "omit items"));
+        }
+        if let Some(items) = items {
+            let items = item_numbers("items", items)?;
+            py.detach(|| self.memory.reset(Some(&items)));
+            return Ok(());
+        }
+        let seed = seed.map(|seed| whole::<u64>("seed", seed)).transpose()?;
+        py.detach(|| self.restart(seed))
+    }
+
+    /// The noise seed; of a sensor with `seed=None`, the one that was drawn.
+    #[getter]
+    fn seed(&self) -> u64 {
+        self.source.seed()
     }
 
     /// Reprojects measured depth to another camera of the device; the nearest measurement in each pixel wins.
@@ -409,7 +404,7 @@ impl DepthSensor {
             self.source.twin.device.name,
             self.source.depth.spec.prim,
             self.engine(py)?,
-            self.source.options.seed
+            self.source.seed()
         ))
     }
 }

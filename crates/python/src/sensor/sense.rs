@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 
 use super::DepthSensor;
+use super::memory::Images;
 use super::units::Items;
 use crate::error::{error, wrong};
 use crate::images::{DepthSlice, OutSlice, Shape, part};
@@ -104,6 +105,23 @@ impl DepthSensor {
                     "give fewer than 2^32 at once",
                 )
             })?;
+            if items.remember() {
+                py.detach(|| {
+                    let metres = depth.metres();
+                    let images = Images {
+                        metres: &metres,
+                        rgb,
+                        size: shape.size,
+                        frame,
+                        first,
+                        count: many,
+                    };
+                    out.fill(first * out_pixels, many * out_pixels, |room| {
+                        self.memory.sense(items, &images, room)
+                    })
+                })?;
+                continue;
+            }
             threads::run(py, || {
                 let metres = depth.metres();
                 out.fill(first * out_pixels, many * out_pixels, |room| match items {

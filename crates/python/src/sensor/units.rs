@@ -29,6 +29,21 @@ pub(super) enum Items {
     Own(Vec<(Arc<Sensor>, u32)>),
 }
 
+impl Items {
+    /// The sensor of an item, and its number for the noise.
+    pub(super) fn of(&self, item: usize) -> Option<(&Sensor, u32)> {
+        match self {
+            Self::Same(sensor) => Some((sensor, u32::try_from(item).unwrap_or(u32::MAX))),
+            Self::Own(items) => items.get(item).map(|(sensor, number)| (&**sensor, *number)),
+        }
+    }
+
+    /// Whether the sensors have temporal filters.
+    pub(super) fn remember(&self) -> bool {
+        self.of(0).is_some_and(|(sensor, _)| sensor.remembers())
+    }
+}
+
 impl DepthSensor {
     /// Returns the frame number of a call.
     pub(super) fn frame(&self, given: Option<FrameNumber>) -> u64 {
@@ -66,7 +81,7 @@ impl DepthSensor {
         let mut items = Vec::with_capacity(shape.count());
         for item in 0..shape.count() {
             let own = &self.source.options;
-            let seed = seeds.as_ref().map_or(own.seed, |seeds| seeds[item]);
+            let seed = seeds.as_ref().map_or(self.source.seed(), |seeds| seeds[item]);
             let device_seed = device_seeds
                 .as_ref()
                 .map_or(own.device_seed, |seeds| Some(seeds[item]));
