@@ -39,13 +39,16 @@ impl fmt::Display for EngineKind {
     }
 }
 
+/// A closure that creates an engine.
+pub type Create = dyn Fn(&Setup) -> Result<Arc<dyn Engine>, ParameterError> + Send + Sync;
+
 /// A function or a closure that creates an engine.
 #[derive(Clone)]
 pub enum Factory {
     /// A function, for kinds that are statics.
     Function(fn(&Setup) -> Result<Arc<dyn Engine>, ParameterError>),
     /// A closure, for kinds that are made at run time.
-    Closure(Arc<dyn Fn(&Setup) -> Result<Arc<dyn Engine>, ParameterError> + Send + Sync>),
+    Closure(Arc<Create>),
 }
 
 impl Factory {

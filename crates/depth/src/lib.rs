@@ -40,7 +40,7 @@ mod turns;
 pub use capture::{Capture, FixedDisparity, Layer};
 pub use engine::{BatchEngine, Comparable, Engine, Input};
 pub use error::{BatchError, ParameterError, ShotError};
-pub use kind::{EngineInput, EngineKind, EngineRef, Factory, Technology};
+pub use kind::{Create, EngineInput, EngineKind, EngineRef, Factory, Technology};
 pub use reason::{Reason, ReasonCodes};
 pub use sensor::{DriftedPair, OutputCamera, Sensor};
 pub use setup::{PresetConfig, Setup};

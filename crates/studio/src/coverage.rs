@@ -106,8 +106,8 @@ fn within_budget(scene: &LoadedScene, request: &RegionRequest) -> Result<Region,
 /// Returns the OAK of a state.
 fn rig(studio: &Studio, state: &OakState) -> Result<MeasuringRig, Failure> {
     let twin = state.twin(studio)?;
-    let (spec, sensor) = (state.spec(None)?, Some(state.sensor_kind()));
-    let made = MeasuringRig::new(&twin, sensor, Some(state.projector), &spec);
+    let (spec, sensor) = (state.spec(studio, None)?, Some(state.sensor_kind()));
+    let made = MeasuringRig::new(&twin, sensor, Some(spec.pair.projector), &spec);
     let (rig, _) = made.map_err(|error| Failure::of("engine", &error))?;
     let is_matching = state.engine()?.input == EngineInput::Pair;
     check_memory(rig.camera().camera.intrinsics.size, is_matching)?;

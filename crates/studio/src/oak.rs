@@ -5,9 +5,9 @@ use oaktwin::catalog::{Device, LensChoice, Twin};
 use oaktwin::depth::parameters::choose;
 use oaktwin::diagnostic::Finding;
 use oaktwin::image::annotation::Annotator;
-use oaktwin::pair::{PairCameras, PairOptions};
+use oaktwin::pair::{PairCameras, PairOptions, dot_contrast};
 use oaktwin::render::{self, OakOptions, PairUse, PlacedCamera, Rig, RigError, RigSpec, oak_cameras};
-use oaktwin::sensor::{EngineInput, EngineKind, Sensor, SensorOptions};
+use oaktwin::sensor::{EngineInput, EngineKind, STEREO_NOISE, Sensor, SensorOptions};
 
 use crate::protocol::{Failure, OakState};
 use crate::size::{check_memory, check_pixels};
@@ -106,15 +106,32 @@ impl OakState {
         self.sensor.strip_prefix("depth_").unwrap_or(&self.sensor)
     }
 
+    /// Returns the intensity of the dot projector: 0 where there is none, unless a matcher asks for its dots, which is an error.
+    fn projector(&self, studio: &Studio) -> Result<f64, Failure> {
+        let is_matcher = self.engine()?.input == EngineInput::Pair;
+        Ok(match self.device(studio)?.projector {
+            None if !is_matcher => 0.0,
+            _ => self.projector,
+        })
+    }
+
+    /// Returns what `stereo-noise` calls `dotContrast`, if the light of the projector determines it.
+    pub(crate) fn dot_contrast(&self, studio: &Studio) -> Result<Option<f64>, Failure> {
+        let twin = self.twin(studio)?;
+        let contrast = dot_contrast(&twin, self.projector(studio)?, self.ambient);
+        let contrast = contrast.map_err(|error| Failure::of("projector", &error))?;
+        Ok((contrast > 0.0 && self.engine()? == &STEREO_NOISE).then_some(contrast))
+    }
+
     /// Returns the specification of the rig, with images of a size.
-    pub(crate) fn spec(&self, size: Option<ImageSize>) -> Result<RigSpec, Failure> {
+    pub(crate) fn spec(&self, studio: &Studio, size: Option<ImageSize>) -> Result<RigSpec, Failure> {
         Ok(RigSpec {
             cameras: vec![self.sensor.clone()],
             size,
             annotators: vec![Annotator::DepthSensorDistance],
             sensor: self.options()?,
             pair: PairOptions {
-                projector: self.projector,
+                projector: self.projector(studio)?,
                 ambient: self.ambient,
                 lens: self.lens()?,
                 ..PairOptions::default()
@@ -151,7 +168,7 @@ impl Oak {
                 true => PairUse::Beside,
                 false => PairUse::Matched,
             },
-            ..state.spec(size)?
+            ..state.spec(studio, size)?
         };
         let made = Rig::new(&twin, &spec).map_err(|error| match &error {
             RigError::Camera(_) | RigError::Option(_) => Failure::of("sensor", &error),

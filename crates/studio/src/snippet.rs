@@ -94,7 +94,7 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
     if let Some(drift) = state.drift()? {
         option("drift", &drift.to_text());
     }
-    if state.engine()?.input == EngineInput::Pair {
+    if state.engine()?.input == EngineInput::Pair || state.dot_contrast(studio)?.is_some() {
         option("projector", &state.projector.to_string());
         option("ambient", &state.ambient.to_string());
     }
@@ -120,7 +120,7 @@ pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String,
         "import numpy as np\nimport oaktwin\n\n{device}\nscene = oaktwin.Scene.open({})\nworld_from_body = np.array({world_from_body})\n",
         quoted(&scene.argument)
     );
-    let options = options(state);
+    let options = options(studio, state)?;
     let unit = unit(state)?;
     if state.engine()?.input == EngineInput::Pair {
         let size = size.map_or_else(String::new, |size| {
@@ -191,7 +191,7 @@ fn unit(state: &OakState) -> Result<String, Failure> {
 }
 
 /// The arguments that sensors and matchers share, each with a comma in front.
-fn options(state: &OakState) -> String {
+fn options(studio: &Studio, state: &OakState) -> Result<String, Failure> {
     let mut out = String::new();
     if let Some(preset) = &state.preset {
         let _ = write!(out, ", preset={}", quoted(&preset.to_lowercase()));
@@ -205,17 +205,22 @@ fn options(state: &OakState) -> String {
     if !filters.is_empty() {
         let _ = write!(out, ", filters=[{}]", filters.join(", "));
     }
-    if !state.parameters.is_empty() {
-        let pairs = state.parameters.iter();
-        let pairs: Vec<String> = pairs
-            .map(|(name, value)| format!("{}: {}", quoted(name), quoted(value)))
-            .collect();
+    let dots = state.dot_contrast(studio)?.map(|contrast| contrast.to_string());
+    let dots = dots.map(|contrast| ("dotContrast".to_owned(), contrast));
+    let pairs = dots
+        .iter()
+        .map(|(name, value)| (name, value))
+        .chain(&state.parameters);
+    let pairs: Vec<String> = pairs
+        .map(|(name, value)| format!("{}: {}", quoted(name), quoted(value)))
+        .collect();
+    if !pairs.is_empty() {
         let _ = write!(out, ", parameters={{{}}}", pairs.join(", "));
     }
     if state.extended_disparity {
         out.push_str(", extended_disparity=True");
     }
-    out
+    Ok(out)
 }
 
 fn matrix(transform: &RigidTransform) -> String {

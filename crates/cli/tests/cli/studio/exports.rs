@@ -82,6 +82,28 @@ fn exports_reproduce_the_page() {
 }
 
 #[test]
+fn exports_reproduce_the_light_of_the_projector() {
+    let program = program();
+    let server = server(&program);
+    let shown = |projector: f64| {
+        let mut state = state();
+        state["model"] = json!("OAK-D-Pro-PoE");
+        state["parameters"] = json!({});
+        state["projector"] = json!(projector);
+        state["ambient"] = json!(0.3);
+        let numbers = export(&server, &state, "statistics", &json!({"format": "json"}));
+        let numbers: Value = serde_json::from_slice(&numbers).unwrap();
+        (numbers["fillRate"].as_f64().unwrap(), state)
+    };
+    let ((dark, _), (lit, state)) = (shown(0.0), shown(0.7));
+    assert!(lit > dark + 0.2, "{dark} and {lit}");
+    let command = check_command(&program, &server, &state);
+    assert!(command.contains("--projector 0.7 --ambient 0.3"), "{command}");
+    let script = String::from_utf8(export(&server, &state, "python", &json!({}))).unwrap();
+    assert!(script.contains("parameters={\"dotContrast\": "), "{script}");
+}
+
+#[test]
 fn exports_reproduce_a_unit_of_the_population_that_has_drifted() {
     let program = program();
     let server = server(&program);
