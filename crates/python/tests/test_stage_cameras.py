@@ -80,7 +80,7 @@ SENSED = [
 def test_sister_outputs_are_the_programs(program, tmp_path, device):
     eye, target = (3, -2, 1.5), (0, 0, 0.5)
     program("render", STAGE, "--model", "OAK4-D", "--look-at", *eye, *target, "--resolution", "320x200", "--seed", "5",
-            "--annotators", ",".join(["rgb", "distance_to_image_plane", *SENSED]), "-o", tmp_path)
+            "--engine", "single-view", "--annotators", ",".join(["rgb", "distance_to_image_plane", *SENSED]), "-o", tmp_path)
     scene = oaktwin.Scene.open(STAGE)
     camera = device.depth_camera().resized(320, 200)
     pose = oaktwin.look_at(eye, target, frame="body") @ camera.body_from_camera

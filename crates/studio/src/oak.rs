@@ -171,7 +171,9 @@ impl Oak {
             ..state.spec(studio, size)?
         };
         let made = Rig::new(&twin, &spec).map_err(|error| match &error {
-            RigError::Camera(_) | RigError::Option(_) => Failure::of("sensor", &error),
+            RigError::Camera(_) | RigError::NoDepthSensor(_) | RigError::Option(_) => {
+                Failure::of("sensor", &error)
+            }
             RigError::Pair(_) => Failure::of("engine", &error),
             RigError::Sensor(inner) => Failure::of(&inner.error.name, &inner.error),
             RigError::Parameter(inner) => Failure::of(&inner.name, inner),

@@ -22,14 +22,14 @@ parameters! {
 }
 
 #[derive(Clone, Debug, PartialEq)]
-struct BlockMatching {
+pub struct BlockMatching {
     parameters: Parameters,
     /// The geometry at this width of the images.
     stereo: StereoGeometry,
     width_px: u32,
 }
 
-static BLOCK_MATCHING: EngineKind = EngineKind {
+pub static BLOCK_MATCHING: EngineKind = EngineKind {
     name: Cow::Borrowed("block-matching"),
     help: Cow::Borrowed("The least sum of absolute differences of square blocks"),
     input: EngineInput::Pair,
@@ -42,7 +42,11 @@ static BLOCK_MATCHING: EngineKind = EngineKind {
             parameters.set(name, value)?;
         }
         let (stereo, width_px) = (setup.stereo(), setup.width_px);
-        Ok(Arc::new(BlockMatching { parameters, stereo, width_px }))
+        Ok(Arc::new(BlockMatching {
+            parameters,
+            stereo,
+            width_px,
+        }))
     }),
 };
 
@@ -61,41 +65,46 @@ impl Engine for BlockMatching {
         let pair = input.pair(&BLOCK_MATCHING)?;
         let scale = f64::from(pair.width()) / f64::from(self.width_px);
         let focal_length_px = self.stereo.focal_length_px * scale;
-        let stereo = StereoGeometry { focal_length_px, ..self.stereo };
+        let stereo = StereoGeometry {
+            focal_length_px,
+            ..self.stereo
+        };
         let disparity = self.disparity(pair);
-        Ok(Capture::of_disparity(&disparity, stereo, self.parameters.max_px, input, filters))
+        Ok(Capture::of_disparity(
+            &disparity,
+            stereo,
+            self.parameters.max_px,
+            input,
+            filters,
+        ))
     }
 }
 
 impl BlockMatching {
-    /// The disparity of each pixel of the left image, 0 where blocks leave the image.
+    /// The disparity of each pixel of the left image, 0 where its blocks leave an image.
     fn disparity(&self, pair: &Pair<'_>) -> Image<f32> {
         let (width, height) = (pair.width() as usize, pair.height() as usize);
         let (left, right) = (pair.left().levels(), pair.right().levels());
         let radius = self.parameters.radius_px as usize;
         let mut best = vec![(u32::MAX, 0.0); width * height];
-        for d in 1..=(self.parameters.max_px as usize).min(width.saturating_sub(2 * radius + 1)) {
-            // Sums over columns of a block, which move down one row at a time.
+        let largest = (self.parameters.max_px as usize).min(width.saturating_sub(2 * radius + 1));
+        for d in 1..=largest {
+            // Sums over the columns of a block, which move down one row at a time.
             let mut columns = vec![0u32; width];
-            let difference = |x: usize, y: usize| {
-                u32::from(left[y * width + x].abs_diff(right[y * width + x - d]))
-            };
             for y in 0..height {
                 for x in d..width {
-                    columns[x] += difference(x, y);
-                    if y > 2 * radius {
-                        columns[x] -= difference(x, y - 2 * radius - 1);
-                    }
+                    let cost = |y: usize| left[y * width + x].abs_diff(right[y * width + x - d]).into();
+                    let above = if y > 2 * radius {
+                        cost(y - 2 * radius - 1)
+                    } else {
+                        0
+                    };
+                    columns[x] = columns[x] + cost(y) - above;
                 }
-                if y < 2 * radius {
-                    continue;
-                }
-                for x in d + radius..width - radius {
+                for x in (d + radius..width - radius).filter(|_| y >= 2 * radius) {
                     let cost = columns[x - radius..=x + radius].iter().sum();
                     let pixel = &mut best[(y - radius) * width + x];
-                    if cost < pixel.0 {
-                        *pixel = (cost, d as f32);
-                    }
+                    *pixel = if cost < pixel.0 { (cost, d as f32) } else { *pixel };
                 }
             }
         }
@@ -106,28 +115,26 @@ impl BlockMatching {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = std::env::args().nth(1).ok_or("usage: custom_engine SCENE")?;
-    let scene = SceneFile::open(scene.as_ref(), &OpenOptions { micro_texture: true, ..OpenOptions::default() })?;
-    let renderer = Renderer::new(scene.scene);
-    let twin = Catalog::builtin().twin("OAK-D Pro PoE")?;
-    let world_from_body = look_at(DVec3::Z, DVec3::new(1.0, 0.0, 1.0), DVec3::Z)?;
-    for engine in [EngineRef::from(&BLOCK_MATCHING), (&STEREO_MATCHING).into()] {
-        let spec = RigSpec {
-            size: Some(ImageSize::new(640, 400)),
-            annotators: vec![Annotator::DistanceToImagePlane, Annotator::DepthSensorDistance],
-            sensor: SensorOptions { engine: Some(engine.clone()), ..SensorOptions::default() },
-            ..RigSpec::default()
-        };
-        let (mut rig, _) = Rig::new(&twin, &spec)?;
-        let (shots, _) = rig.shoot(&renderer, Some(&world_from_body), 0)?;
-        let frame = &shots[0].frame;
-        let (Some(truth), Some(measured)) = (&frame.distance_to_image_plane, &frame.depth_sensor_distance) else {
-            return Err("nothing was measured".into());
-        };
-        let both = truth.0.pixels().iter().zip(measured.0.pixels()).filter(|(_, z)| **z > 0.0);
-        let mut errors: Vec<f32> = both.map(|(truth, z)| (z - truth).abs() * 1e3).collect();
-        errors.sort_by(f32::total_cmp);
-        let share = 100.0 * errors.len() as f64 / measured.0.pixels().len() as f64;
-        println!("{engine}: {share:.0} % measured, median error {:.0} mm", errors[errors.len() / 2]);
-    }
+    let scene = SceneFile::open(scene.as_ref(), &OpenOptions::default())?;
+    let spec = RigSpec {
+        size: Some(ImageSize::new(640, 400)),
+        annotators: vec![Annotator::DepthSensorDistance],
+        sensor: SensorOptions {
+            engine: Some((&BLOCK_MATCHING).into()),
+            ..SensorOptions::default()
+        },
+        ..RigSpec::default()
+    };
+    let (mut rig, _) = Rig::new(&Catalog::builtin().twin("OAK-D Pro PoE")?, &spec)?;
+    let eye = DVec3::new(3.0, 0.0, 0.6);
+    let world_from_body = look_at(eye, eye - DVec3::X, DVec3::Z)?;
+    let (shots, _) = rig.shoot(&Renderer::new(scene.scene), Some(&world_from_body), 0)?;
+    let measured = shots[0]
+        .frame
+        .depth_sensor_distance
+        .as_ref()
+        .ok_or("nothing was measured")?;
+    let count = measured.0.pixels().iter().filter(|z| **z > 0.0).count();
+    println!("{count} of {} pixels have a depth", measured.0.pixels().len());
     Ok(())
 }

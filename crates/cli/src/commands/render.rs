@@ -91,7 +91,9 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
 /// Names the scene in an error about the depth sensors of its cameras.
 fn in_scene(args: &RenderArgs, error: RigError) -> Box<dyn std::error::Error> {
     match error {
-        RigError::Sensor(error) => format!("{}: {error}", args.scene.display()).into(),
+        RigError::Sensor(_) | RigError::NoDepthSensor(_) => {
+            format!("{}: {error}", args.scene.display()).into()
+        }
         error => error.into(),
     }
 }

@@ -175,7 +175,7 @@ fn options_of_the_sensor_apply() {
 fn invalid_requests_are_rejected() {
     let program = program();
     let mut all = String::new();
-    let others: [&[&str]; 3] = [
+    let others: [&[&str]; 4] = [
         &[
             "--model",
             "oak4-d",
@@ -184,7 +184,15 @@ fn invalid_requests_are_rejected() {
             "--projector",
             "1",
         ],
-        &["--model", "oak-d-pro-poe", "--pair"],
+        &["--model", "oak-d-pro-poe", "--ambient", "0.5"],
+        &[
+            "--model",
+            "oak-d-pro-poe",
+            "--engine",
+            "single-view",
+            "--projector",
+            "1",
+        ],
         &[
             "--model",
             "oak-d-pro-poe",

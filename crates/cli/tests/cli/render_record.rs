@@ -52,6 +52,8 @@ fn a_trajectory_of_an_oak() {
             annotators,
             "--record",
             file,
+            "--engine",
+            "single-view",
         ];
         [&OAK[..], &own].concat()
     };

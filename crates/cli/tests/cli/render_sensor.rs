@@ -166,7 +166,9 @@ fn parameters_are_the_stages_then_the_schemas_then_the_flags() {
         "0",
         "0",
     ];
-    assert_eq!(said(&oak, "baselineMM"), "75");
+    assert_eq!(parameters(&oak)["engine"], "stereo-noise");
+    let isaac = [&oak[..], &["--engine", "single-view"]].concat();
+    assert_eq!(said(&isaac, "baselineMM"), "75");
     let stereo = parameters(&["sensor.usda", "--engine", "stereo-noise"]);
     assert_eq!(
         (&stereo["engine"], &stereo["parameters"]["baseline"]),
@@ -378,6 +380,8 @@ fn the_same_bytes_on_any_number_of_threads() {
             "320x200",
             "--annotators",
             ALL,
+            "--engine",
+            "single-view",
             "--threads",
             threads,
         ]);

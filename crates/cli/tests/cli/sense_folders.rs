@@ -22,6 +22,8 @@ fn a_folder_of_ours_gains_what_render_would_have_written() {
         "0",
         "--resolution",
         "160x100",
+        "--engine",
+        "single-view",
     ];
     let render = |output: &str, annotators: &str| {
         let arguments = ["render", "room.usda", "-o", output, "--annotators", annotators];

@@ -257,11 +257,11 @@ mod tests {
         );
         assert_eq!(
             error("sobel-gain", "much"),
-            "sobel-gain: invalid value 'much'; expected a number above 0"
+            "sobel-gain: invalid value 'much'; expected a number from 0.001 to 1000000"
         );
         assert_eq!(
             error("sobel-gain", "NaN"),
-            "sobel-gain: must not be NaN; expected a number above 0"
+            "sobel-gain: must not be NaN; expected a number from 0.001 to 1000000"
         );
     }
 }

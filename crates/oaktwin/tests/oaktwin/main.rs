@@ -1,5 +1,6 @@
 //! The tests of this crate, in one program.
 
+mod custom_engine;
 mod depth_sensor_scene;
 mod plates;
 mod stereo_every_unit;

@@ -56,7 +56,7 @@ fn errors_name_the_attribute_and_a_remedy() {
     );
     assert_eq!(
         says("noiseSigma", "nan"),
-        "noiseSigma: must not be NaN; expected a number of at least 0 px"
+        "noiseSigma: must not be NaN; expected a number from 0 to 1000000 px"
     );
     assert_eq!(
         says("maxDistance", "0.25"),

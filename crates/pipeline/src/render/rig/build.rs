@@ -135,6 +135,13 @@ fn pair(
     all: &[SensorOptions],
 ) -> Result<Option<(PairCameras, Vec<Finding>)>, RigError> {
     let matches = |options: &SensorOptions| {
+        if options
+            .engine
+            .as_ref()
+            .is_some_and(|kind| kind.input == EngineInput::Pair)
+        {
+            return true;
+        }
         let mut kinds = cameras
             .iter()
             .filter_map(|camera| engine_of(twin, camera, options));

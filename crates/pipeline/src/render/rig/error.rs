@@ -19,6 +19,9 @@ pub enum RigError {
     /// A parameter of the depth sensor is invalid, or its input is of the wrong kind.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
+    /// The outputs of a depth sensor are requested, and no camera has one.
+    #[error("{0}")]
+    NoDepthSensor(Message),
     /// An option does not suit the cameras: `OPTION: what is wrong; what to do`.
     #[error("{0}")]
     Option(Message),

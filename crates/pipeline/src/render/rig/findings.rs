@@ -41,7 +41,7 @@ impl Rig {
                 ],
             };
             let sweep = opt("sweep");
-            return Err(RigError::Option(message![
+            return Err(RigError::NoDepthSensor(message![
                 format!("{}{more} no depth sensor, which depth_sensor_* and ", first.path),
                 sweep,
                 " require; ",
