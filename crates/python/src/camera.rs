@@ -341,7 +341,7 @@ impl Camera {
         adapter(slf.py(), "to_ros")?.call1((slf,))
     }
 
-    /// Returns the camera of an open3d.camera.PinholeCameraIntrinsic.
+    /// Returns the camera of an intrinsic of Open3D, an open3d.camera.PinholeCameraIntrinsic.
     #[staticmethod]
     fn from_open3d<'py>(intrinsic: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         adapter(intrinsic.py(), "from_open3d")?.call1((intrinsic,))

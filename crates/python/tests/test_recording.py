@@ -320,7 +320,7 @@ def by_the_program(program, folder, file):
     """Two frames of an OAK, as files and as a recording."""
     (folder / "wall.obj").write_text(WALL)
     (folder / "path.txt").write_text(PATH)
-    options = "--up z --model oak4-d --resolution 64x40 --annotators rgb,distance_to_image_plane,depth_sensor_distance"
+    options = "--up z --model oak4-d --engine single-view --resolution 64x40 --annotators rgb,distance_to_image_plane,depth_sensor_distance"
     done = subprocess.run(
         [os.path.abspath(program), "render", "wall.obj", *options.split(), "--trajectory", "path.txt", "-o", "out", "--record", file],
         capture_output=True,

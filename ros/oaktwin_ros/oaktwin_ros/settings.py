@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-# A test compares the names with oaktwin.DepthSensor's.
+# A test compares the names with oaktwin.DepthSensor's, whose `parameters` may also be the path of a file, `params` here.
 OPTIONS: dict[str, Any] = {
     "engine": "",
     "preset": "",
@@ -29,12 +29,17 @@ def arguments(values: dict[str, Any]) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for name, default in OPTIONS.items():
         value = values.get(name, default)
+        if name == "params":
+            continue
         if name == "parameters":
             texts = [text for text in value if text]
             wrong = [text for text in texts if "=" not in text]
             if wrong:
                 raise ValueError(f"parameters: invalid assignment '{wrong[0]}'; write NAME=VALUE, as in noiseSigma=0.2")
-            found[name] = dict(text.split("=", 1) for text in texts)
+            file = values.get("params", "")
+            if file and texts:
+                raise ValueError("params: is given beside parameters; write all parameters into the file")
+            found[name] = file or dict(text.split("=", 1) for text in texts)
         elif isinstance(default, list):
             found[name] = [text for text in value if text]
         elif name == "device_seed":

@@ -150,7 +150,7 @@ class Camera:
     @staticmethod
     def from_open3d(intrinsic: object) -> Camera:
 
-        """Returns the camera of an open3d.camera.PinholeCameraIntrinsic."""
+        """Returns the camera of an intrinsic of Open3D, an open3d.camera.PinholeCameraIntrinsic."""
     def to_open3d(self) -> dict[str, Any]:
 
         """The arguments of Open3D's camera: `open3d.camera.PinholeCameraIntrinsic(**camera.to_open3d())`.
