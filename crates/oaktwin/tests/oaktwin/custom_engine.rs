@@ -1,5 +1,7 @@
 //! The example of an engine that another crate declares: a rig, filters, accuracy and coverage with it.
 
+#![expect(clippy::unwrap_used, reason = "a test")]
+
 #[path = "../../../../examples/custom_engine/src/main.rs"]
 #[allow(
     clippy::all,
