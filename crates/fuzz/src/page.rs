@@ -45,7 +45,8 @@ static NAMES: LazyLock<Names> = LazyLock::new(|| {
     }
 });
 
-/// A request of the page, on its socket or over HTTP: it is answered without a panic, and an error says what to do.
+/// Sends the server one request of the page, over its WebSocket or over HTTP. The server must answer without a panic, and an error must
+/// state a remedy.
 pub(crate) fn check(bytes: &[u8]) {
     let mut random = Random::new(bytes);
     match random.up_to(31) {

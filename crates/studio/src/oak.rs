@@ -7,7 +7,7 @@ use oaktwin::diagnostic::Finding;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::pair::{PairCameras, PairOptions, dot_contrast};
 use oaktwin::render::{self, OakOptions, PairUse, PlacedCamera, Rig, RigError, RigSpec, oak_cameras};
-use oaktwin::sensor::{EngineInput, EngineKind, STEREO_NOISE, Sensor, SensorOptions};
+use oaktwin::sensor::{EngineInput, EngineKind, Sensor, SensorOptions};
 
 use crate::protocol::{Failure, OakState};
 use crate::size::{check_memory, check_pixels};
@@ -115,12 +115,12 @@ impl OakState {
         })
     }
 
-    /// Returns what `stereo-noise` calls `dotContrast`, if the light of the projector determines it.
-    pub(crate) fn dot_contrast(&self, studio: &Studio) -> Result<Option<f64>, Failure> {
+    /// Returns the options of the sensor with the light of the dot projector among its parameters, where the engine has one for it.
+    pub(crate) fn lit_options(&self, studio: &Studio) -> Result<SensorOptions, Failure> {
         let twin = self.twin(studio)?;
         let contrast = dot_contrast(&twin, self.projector(studio)?, self.ambient);
         let contrast = contrast.map_err(|error| Failure::of("projector", &error))?;
-        Ok((contrast > 0.0 && self.engine()? == &STEREO_NOISE).then_some(contrast))
+        Ok(self.options()?.with_dots(contrast))
     }
 
     /// Returns the specification of the rig, with images of a size.

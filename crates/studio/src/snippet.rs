@@ -94,7 +94,8 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
     if let Some(drift) = state.drift()? {
         option("drift", &drift.to_text());
     }
-    if state.engine()?.input == EngineInput::Pair || state.dot_contrast(studio)?.is_some() {
+    let is_lit = state.lit_options(studio)?.parameters.len() > state.parameters.len();
+    if state.engine()?.input == EngineInput::Pair || is_lit {
         option("projector", &state.projector.to_string());
         option("ambient", &state.ambient.to_string());
     }
@@ -205,13 +206,9 @@ fn options(studio: &Studio, state: &OakState) -> Result<String, Failure> {
     if !filters.is_empty() {
         let _ = write!(out, ", filters=[{}]", filters.join(", "));
     }
-    let dots = state.dot_contrast(studio)?.map(|contrast| contrast.to_string());
-    let dots = dots.map(|contrast| ("dotContrast".to_owned(), contrast));
-    let pairs = dots
+    let parameters = state.lit_options(studio)?.parameters;
+    let pairs: Vec<String> = parameters
         .iter()
-        .map(|(name, value)| (name, value))
-        .chain(&state.parameters);
-    let pairs: Vec<String> = pairs
         .map(|(name, value)| format!("{}: {}", quoted(name), quoted(value)))
         .collect();
     if !pairs.is_empty() {

@@ -5,7 +5,7 @@ use oaktwin_base::diagnostic::{Finding, Level, fold_name};
 use super::Device;
 
 impl Device {
-    /// Reports a name that is another model's, for which this one stands in.
+    /// Returns a note if a name belongs to a model that is not in the catalog and that this device represents, as the D435i does the D435.
     #[must_use]
     pub fn stand_in(&self, name: &str) -> Option<Finding> {
         let mut others = self.stands_in_for.iter();
@@ -22,7 +22,7 @@ impl Device {
         ))
     }
 
-    /// Returns all names of the device: id, name, aliases, and the models for which it stands in.
+    /// Returns all names of the device: its id, its name, its aliases, and the names of the models that it represents.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.named_places().map(|(name, _)| name)
     }

@@ -3,13 +3,13 @@
 use std::error::Error;
 
 use oaktwin::image::contact_sheet::{Picture, panels};
-use oaktwin::image::{Image, ZDepth, png};
+use oaktwin::image::{Image, png};
 use oaktwin::pair::PairOptions;
 use oaktwin::render::{Renderer, Rig, RigSpec};
 use oaktwin::sensor::{EngineKind, SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, SensorOptions};
 use oaktwin_demo as demo_room;
 
-use super::room::{self, RANGE_M};
+use super::room::{self, RANGE_M, Seen};
 use crate::context::{Context, Result};
 
 /// The model with a dot projector, and the one with a time-of-flight camera.
@@ -35,26 +35,17 @@ pub(super) fn sheet(context: &Context, renderer: &Renderer) -> Result<Vec<u8>> {
         };
         room::rig(&pro, HEIGHT, &spec)
     };
-    let measured = |rig: Rig| -> Result<ZDepth> {
-        let frame = room::shoot(renderer, rig)?;
-        Ok(frame.depth_sensor_distance.ok_or("nothing was measured")?)
-    };
     let day = PairOptions::default();
     let night = PairOptions {
         ambient: NIGHT,
         projector: 1.0,
         ..day
     };
-    let exact = room::shoot(renderer, by(&SINGLE_VIEW, &day)?)?;
-    let images = (
-        exact.rgb,
-        exact.distance_to_image_plane,
-        exact.depth_sensor_distance,
-    );
-    let (Some(rgb), Some(exact), Some(single_view)) = images else {
-        return Err("nothing was rendered".into());
-    };
-    let stereo_noise = measured(by(&STEREO_NOISE, &day)?)?;
+    let measured = |mut rig: Rig| Ok::<_, Box<dyn Error>>(Seen::new(renderer, &mut rig)?.measured);
+    let seen = Seen::new(renderer, &mut by(&SINGLE_VIEW, &day)?)?;
+    let (rgb, exact, single_view) = (seen.rgb, seen.exact, seen.measured);
+    let stereo_noise = by(&STEREO_NOISE, &day)?.measure(exact.clone(), Some(rgb.clone()), 0)?;
+    let stereo_noise = stereo_noise.depth_sensor_distance.ok_or("nothing was measured")?;
     let by_day = measured(by(&STEREO_MATCHING, &day)?)?;
     let at_night = by(&STEREO_MATCHING, &night)?;
     let pair = at_night.pair().ok_or("no stereo pair")?;

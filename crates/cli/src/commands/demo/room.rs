@@ -7,7 +7,7 @@ use oaktwin::dataset::{Extras, FlatWriter, InputName, Options, Shot, Writer};
 use oaktwin::files::{self, OutputFiles};
 use oaktwin::image::annotation::{Annotator, Frame};
 use oaktwin::image::contact_sheet::{Column, contact_sheet};
-use oaktwin::image::png;
+use oaktwin::image::{Image, ZDepth, png};
 use oaktwin::render::{OpenOptions, Renderer, Rig, RigSpec, SceneFile};
 use oaktwin::sensor;
 use oaktwin_demo as demo_room;
@@ -55,7 +55,13 @@ pub(super) fn render(
     };
     let mut columns = Vec::new();
     for (device, twin) in devices.iter().zip(twins) {
-        let frame = shoot(renderer, rig(twin, HEIGHT, &RigSpec::default())?)?;
+        let seen = Seen::new(renderer, &mut rig(twin, HEIGHT, &RigSpec::default())?)?;
+        let frame = Frame {
+            rgb: Some(seen.rgb.clone()),
+            distance_to_image_plane: Some(seen.exact.clone()),
+            depth_sensor_distance: Some(seen.measured.clone()),
+            ..Frame::default()
+        };
         let mut output = OutputFiles::in_folder(&folder.join(&device.id))?;
         let input = InputName {
             suffix: "_0000".to_owned(),
@@ -66,20 +72,11 @@ pub(super) fn render(
             ..Shot::new(frame, 0)
         };
         FlatWriter::new(options).write(&shot, &mut output)?;
-        let frame = shot.frame;
-        let images = (
-            frame.rgb,
-            frame.distance_to_image_plane,
-            frame.depth_sensor_distance,
-        );
-        let (Some(rgb), Some(depth), Some(measured)) = images else {
-            return Err("nothing was rendered".into());
-        };
         columns.push(Column {
             title: device.name.clone(),
-            rgb,
-            depth,
-            measured,
+            rgb: seen.rgb,
+            depth: seen.exact,
+            measured: seen.measured,
         });
     }
     Ok(png::encode(&contact_sheet(&columns, RANGE_M))?)
@@ -99,8 +96,20 @@ pub(super) fn rig(twin: &Twin, height: u32, spec: &RigSpec) -> Result<Rig> {
 }
 
 /// What a rig sees and measures of the room.
-pub(super) fn shoot(renderer: &Renderer, mut rig: Rig) -> Result<Frame> {
-    let (shots, _) = rig.shoot(renderer, Some(&demo_room::world_from_body()), 0)?;
-    let shot = shots.into_iter().next().ok_or("no camera")?;
-    Ok(shot.frame)
+pub(super) struct Seen {
+    pub(super) rgb: Image<[u8; 4]>,
+    pub(super) exact: ZDepth,
+    pub(super) measured: ZDepth,
+}
+
+impl Seen {
+    pub(super) fn new(renderer: &Renderer, rig: &mut Rig) -> Result<Self> {
+        let (shots, _) = rig.shoot(renderer, Some(&demo_room::world_from_body()), 0)?;
+        let frame = shots.into_iter().next().ok_or("no camera")?.frame;
+        Ok(Self {
+            rgb: frame.rgb.ok_or("nothing was rendered")?,
+            exact: frame.distance_to_image_plane.ok_or("nothing was rendered")?,
+            measured: frame.depth_sensor_distance.ok_or("nothing was measured")?,
+        })
+    }
 }

@@ -38,7 +38,8 @@ pub(super) fn output(args: &RenderArgs) -> Result<Option<PathBuf>> {
 /// The cameras, their sensors and what is made of them.
 pub(super) fn spec(args: &RenderArgs) -> Result<RigSpec> {
     let sensor = args.sensor.options()?;
-    reject_pair_options(args, &sensor)?;
+    let sweep = sweep(args)?;
+    reject_pair_options(args, &sensor, sweep.as_ref())?;
     Ok(RigSpec {
         cameras: args.camera.clone(),
         size: size::parse("--resolution", args.resolution.as_deref())?,
@@ -51,39 +52,43 @@ pub(super) fn spec(args: &RenderArgs) -> Result<RigSpec> {
             true => PairUse::Written,
             false => PairUse::Matched,
         },
-        sweep: sweep(args)?,
+        sweep,
         backend: args.backend,
     })
 }
 
 /// Rejects options of the pair and its light without effect.
-fn reject_pair_options(args: &RenderArgs, sensor: &SensorOptions) -> Result<()> {
+fn reject_pair_options(args: &RenderArgs, sensor: &SensorOptions, sweep: Option<&Sweep>) -> Result<()> {
     let given = args.pair.given().or(args.writes_pair.then_some("--pair"));
     let Some(option) = given else { return Ok(()) };
     if args.model.is_none() {
         return Err(format!("{option} requires --model, whose stereo pair it is about").into());
     }
-    let sweeps_engine = args
-        .sweep
-        .iter()
-        .any(|sweep| sweep.trim_start().starts_with("engine"));
-    let engine = sensor
-        .engine
-        .as_deref()
-        .map(|kind| (kind.input, kind == &STEREO_NOISE));
-    let error = match engine {
-        Some((EngineInput::Pair, _)) => None,
-        _ if args.writes_pair || sweeps_engine => None,
-        _ if !args.pair.imager.is_empty() => Some("--imager requires --engine stereo-matching or --pair"),
-        Some((_, false)) => {
-            Some("--projector and --ambient require --engine stereo-matching or stereo-noise")
-        }
-        _ if args.pair.projector.is_none() => {
-            Some("--ambient requires --projector, or --engine stereo-matching")
-        }
-        _ => None,
+    let swept = sweep.map(|sweep| sweep.options(sensor)).transpose();
+    let swept = swept
+        .map_err(|error| format!("--sweep: {error}"))?
+        .unwrap_or_default();
+    let engines = || {
+        swept
+            .iter()
+            .chain([sensor])
+            .map(|options| options.engine.as_deref())
     };
-    error.map_or(Ok(()), |error| Err(error.into()))
+    let is_matched = engines().flatten().any(|kind| kind.input == EngineInput::Pair);
+    // Without a name, the engine is stereo-noise.
+    let has_dots = engines().any(|kind| kind.is_none_or(|kind| *kind == STEREO_NOISE));
+    let error = if args.writes_pair || is_matched {
+        return Ok(());
+    } else if !args.pair.imager.is_empty() {
+        "--imager requires --engine stereo-matching or --pair"
+    } else if !has_dots {
+        "--projector and --ambient require --engine stereo-matching or stereo-noise"
+    } else if args.pair.projector.is_none() {
+        "--ambient requires --projector, or --engine stereo-matching"
+    } else {
+        return Ok(());
+    };
+    Err(error.into())
 }
 
 /// The annotators that are named, and those that additional files require.

@@ -17,8 +17,8 @@ use oaktwin_catalog::Twin;
 pub struct DepthSensorOptions<'a> {
     /// The device, if the cameras belong to an OAK.
     pub twin: Option<&'a Twin>,
-    /// The sensor options. The default engine of an OAK's sensor is its technology's, and that of a stage's sensor Isaac Sim's. The
-    /// image is the camera's own, and the default name its prim's.
+    /// The sensor options. By default, the depth sensor of an OAK uses the engine of its technology, and the depth sensor of a stage uses
+    /// `single-view`. The image is the camera's own, and the default name is the name of its prim.
     pub sensor: &'a SensorOptions,
     /// The light of a dot of the projector relative to the ambient light: [`dot_contrast`](crate::pair::dot_contrast).
     pub dot_contrast: f64,

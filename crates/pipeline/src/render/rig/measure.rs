@@ -1,5 +1,6 @@
 //! Measures images that were rendered or recorded elsewhere.
 
+use oaktwin_camera::ImageSize;
 use oaktwin_image::Image;
 use oaktwin_image::ZDepth;
 use oaktwin_image::annotation::Frame;
@@ -27,17 +28,13 @@ impl Rig {
         };
         let camera = self.cameras[index].camera;
         let expected = camera.intrinsics.size;
-        let sizes = [Some((depth.0.width(), depth.0.height()))];
-        let rgb_size = rgb.as_ref().map(|rgb| (rgb.width(), rgb.height()));
-        for (width, height) in sizes.into_iter().chain([rgb_size]).flatten() {
-            if (width, height) != (expected.width, expected.height) {
-                let what = format!("an image is {width}x{height}, but the camera is {expected}");
-                return Err(wrong(
-                    what,
-                    "give images of the camera's size, or set the size of the rig",
-                )
-                .into());
-            }
+        let depth_size = ImageSize::new(depth.0.width(), depth.0.height());
+        let rgb_size = rgb.as_ref().map(|rgb| ImageSize::new(rgb.width(), rgb.height()));
+        let mut sizes = [Some(depth_size), rgb_size].into_iter().flatten();
+        if let Some(size) = sizes.find(|size| *size != expected) {
+            let what = format!("an image is {size}, but the camera is {expected}");
+            let remedy = "give images of the camera's size, or set the size of the rig";
+            return Err(wrong(what, remedy).into());
         }
         let mut frame = Frame {
             distance_to_image_plane: Some(depth),

@@ -14,8 +14,8 @@ use oaktwin_base::diagnostic::{message, opt};
 /// What a [`Rig`](super::Rig) has and what its shots contain. The default is a device's depth sensors, which render nothing yet.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RigSpec {
-    /// The cameras by name; by default every depth sensor's, or all cameras if there is none. Those of an OAK are named as in
-    /// [`OakOptions`](crate::render::OakOptions), those of a stage by their paths or unique names.
+    /// The names of the cameras. If there are none, the camera of every depth sensor is chosen, or every camera if there is no depth sensor.
+    /// Cameras of an OAK are named as in [`OakOptions`](crate::render::OakOptions), cameras of a stage by their paths or unique names.
     pub cameras: Vec<String>,
     /// The image size; by default each camera's own. Images of an OAK are resized by `DepthAI`'s rule.
     pub size: Option<ImageSize>,
