@@ -26,6 +26,7 @@ class Parameters:
     leftRightCheckThreshold: int = 10
     confidenceThreshold: int = 55
     dotContrast: float = 0.0
+    ambient: float = 1.0
     numInvalidateEdgePixels: int = 0
     edgeDilation: float = 0.0
     dropout: float = 0.0
@@ -145,30 +146,56 @@ def dilated(d, reach):
     return np.max([wide[k : k + d.shape[0]] for k in range(2 * reach + 1)], 0)
 
 
-def dots(luma, depth, p, side):
-    """What a projector's dots add to the sums of windows, in float32."""
+def clearness(light, electrons):
+    """The signal-to-noise ratio of the imager's defaults, relative to the one in a bright room, in float32."""
     f = np.float32
-    scale = f(side**2 * 15.0 / (p.focalLength * luma.shape[1] / p.width))
+    share = np.minimum(light * f(2), f(1))
+    return share * np.sqrt((electrons + f(6.25)) / (share * electrons + f(6.25)))
+
+
+def lit(sums, luma, depth, p, side, factor):
+    """The sums of windows in the light, with a projector's dots, in float32."""
+    f = np.float32
+    if p.dotContrast == 0 and p.ambient >= 0.5:
+        return sums
+    pattern = 0.3 * 0.046 / np.sqrt(1 + (p.focalLength / 1600) ** 3)
+    contrast = 0.0
+    if p.dotContrast > 0:
+        contrast = 1e9 if p.ambient == 0 else min(p.dotContrast / p.ambient, 1e9)
+    level = luma.astype(f)
+    electrons = f(6300) * (level * level) / f(255 * 255)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        peak = luma.astype(f) * (np.sqrt(f(1) + f(p.dotContrast) / (depth * depth)) - f(1))
-        added = peak * scale
+        nearness = f(1) / (depth * depth)
+        peak = level * (np.sqrt(f(1) + f(contrast) * nearness) - f(1))
+        peak = np.where(peak < f(255), peak, f(255))
+        dots = peak * f(side**2 * pattern / factor) * clearness(f(p.ambient) + f(p.dotContrast) * nearness, electrons)
         surface = np.isfinite(depth) & (depth > 0)
+    seen = np.floor(sums.astype(f) * clearness(f(p.ambient), electrons))
+    total = seen + np.where(surface, dots, f(0))
     largest = f(255 * side**2)
-    return np.where(surface, np.where(added < largest, added, largest), 0).astype(np.int64)
+    return np.where(total < largest, total, largest).astype(np.int64)
 
 
-def confidence(rgb, side, depth, p):
-    """0 to 255, from the differences of neighbours along the row and a projector's dots."""
+def confidence(rgb, window, depth, p):
+    """0 to 255, from the differences along the row and a projector's dots."""
     r, g, b = (rgb[..., channel].astype(np.int64) for channel in range(3))
     luma = (77 * r + 150 * g + 29 * b) >> 8
-    difference = np.zeros_like(luma)
-    difference[:, :-1] = np.abs(np.diff(luma, axis=1))
-    if luma.shape[1] > 1:
-        difference[:, -1] = difference[:, -2]
+    width = luma.shape[1]
+    wanted = 4 * width / p.width
+    lag = max(rounded(wanted), 1)
+    factor = np.sqrt(wanted / lag)
+    side = max(window, min(3, p.window))
+    apart = min(lag, width - 1)
+    before = apart // 2
+    difference = np.abs(luma[:, apart:] - luma[:, : width - apart])
+    if apart:
+        neighbours = np.abs(np.diff(luma, axis=1))[:, before:][:, : width - apart]
+        difference = np.maximum(difference, neighbours)
+    difference = np.pad(difference, ((0, 0), (before, apart - before)), mode="edge")
     half = side // 2
     padded = np.pad(difference, ((half, side - 1 - half),) * 2, mode="edge")
-    sums = np.minimum(window_sums(padded, side) + dots(luma, depth, p, side), 255 * side**2)
-    return np.minimum(128 * sums / side**2, 255)
+    sums = lit(window_sums(padded, side), luma, depth, p, side, factor)
+    return np.minimum(128 * sums * factor / side**2, 255)
 
 
 def disparity(depth, p, seed, camera, frame=0, item=0, rgb=None):

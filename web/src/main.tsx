@@ -14,8 +14,14 @@ import { Store } from "./util/store";
 
 declare global {
   interface Window {
-    /** What tests wait for. */
-    studio?: { readonly isIdle: boolean; readonly painted: number; readonly drawn: number; readonly received: number };
+    /** What tests wait for and change. */
+    studio?: {
+      readonly isIdle: boolean;
+      readonly painted: number;
+      readonly drawn: number;
+      readonly received: number;
+      readonly document: Studio["document"];
+    };
   }
 }
 
@@ -64,6 +70,7 @@ async function start(root: HTMLElement): Promise<void> {
     get painted() { return app.signals.painted; },
     get drawn() { return app.view.get()?.viewer.drawn ?? 0; },
     get received() { return loop.received; },
+    document: studio.document,
   };
 }
 

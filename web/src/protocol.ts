@@ -220,7 +220,7 @@ export interface OakState {
   populationSeed: number | null;
   /** The drift of the stereo pair since its calibration: only what is not 0, as text, by the names in {@link Catalog.drift}. */
   drift: Record<string, string>;
-  /** For matchers: the brightness of the dot projector and of the scene's own light. Night is an ambient of 0. */
+  /** The brightness of the dot projector and of the scene's own light, for stereo engines. Night is an ambient of 0. */
   projector: number;
   ambient: number;
 }
@@ -249,7 +249,7 @@ export interface FrameRequest {
   images: ImageName[];
   /** The rectangle for {@link FrameHeader.statistics}, as fractions of the image: left, top, right, bottom. */
   region: [number, number, number, number];
-  /** The side of the squares of pixels that share a colour, 1 to 8; 1 if missing. Colour takes most of the time of a new view. */
+  /** Every so many pixels of a row and of a column have a colour of their own, 1 to 8; those between are interpolated. 1 if missing. Colour takes most of the time of a new view. */
   colorStep?: number;
 }
 
@@ -371,6 +371,9 @@ export interface ExportRequest {
   image?: ImageName;
   /** `usda` or `usdz` for an asset; a name of {@link Catalog.robotFormats} for `robot`, a zip archive; `npy` or `png` for an image; `json` or `csv` for statistics. */
   format?: string;
+  /** For `statistics`: the rectangle as fractions of the image, and the other OAKs. */
+  region?: [number, number, number, number];
+  others?: { state: OakState; size: [number, number] | null }[];
 }
 
 export interface CoverageRequest {
@@ -378,6 +381,8 @@ export interface CoverageRequest {
   states: OakState[];
   /** A box in the world, or the path of an object. */
   region: { minimum: Vec3; maximum: Vec3 } | { object: string };
+  /** The largest error of a point that counts as measured; null for any. */
+  toleranceMm?: number | null;
 }
 
 /**
@@ -390,15 +395,19 @@ export interface SurfaceRequest {
   region: CoverageRequest["region"];
 }
 
-/** For each of the states. */
+/** What is measured of a region's surface. */
+export interface PoseCoverage {
+  /** The share of the surface that the camera sees, measured or not. */
+  seen: number;
+  /** The share that is measured. */
+  measured: number;
+  medianAbsoluteErrorM: number | null;
+  /** The shares that are not measured, by the name of the reason. */
+  lost: Record<string, number>;
+}
+
+/** For each of the states, and for all of them together. */
 export interface CoverageAnswer {
-  poses: {
-    /** The share of the region's surface that the camera sees, measured or not. */
-    seen: number;
-    /** The share that is measured. */
-    measured: number;
-    medianAbsoluteErrorM: number | null;
-    /** The shares that are not measured, by the name of the reason. */
-    lost: Record<string, number>;
-  }[];
+  poses: PoseCoverage[];
+  together: PoseCoverage;
 }

@@ -110,13 +110,14 @@ test("a link restores the state, and links with other content are ignored", () =
 });
 
 test("a sweep tries all heights and tilts, and ranks them", () => {
-  const states = sweep([state], { from: 1, to: 2, count: 2 }, { from: 0, to: 30, count: 3 }, "z");
-  assert.deepEqual(states.map(({ pose }) => [pose.position[2], Math.round(toAngles(pose.quaternion, "z").pitch)]), [
+  const tried = sweep([{ key: "oak2", state }], { from: 1, to: 2, count: 2 }, { from: 0, to: 30, count: 3 }, "z");
+  assert.deepEqual(tried.map(({ state: { pose } }) => [pose.position[2], Math.round(toAngles(pose.quaternion, "z").pitch)]), [
     [1, 0], [1, 15], [1, 30], [2, 0], [2, 15], [2, 30],
   ]);
-  const poses = [0.1, 0.5, 0.5, 0.2, 0, 0].map((measured, i) => ({ measured, medianAbsoluteErrorM: 0.1 / (i + 1), lost: {} }));
-  const ranked = rank(states, { poses }, "z");
+  const poses = [0.1, 0.5, 0.5, 0.2, 0, 0].map((measured, i) => ({ seen: 1, measured, medianAbsoluteErrorM: 0.1 / (i + 1), lost: {} }));
+  const ranked = rank(tried, poses, "z");
   assert.deepEqual(ranked.slice(0, 3).map(({ heightM, tiltDeg }) => [heightM, Math.round(tiltDeg)]), [[1, 30], [1, 15], [2, 0]]);
+  assert.ok(ranked.every(({ key }) => key === "oak2"), "each pose belongs to its OAK");
 });
 
 test("what contains several objects can be chosen, too", () => {

@@ -13,6 +13,8 @@ pub struct Shot<'a> {
     pub frame: u64,
     /// The number in a batch of images of one frame, for instance a simulator's environments: each has its own noise.
     pub item: u32,
+    /// How many pixels of a row apart colours are independent; those between are interpolated. 1 in a full colour image.
+    pub color_step: u32,
 }
 
 impl<'a> Shot<'a> {
@@ -26,6 +28,7 @@ impl<'a> Shot<'a> {
             radial_velocity: None,
             frame: 0,
             item: 0,
+            color_step: 1,
         }
     }
 

@@ -7,7 +7,7 @@ use oaktwin::depth::filter;
 use oaktwin::depth::parameters::{Choice, Group, Kind, Listing, Source, group};
 use oaktwin::depth::preset::{Platform, Preset, TIME_OF_FLIGHT_PRESETS};
 use oaktwin::robot;
-use oaktwin::sensor::{ENGINES, EngineInput, EngineKind, Technology, default_engine};
+use oaktwin::sensor::{ENGINES, EngineInput, EngineKind, Technology, default_engine, depth_sensor};
 use serde::Serialize;
 
 use crate::protocol::Band;
@@ -158,7 +158,8 @@ impl Model {
             },
             cameras: twin.cameras.iter().map(Camera::new).collect(),
             has_projector: device.projector.is_some(),
-            depth_sensors: (twin.depth_sensors.iter())
+            depth_sensors: depth_sensors(twin)
+                .into_iter()
                 .filter_map(|sensor| DepthSensor::new(twin, sensor))
                 .collect(),
         }
@@ -201,6 +202,15 @@ fn sensor_id(twin: &Twin, sensor: &TwinDepthSensor) -> String {
     } else {
         format!("depth_{kind}")
     }
+}
+
+/// Returns the depth sensors of an OAK, the one that the library chooses by default first.
+fn depth_sensors(twin: &Twin) -> Vec<&TwinDepthSensor> {
+    let mut sensors: Vec<&TwinDepthSensor> = twin.depth_sensors.iter().collect();
+    if let Ok(default) = depth_sensor(twin, None) {
+        sensors.sort_by_key(|sensor| !std::ptr::eq(*sensor, default));
+    }
+    sensors
 }
 
 impl DepthSensor {

@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 
 use oaktwin::camera::math::DVec3;
-use oaktwin::coverage::{self, Candidate, CoverageError, MeasuringRig, Options, PATCHES, Patches, Region};
+use oaktwin::coverage::{
+    self, Candidate, CoverageError, MeasuringRig, Options, PATCHES, Patches, Region, Shares,
+};
 use oaktwin::scene::Bounds;
 use oaktwin::sensor::EngineInput;
 use serde::{Deserialize, Serialize};
@@ -23,11 +25,12 @@ const MAX_RIGS: usize = 64;
 const MAX_TRIANGLES: u64 = 20_000_000;
 
 #[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub(crate) struct CoverageRequest {
     scene: String,
     states: Vec<OakState>,
     region: RegionRequest,
+    tolerance_mm: Option<f64>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -40,6 +43,7 @@ enum RegionRequest {
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct CoverageAnswer {
     poses: Vec<PoseCoverage>,
+    together: PoseCoverage,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -169,20 +173,30 @@ pub(crate) fn coverage(
         &scene.renderer,
         &region,
         &candidates,
-        &Options::default(),
+        &Options {
+            tolerance_mm: request.tolerance_mm,
+            ..Options::default()
+        },
         &|_| job.watch(),
     )
     .map_err(failed)?;
-    let poses = found.candidates.into_iter().map(|candidate| {
-        let shares = candidate.shares;
-        PoseCoverage {
+    let poses = found
+        .candidates
+        .into_iter()
+        .map(|candidate| candidate.shares.into());
+    Ok(CoverageAnswer {
+        poses: poses.collect(),
+        together: found.together.into(),
+    })
+}
+
+impl From<Shares> for PoseCoverage {
+    fn from(shares: Shares) -> Self {
+        Self {
             seen: shares.seen,
             measured: shares.measured,
             median_absolute_error_m: shares.median_absolute_error_mm.map(|error| error * 1e-3),
             lost: shares.lost,
         }
-    });
-    Ok(CoverageAnswer {
-        poses: poses.collect(),
-    })
+    }
 }

@@ -7,15 +7,12 @@ use oaktwin::usd::asset::{AssetOptions, Format, asset};
 use oaktwin::usd::usdz;
 
 use crate::file::File;
-use crate::frame::statistics;
 use crate::image::{Data, pixels};
-use crate::protocol::{Export, ExportRequest, Failure, FrameRequest, ImageName};
+use crate::protocol::{Export, ExportRequest, Failure};
 use crate::snippet;
-use crate::station::{Measurement, Station};
+use crate::station::measured;
+use crate::statistics;
 use crate::studio::Studio;
-
-/// The whole image.
-const ALL: [f64; 4] = [0.0, 0.0, 1.0, 1.0];
 
 /// Makes the file of a request.
 pub(crate) fn export(studio: &Studio, request: &ExportRequest) -> Result<File, Failure> {
@@ -25,7 +22,7 @@ pub(crate) fn export(studio: &Studio, request: &ExportRequest) -> Result<File, F
         Export::Robot => robot(studio, request, format.unwrap_or_default()),
         Export::Image => image(studio, request, format.unwrap_or("png")),
         Export::Error => error_image(studio, request),
-        Export::Statistics => numbers(studio, request, format.unwrap_or("json")),
+        Export::Statistics => statistics::file(studio, request, format.unwrap_or("json")),
         Export::Parameters => Ok(File::text("parameters.toml", snippet::toml(&request.state)?)),
         Export::Command => Ok(File::text("render.sh", snippet::command(studio, request)?)),
         Export::Python => Ok(File::text("render.py", snippet::python(studio, request)?)),
@@ -70,30 +67,11 @@ fn robot(studio: &Studio, request: &ExportRequest, format: &str) -> Result<File,
     })
 }
 
-/// Measures the requested state again.
-fn measured(
-    studio: &Studio,
-    request: &ExportRequest,
-    images: Vec<ImageName>,
-) -> Result<Measurement, Failure> {
-    let request = FrameRequest {
-        id: 0,
-        oak: String::new(),
-        scene: request.scene.clone(),
-        state: request.state.clone(),
-        size: request.size,
-        images,
-        region: ALL,
-        color_step: None,
-    };
-    Station::default().measure(studio, &request).cloned()
-}
-
 fn image(studio: &Studio, request: &ExportRequest, format: &str) -> Result<File, Failure> {
     let name = request
         .image
         .ok_or_else(|| Failure::of("image", "is missing; name an image"))?;
-    let seen = measured(studio, request, vec![name])?;
+    let seen = measured(studio, &request.scene, &request.state, request.size, vec![name])?;
     let missing = || Failure::of("image", "this engine has no such image; choose another");
     let pixels = pixels(&seen, name).ok_or_else(missing)?;
     let bytes = match (&pixels.data, format) {
@@ -112,7 +90,7 @@ fn image(studio: &Studio, request: &ExportRequest, format: &str) -> Result<File,
 
 /// The measured minus the true depth in metres; NaN where there is none of them.
 fn error_image(studio: &Studio, request: &ExportRequest) -> Result<File, Failure> {
-    let seen = measured(studio, request, Vec::new())?;
+    let seen = measured(studio, &request.scene, &request.state, request.size, Vec::new())?;
     let image = &seen.capture.distance.0;
     let truth = seen
         .truth()
@@ -136,34 +114,6 @@ fn array<P, T: npy::Element>(image: &Image<P>, more: &[usize], values: &[T]) -> 
 
 fn encoded(bytes: Result<Vec<u8>, oaktwin::image::CodecError>) -> Result<Vec<u8>, Failure> {
     bytes.map_err(|error| Failure::from(error.to_string()))
-}
-
-fn numbers(studio: &Studio, request: &ExportRequest, format: &str) -> Result<File, Failure> {
-    let seen = measured(studio, request, Vec::new())?;
-    let statistics = statistics(&seen, ALL);
-    let json = serde_json::to_value(&statistics).map_err(|error| Failure::from(error.to_string()))?;
-    let text = match format {
-        "json" => format!("{json:#}\n"),
-        "csv" => {
-            let fields = json.as_object().into_iter().flatten();
-            let numbers = fields.filter(|(_, value)| value.is_number() || value.is_null());
-            let (names, values): (Vec<&str>, Vec<String>) = numbers
-                .map(|(name, value)| {
-                    (
-                        name.as_str(),
-                        if value.is_null() {
-                            String::new()
-                        } else {
-                            value.to_string()
-                        },
-                    )
-                })
-                .unzip();
-            format!("{}\n{}\n", names.join(","), values.join(","))
-        }
-        _ => return Err(unknown(format, "json or csv")),
-    };
-    Ok(File::text(&format!("statistics.{format}"), text))
 }
 
 fn unknown(format: &str, formats: &str) -> Failure {

@@ -73,7 +73,7 @@ pub(crate) fn pixels(measurement: &Measurement, name: ImageName) -> Option<Pixel
         ImageName::Depth => Pixels::depth(&frame.distance_to_image_plane.as_ref()?.0),
         ImageName::Reference => Pixels::depth(&measurement.reference.as_ref()?.0),
         ImageName::Sensor => Pixels::depth(&measurement.capture.distance.0),
-        ImageName::Confidence => Pixels::of_bytes(Cow::Borrowed(measurement.confidence()?)),
+        ImageName::Confidence => Pixels::of_bytes(Cow::Owned(measurement.confidence()?)),
         ImageName::Left => Pixels::of_bytes(Cow::Owned(pair?.rectified_left.to_eight())),
         ImageName::Right => Pixels::of_bytes(Cow::Owned(pair?.rectified_right.to_eight())),
         ImageName::Reason => Pixels::of_bytes(Cow::Borrowed(reasons::codes(measurement)?)),

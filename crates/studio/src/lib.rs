@@ -29,6 +29,7 @@ mod server;
 mod size;
 mod snippet;
 mod station;
+mod statistics;
 mod studio;
 mod task;
 mod unit;

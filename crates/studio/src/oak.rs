@@ -5,7 +5,7 @@ use oaktwin::catalog::{Device, LensChoice, Twin};
 use oaktwin::depth::parameters::choose;
 use oaktwin::diagnostic::Finding;
 use oaktwin::image::annotation::Annotator;
-use oaktwin::pair::{PairCameras, PairOptions, dot_contrast};
+use oaktwin::pair::{PairCameras, PairOptions, illumination};
 use oaktwin::render::{self, OakOptions, PairUse, PlacedCamera, Rig, RigError, RigSpec, oak_cameras};
 use oaktwin::sensor::{EngineInput, EngineKind, Sensor, SensorOptions};
 
@@ -115,12 +115,12 @@ impl OakState {
         })
     }
 
-    /// Returns the options of the sensor with the light of the dot projector among its parameters, where the engine has one for it.
+    /// Returns the options of the sensor with the light among its parameters, where the engine has some for it.
     pub(crate) fn lit_options(&self, studio: &Studio) -> Result<SensorOptions, Failure> {
         let twin = self.twin(studio)?;
-        let contrast = dot_contrast(&twin, self.projector(studio)?, self.ambient);
-        let contrast = contrast.map_err(|error| Failure::of("projector", &error))?;
-        Ok(self.options()?.with_dots(contrast))
+        let light = illumination(&twin, self.projector(studio)?, self.ambient);
+        let light = light.map_err(|error| Failure::of("projector", &error))?;
+        Ok(self.options()?.lit_by(light))
     }
 
     /// Returns the specification of the rig, with images of a size.

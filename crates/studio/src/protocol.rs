@@ -38,7 +38,7 @@ pub(crate) struct ProbeRequest {
 }
 
 /// Everything that determines the outputs of one OAK.
-#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub(crate) struct OakState {
     pub(crate) model: String,
@@ -238,6 +238,18 @@ pub(crate) struct ExportRequest {
     pub(crate) size: Option<[u32; 2]>,
     pub(crate) image: Option<ImageName>,
     pub(crate) format: Option<String>,
+    /// The rectangle of statistics; the whole image by default.
+    pub(crate) region: Option<[f64; 4]>,
+    /// The other OAKs of statistics.
+    pub(crate) others: Option<Vec<SizedState>>,
+}
+
+/// An OAK with the size of its images.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SizedState {
+    pub(crate) state: OakState,
+    pub(crate) size: Option<[u32; 2]>,
 }
 
 /// What can be taken away.

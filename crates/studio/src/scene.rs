@@ -14,8 +14,9 @@ use crate::pose::pose_of;
 use crate::protocol::{Failure, Pose, SceneInfo, SceneObject};
 use crate::task::Job;
 
-/// The number of dropped scenes that are kept, besides the command line's.
-const KEPT: usize = 3;
+/// The number of dropped scenes that are kept, besides the command line's, and of their triangles.
+const KEPT: usize = 24;
+const KEPT_TRIANGLES: usize = 2 * MAX_TRIANGLES;
 /// The number of objects that the page can name, and of bytes of their paths; others are part of the scene only.
 const MAX_OBJECTS: usize = 20_000;
 const MAX_PATH_BYTES: usize = 4 << 20;
@@ -149,7 +150,8 @@ fn objects(scene: &Scene) -> Vec<SceneObject> {
 #[derive(Debug)]
 pub(crate) struct Scenes {
     first: Arc<LoadedScene>,
-    dropped: Mutex<(u64, VecDeque<Arc<LoadedScene>>)>,
+    /// The one that was used last is the last.
+    dropped: Mutex<VecDeque<Arc<LoadedScene>>>,
 }
 
 impl Scenes {
@@ -169,9 +171,7 @@ impl Scenes {
         if self.first.info.id == id {
             return Ok(Arc::clone(&self.first));
         }
-        let dropped = self.dropped.lock().unwrap_or_else(PoisonError::into_inner);
-        let found = dropped.1.iter().find(|scene| scene.info.id == id).cloned();
-        found.ok_or_else(|| {
+        self.dropped(id).ok_or_else(|| {
             Failure::of(
                 "scene",
                 &format!("no scene '{id}'; drop the file onto the page again"),
@@ -179,20 +179,26 @@ impl Scenes {
         })
     }
 
-    /// Returns the id of the next scene.
-    pub(crate) fn next_id(&self) -> String {
+    /// Returns a dropped scene that is kept.
+    pub(crate) fn dropped(&self, id: &str) -> Option<Arc<LoadedScene>> {
         let mut dropped = self.dropped.lock().unwrap_or_else(PoisonError::into_inner);
-        dropped.0 += 1;
-        format!("dropped-{}", dropped.0)
+        let place = dropped.iter().position(|scene| scene.info.id == id)?;
+        let scene = dropped.remove(place)?;
+        dropped.push_back(Arc::clone(&scene));
+        Some(scene)
     }
 
-    /// Keeps a dropped scene and forgets the oldest ones.
+    /// Keeps a dropped scene and forgets those that nobody has used for longest.
     pub(crate) fn add(&self, scene: LoadedScene) -> Arc<LoadedScene> {
         let scene = Arc::new(scene);
         let mut dropped = self.dropped.lock().unwrap_or_else(PoisonError::into_inner);
-        dropped.1.push_back(Arc::clone(&scene));
-        while dropped.1.len() > KEPT {
-            dropped.1.pop_front();
+        dropped.retain(|known| known.info.id != scene.info.id);
+        dropped.push_back(Arc::clone(&scene));
+        let triangles = |kept: &VecDeque<Arc<LoadedScene>>| -> usize {
+            kept.iter().map(|scene| scene.info.triangles).sum()
+        };
+        while dropped.len() > 1 && (dropped.len() > KEPT || triangles(&dropped) > KEPT_TRIANGLES) {
+            dropped.pop_front();
         }
         scene
     }

@@ -161,7 +161,10 @@ async fn dropped_scene(
     upload::receive(body, &path, upload::MAX_BYTES).await?;
     drop(receiving);
     job::run(&studio, job::FILE, move |studio, _| {
-        let id = studio.scenes.next_id();
+        let id = upload::content_id(&name, &path)?;
+        if let Some(known) = studio.scenes.dropped(&id) {
+            return Ok(known.info.clone());
+        }
         let scene = LoadedScene::open(&path, &OpenOptions::default(), (&id, &name, &name))?;
         scene.check_triangles()?;
         // Files that the scene names are not beside it; whatever it contains is in memory now.

@@ -9,7 +9,7 @@ use oaktwin::image::annotation::{Annotator, Frame};
 use oaktwin::image::{Image, ImageView, ZDepth};
 use oaktwin::pair::Pair;
 use oaktwin::render::{AnnotateOptions, Backend, DepthSensorSource, Renderer, View, sensor_input};
-use oaktwin::sensor::Technology;
+use oaktwin::sensor::{Input, Technology};
 
 use crate::oak::Oak;
 use crate::protocol::{Failure, FrameRequest, ImageName, OakState};
@@ -92,9 +92,12 @@ impl Measurement {
         Some((&truth.0).into())
     }
 
-    /// The confidence, if the engine has one.
-    pub(crate) fn confidence(&self) -> Option<&Image<u8>> {
-        self.capture.extra(Annotator::Confidence)
+    /// The confidence from 0 to 255, if the engine has one.
+    pub(crate) fn confidence(&self) -> Option<Image<u8>> {
+        let levels = self
+            .capture
+            .extra::<Image<u16>>(Annotator::DepthSensorConfidence)?;
+        Some(levels.map(|level| u8::try_from(*level).unwrap_or(u8::MAX)))
     }
 }
 
@@ -126,9 +129,12 @@ impl Station {
             .filter(|_| oak.pair.is_some())
             .map(|(_, pair)| Arc::clone(pair));
         let input = sensor_input(&oak.sensor, &seen.frame, 0, pair.as_deref());
-        let input = input.map_err(|error| Failure::of("engine", &error))?;
+        let mut input = input.map_err(|error| Failure::of("engine", &error))?;
+        if let Input::Depth(shot) = &mut input {
+            shot.color_step = color_step;
+        }
         let offered = oak.sensor.engine().outputs();
-        let extras: Vec<Annotator> = [Annotator::Confidence, Annotator::DepthSensorReason]
+        let extras: Vec<Annotator> = [Annotator::DepthSensorConfidence, Annotator::DepthSensorReason]
             .into_iter()
             .filter(|one| offered.contains(one))
             .collect();
@@ -230,11 +236,33 @@ impl Station {
     }
 }
 
+/// Measures a state once, for something that is taken away.
+pub(crate) fn measured(
+    studio: &Studio,
+    scene: &str,
+    state: &OakState,
+    size: Option<[u32; 2]>,
+    images: Vec<ImageName>,
+) -> Result<Measurement, Failure> {
+    let request = FrameRequest {
+        id: 0,
+        oak: String::new(),
+        scene: scene.to_owned(),
+        state: state.clone(),
+        size,
+        images,
+        region: [0.0, 0.0, 1.0, 1.0],
+        color_step: None,
+    };
+    Station::default().measure(studio, &request).cloned()
+}
+
 fn annotate(renderer: &Renderer, view: &View, annotators: &[Annotator]) -> (Frame, Vec<Finding>) {
     renderer.annotate(view, annotators, Backend::Auto, &AnnotateOptions::default())
 }
 
-/// Renders ground truth, with one colour for each square of `step` pixels: shading takes most of the time.
+/// Renders ground truth, with colours that are interpolated between those of every `step` pixels: shading takes most of the time.
+/// Copies would have no texture between neighbours.
 fn with_coarse_color(renderer: &Renderer, view: &View, step: u32) -> (Frame, Vec<Finding>) {
     let (mut frame, mut findings) = annotate(renderer, view, &[Annotator::DistanceToImagePlane]);
     let ImageSize { width, height } = view.camera.intrinsics.size;
@@ -248,15 +276,51 @@ fn with_coarse_color(renderer: &Renderer, view: &View, step: u32) -> (Frame, Vec
     };
     let (colors, more) = annotate(renderer, &coarse, &[Annotator::Rgb]);
     findings.extend(more);
-    frame.rgb = colors.rgb.and_then(|colors| {
-        let color = |x: u32, y: u32| {
-            let color = colors.get(x * size.width / width, y * size.height / height);
-            color.copied().unwrap_or_default()
-        };
-        let pixels = (0..height).flat_map(|y| (0..width).map(move |x| color(x, y)));
-        Image::new(width, height, pixels.collect())
-    });
+    frame.rgb = colors.rgb.map(|colors| enlarged(&colors, width, height));
     (frame, findings)
+}
+
+/// Enlarges an image by bilinear interpolation.
+fn enlarged(small: &Image<[u8; 4]>, width: u32, height: u32) -> Image<[u8; 4]> {
+    /// The steps of a weight.
+    const STEPS: u32 = 256;
+    // The two pixels around each pixel of an axis, and the weight of the second.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "positive and inside the image"
+    )]
+    let places = |length: u32, from: u32| -> Vec<(u32, u32, u32)> {
+        let place = |i: u32| {
+            let at = (f64::from(i) + 0.5) * f64::from(from) / f64::from(length) - 0.5;
+            let at = at.clamp(0.0, f64::from(from.saturating_sub(1)));
+            let first = at as u32;
+            let weight = ((at - f64::from(first)) * f64::from(STEPS)) as u32;
+            (first, (first + 1).min(from.saturating_sub(1)), weight)
+        };
+        (0..length).map(place).collect()
+    };
+    let (columns, rows) = (places(width, small.width()), places(height, small.height()));
+    let pixel = |x: u32, y: u32| small.get(x, y).copied().unwrap_or_default();
+    let mut pixels = Vec::with_capacity(columns.len() * rows.len());
+    for &(top, bottom, down) in &rows {
+        for &(left, right, across) in &columns {
+            let [a, b, c, d] = [
+                pixel(left, top),
+                pixel(right, top),
+                pixel(left, bottom),
+                pixel(right, bottom),
+            ];
+            pixels.push(std::array::from_fn(|i| {
+                let [a, b, c, d] = [a, b, c, d].map(|pixel| u32::from(pixel[i]));
+                let upper = a * (STEPS - across) + b * across;
+                let lower = c * (STEPS - across) + d * across;
+                let sum = upper * (STEPS - down) + lower * down;
+                u8::try_from((sum + STEPS * STEPS / 2) / (STEPS * STEPS)).unwrap_or(u8::MAX)
+            }));
+        }
+    }
+    Image::new(width, height, pixels).unwrap_or_else(|| Image::filled(width, height, [0; 4]))
 }
 
 impl Seen {

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use axum::body::Body;
 use futures_util::StreamExt;
+use sha2::{Digest, Sha256};
 use tokio::io::AsyncWriteExt;
 
 use crate::protocol::Failure;
@@ -26,6 +27,26 @@ pub(crate) fn file_name(name: &str) -> Result<String, Failure> {
             "a dropped file requires a name with an extension; rename it",
         )),
     }
+}
+
+/// Returns the id of a dropped file, which depends on its name and content only, so that a link finds the same file again after a
+/// restart of the server, or none.
+pub(crate) fn content_id(name: &str, path: &Path) -> Result<String, Failure> {
+    let failed = |error: std::io::Error| {
+        Failure::from(format!("the dropped file cannot be read: {error}; drop it again"))
+    };
+    let mut hash = Sha256::new();
+    hash.update(name);
+    hash.update([0]);
+    let mut file = std::fs::File::open(path).map_err(failed)?;
+    std::io::copy(&mut file, &mut hash).map_err(failed)?;
+    let digits = hash
+        .finalize()
+        .iter()
+        .take(12)
+        .map(|byte| format!("{byte:02x}"))
+        .collect::<String>();
+    Ok(format!("dropped-{digits}"))
 }
 
 /// How long a dropped file may take to arrive.

@@ -50,6 +50,8 @@ export interface Display {
   showRoof: boolean;
   cloud: CloudSource;
   cloudColor: CloudColor;
+  /** The largest error of a point that coverage counts as measured, mm; null for any. */
+  toleranceMm: number | null;
   /** Whether the 3D view shows what the selected OAK measures of the region's surface. */
   paintsCoverage: boolean;
   /** The share of the page's height that the 3D view has. */
@@ -75,6 +77,7 @@ export const DEFAULT_DISPLAY: Display = {
   showRoof: false,
   cloud: "none",
   cloudColor: "error",
+  toleranceMm: null,
   paintsCoverage: true,
   split: 0.46,
   showLeft: true,
@@ -129,6 +132,7 @@ function isValid(key: keyof Display, value: unknown): boolean {
     case "depthRange":
       return value === null || (Array.isArray(value) && value.length === 2 && value.every(Number.isFinite));
     case "errorRange":
+    case "toleranceMm":
       return value === null || (Number.isFinite(value) && (value as number) > 0);
     case "wipeAt":
     case "split":

@@ -14,7 +14,7 @@ const REST = 150;
 /** The limits of images while something moves. The smaller ones are used while an OAK moves and the server takes long to render anew. */
 const COARSE: [number, number][] = [[640, 400], [480, 300], [320, 200], [240, 150]];
 
-/** The side of the squares of pixels that share a colour while an OAK moves. */
+/** While an OAK moves, every so many pixels of a row and of a column have a colour of their own; those between are interpolated. */
 const COLOR_STEP = 3;
 
 /** A frame that takes longer than the first number makes the next one coarser, one below the second finer, ms. */
@@ -48,6 +48,8 @@ export class FrameLoop {
   private readonly requested = new Map<string, readonly unknown[]>();
   /** The requests that were made because an OAK moved. */
   private readonly moving = new WeakSet<Wanted>();
+  /** The requests for images other than those at rest. */
+  private readonly previews = new WeakSet<Wanted>();
   /** The place in {@link COARSE} of the next such request. */
   private coarseness = 0;
   /** How fine the last request of each OAK was: see {@link limitKey}. */
@@ -118,12 +120,17 @@ export class FrameLoop {
     this.timer = window.setTimeout(() => {
       this.timer = 0;
       const { document, display } = this.studio;
-      const limit = FULL_SIZES.find(({ size }) => size === display.get().fullSize)?.limit ?? null;
+      const limit = this.limitAtRest();
       const images = neededImages(display.get());
       for (const oak of document.get().oaks) {
         if (!oak.isHidden && this.studio.hasDepth(oak.state) && this.limits.get(oak.key) !== limitKey(limit, 1)) this.request(oak, limit, images, 1);
       }
     }, REST);
+  }
+
+  private limitAtRest(): [number, number] | null {
+    const { fullSize } = this.studio.display.get();
+    return FULL_SIZES.find(({ size }) => size === fullSize)?.limit ?? null;
   }
 
   private request(oak: Oak, limit: [number, number] | null, images: ImageName[], colorStep: number): Wanted {
@@ -132,6 +139,7 @@ export class FrameLoop {
     const size = resolution ? fit(resolution, limit) : null;
     this.limits.set(oak.key, limitKey(limit, colorStep));
     const wanted = { oak: oak.key, scene, state: oak.state, size, images, region, colorStep };
+    if (limitKey(limit, colorStep) !== limitKey(this.limitAtRest(), 1)) this.previews.add(wanted);
     this.scheduler.request(wanted);
     return wanted;
   }
@@ -168,7 +176,9 @@ export class FrameLoop {
   private accept(oak: string, wanted: Wanted, frame: Frame): void {
     const { frames, rejections } = this.studio;
     if (rejections.get().has(oak)) rejections.set(without(rejections.get(), oak));
-    frames.set(new Map(frames.get()).set(oak, { ...frame, state: wanted.state, scene: wanted.scene, requested: wanted.images }));
+    frames.set(new Map(frames.get()).set(oak, {
+      ...frame, state: wanted.state, scene: wanted.scene, requested: wanted.images, isPreview: this.previews.has(wanted),
+    }));
   }
 
   private read(message: ServerMessage): void {

@@ -14,6 +14,8 @@ export interface Shown extends Frame {
   scene: string;
   /** The images that were requested; the server leaves out those that the engine does not make. */
   requested: readonly ImageName[];
+  /** Whether it is coarser than the images at rest, which follow: its statistics are provisional. */
+  isPreview: boolean;
 }
 
 /** A message to the person at the page. */

@@ -1,4 +1,4 @@
-import type { CoverageAnswer, OakState } from "../protocol";
+import type { OakState, PoseCoverage } from "../protocol";
 import { moved, toAngles, turned, type UpAxis } from "../util/pose";
 
 /** From, to and the number of values. */
@@ -8,12 +8,18 @@ export interface Span {
   count: number;
 }
 
-/** A pose of a sweep with what it covers. */
-export interface Ranked {
+/** The state of one of the page's OAKs. */
+export interface Placed {
+  /** {@link Oak.key}. */
+  key: string;
   state: OakState;
+}
+
+/** A pose of a sweep with what it covers. */
+export interface Ranked extends Placed {
   heightM: number;
   tiltDeg: number;
-  coverage: CoverageAnswer["poses"][number];
+  coverage: PoseCoverage;
 }
 
 /** More poses than this would take minutes. */
@@ -29,19 +35,19 @@ export function height(state: OakState, up: UpAxis): number {
 }
 
 /** Returns the states of OAKs at all heights and tilts. */
-export function sweep(states: OakState[], heights: Span, tilts: Span, up: UpAxis): OakState[] {
-  return states.flatMap((state) => values(heights).flatMap((metres) => values(tilts).map((degrees) => {
+export function sweep(oaks: Placed[], heights: Span, tilts: Span, up: UpAxis): Placed[] {
+  return oaks.flatMap(({ key, state }) => values(heights).flatMap((metres) => values(tilts).map((degrees) => {
     const raised = moved(state.pose, [0, 0, metres - height(state, up)], up);
     const pose = turned(raised, { pitch: degrees - toAngles(raised.quaternion, up).pitch }, up);
-    return { ...state, pose };
+    return { key, state: { ...state, pose } };
   })));
 }
 
 /** Ranks poses: those that measure more of the region come first, and of equal ones those with the smaller error. */
-export function rank(states: OakState[], answer: CoverageAnswer, up: UpAxis): Ranked[] {
-  const ranked = states.flatMap((state, i): Ranked[] => {
-    const coverage = answer.poses[i];
-    return coverage ? [{ state, heightM: height(state, up), tiltDeg: toAngles(state.pose.quaternion, up).pitch, coverage }] : [];
+export function rank(oaks: Placed[], poses: PoseCoverage[], up: UpAxis): Ranked[] {
+  const ranked = oaks.flatMap(({ key, state }, i): Ranked[] => {
+    const coverage = poses[i];
+    return coverage ? [{ key, state, heightM: height(state, up), tiltDeg: toAngles(state.pose.quaternion, up).pitch, coverage }] : [];
   });
   const error = ({ coverage }: Ranked) => coverage.medianAbsoluteErrorM ?? Number.POSITIVE_INFINITY;
   return ranked.sort((a, b) => b.coverage.measured - a.coverage.measured || error(a) - error(b));

@@ -8,7 +8,7 @@ import type { Pose, SceneInfo, Vec3 } from "../protocol";
 import type { Display } from "../state/display";
 import { findModel, findSensor, type Oak, selectedOak, type Target } from "../state/document";
 import { Store } from "../util/store";
-import { makeCloud, placeCloud } from "../view3d/cloud";
+import { makeCloud, placeCloud, showThrough } from "../view3d/cloud";
 import type { GizmoMode } from "../view3d/gizmo";
 import { makeOak, matrix, place } from "../view3d/oakobject";
 import { Viewer } from "../view3d/viewer";
@@ -230,7 +230,9 @@ export class SceneView {
     const { pictures, header } = frame;
     const truth = pictures.get("reference") ?? pictures.get("depth");
     const measured = pictures.get("sensor");
-    const sources = shown.cloud === "both" ? [truth, measured] : [shown.cloud === "truth" ? truth : measured];
+    // Pixels without a value have a reason, and no measured place.
+    const placed = shown.cloudColor === "reason" ? truth : measured;
+    const sources = shown.cloud === "both" ? [truth, measured] : [shown.cloud === "truth" ? truth : placed];
     const scales = findScales(frames.values(), shown);
     const mode = shown.cloudColor;
     const [red, green, blue] = oakColor(Math.max(index, 0));
@@ -254,6 +256,8 @@ export class SceneView {
         maxPoints: MAX_POINTS / (frames.size * sources.length),
       });
       placeCloud(points, pose, matrix(sensor.bodyFromCamera));
+      // What is measured too far lies behind the surfaces of the scene.
+      if (mode === "error" && depth === measured) showThrough(points);
       return points;
     });
   }

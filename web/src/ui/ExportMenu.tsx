@@ -1,7 +1,7 @@
 import { useState } from "preact/hooks";
 import { fit } from "../studio/frames";
 import { api, type Exported } from "../net/api";
-import type { ExportRequest } from "../protocol";
+import type { ExportRequest, OakState } from "../protocol";
 import { FULL_SIZES, PANELS } from "../state/display";
 import { findSensor, selectedOak } from "../state/document";
 import type { Studio } from "../studio/studio";
@@ -34,8 +34,11 @@ async function exported(studio: Studio, what: What): Promise<Exported | null> {
   const sensor = oak && findSensor(studio.catalog.get(), oak.state);
   if (!oak || !sensor) return null;
   const limit = FULL_SIZES.find(({ size }) => size === studio.display.get().fullSize)?.limit ?? null;
+  const sized = (state: OakState) => ({ state, size: fit(findSensor(studio.catalog.get(), state)?.resolution ?? [1, 1], limit) });
+  const shown = document.oaks.filter((other) => other.key !== oak.key && !other.isHidden && studio.hasDepth(other.state));
+  const compared = what.what === "statistics" ? { region: document.region, others: shown.map(({ state }) => sized(state)) } : {};
   try {
-    return await api.export({ ...what, scene: document.scene, state: oak.state, size: fit(sensor.resolution, limit) });
+    return await api.export({ ...what, ...compared, scene: document.scene, ...sized(oak.state) });
   } catch (error) {
     studio.report("The export", error);
     return null;

@@ -75,7 +75,7 @@ function Numbers() {
   const row = (name: string, tip: string, value: (key: string) => string) => (
     <tr>
       <th scope="row" data-tip={tip}>{name}</th>
-      {shown.map(({ key }) => <td key={key}>{value(key)}</td>)}
+      {shown.map(({ key }) => <td key={key} class={frames.get(key)?.isPreview ? "provisional" : ""}>{value(key)}</td>)}
     </tr>
   );
   const statistics = (key: string) => frames.get(key)?.header.statistics;

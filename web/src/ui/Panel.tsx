@@ -39,7 +39,8 @@ export function Panel({ oak, index, kind, other, width, scales }: Props) {
         <span class="panel-title">{other ? `${title(kind)} | ${title(other)}` : title(kind)}</span>
         <span class="panel-oak">{oak.state.model}</span>
         <span class="spring" />
-        {frame && <span class="panel-fact">{fact(kind, frame)}</span>}
+        {frame && <span class={`panel-fact ${frame.isPreview ? "provisional" : ""}`}>{fact(kind, frame)}</span>}
+        {frame && <Fineness frame={frame} />}
       </figcaption>
       <Surface oak={oak.key} label={`${title(kind)} of ${oak.state.model}`} width={width} height={height}>
         <Picture oak={oak.key} kind={kind} frame={frame} width={width} height={height} scales={scales} />
@@ -68,6 +69,16 @@ function Edge({ at, width }: { at: number; width: number }) {
     addEventListener("pointerup", () => removeEventListener("pointermove", move), { once: true });
   };
   return <div class="edge" style={{ left: `${at * 100}%` }} onPointerDown={grab} />;
+}
+
+/** Whether an image is a preview, and its size. */
+function Fineness({ frame }: { frame: Shown }) {
+  const picture = frame.pictures.get("sensor");
+  if (!picture) return null;
+  const size = `${picture.width} × ${picture.height}`;
+  return frame.isPreview
+    ? <span class="fineness preview" data-testid="fineness" data-tip="Coarse while something changes; the final image follows">{`preview ${size}`}</span>
+    : <span class="fineness" data-testid="fineness">{size}</span>;
 }
 
 function emptyText(error: string | undefined, hasDepth: boolean, model: string): string {

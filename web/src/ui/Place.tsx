@@ -4,7 +4,7 @@ import { api } from "../net/api";
 import type { CoverageAnswer, OakState, SceneInfo, Vec3 } from "../protocol";
 import { choosable, type Oak, type Target } from "../state/document";
 import { type SceneView, targetBounds } from "../studio/view";
-import { bareMillimetres, bareShare, words } from "../util/format";
+import { bareMillimetres, bareShare, NONE, words } from "../util/format";
 import { useStore } from "../util/store";
 import { Button, Check, NumberField, Section } from "./controls";
 import { useApp } from "./context";
@@ -15,11 +15,12 @@ import { Sweep } from "./Sweep";
 export function Place() {
   const { studio } = useApp();
   const { target } = useStore(studio.document);
+  const { toleranceMm: tolerance } = useStore(studio.display);
   return (
     <>
       <Region target={target} />
-      {target && <Coverage target={target} />}
-      {target && <Sweep target={target} />}
+      {target && <Coverage target={target} tolerance={tolerance} />}
+      {target && <Sweep target={target} tolerance={tolerance} />}
     </>
   );
 }
@@ -97,16 +98,16 @@ function BoxFields({ box, onChange }: { box: { minimum: Vec3; maximum: Vec3 }; o
 const DELAY = 400;
 
 /** Computes the coverage of states; computes again when they change. */
-export function useCoverage(scene: string, states: OakState[], target: Target): { answer: CoverageAnswer | null; error: string | null } {
+export function useCoverage(scene: string, states: OakState[], target: Target, toleranceMm: number | null): { answer: CoverageAnswer | null; error: string | null } {
   const { studio } = useApp();
   const [result, setResult] = useState<{ answer: CoverageAnswer | null; error: string | null }>({ answer: null, error: null });
-  const key = JSON.stringify([scene, states, target]);
+  const key = JSON.stringify([scene, states, target, toleranceMm]);
   const latest = useRef(key);
   latest.current = key;
   useEffect(() => {
     const running = new AbortController();
     const timer = setTimeout(() => {
-      api.coverage({ scene, states, region: target }, running.signal).then(
+      api.coverage({ scene, states, region: target, toleranceMm }, running.signal).then(
         (answer) => latest.current === key && setResult({ answer, error: null }),
         (error: unknown) => {
           if (!running.signal.aborted) setResult({ answer: null, error: error instanceof Error ? error.message : String(error) });
@@ -122,18 +123,37 @@ export function useCoverage(scene: string, states: OakState[], target: Target): 
 }
 
 /** What each OAK measures of the region now. */
-function Coverage({ target }: { target: Target }) {
+function Coverage({ target, tolerance }: { target: Target; tolerance: number | null }) {
   const { studio } = useApp();
   const { oaks, scene } = useStore(studio.document);
   const shown = oaks.filter((oak) => !oak.isHidden && studio.hasDepth(oak.state));
-  const { answer, error } = useCoverage(scene, shown.map(({ state }) => state), target);
+  const { answer, error } = useCoverage(scene, shown.map(({ state }) => state), target, tolerance);
   return (
     <Section title="Coverage" testId="coverage">
+      <Tolerance value={tolerance} />
       {error && <p class="problem" role="alert">{error}</p>}
       {!answer && !error && <p class="hint">Computing…</p>}
       {answer && <CoverageTable oaks={shown} all={oaks} answer={answer} />}
       <Paint />
     </Section>
+  );
+}
+
+/** The largest error of a point that counts as measured. */
+function Tolerance({ value }: { value: number | null }) {
+  const { studio } = useApp();
+  return (
+    <div class="row">
+      <Check
+        label="Count only errors up to"
+        tip="A point with a larger error counts as not measured"
+        isOn={value !== null}
+        onChange={(isOn) => studio.show({ toleranceMm: isOn ? 20 : null })}
+      />
+      {value !== null && (
+        <NumberField label="Tolerance" isLabelled={false} unit="mm" value={value} step={1} digits={1} minimum={0.1} maximum={10000} onChange={(toleranceMm) => studio.show({ toleranceMm })} />
+      )}
+    </div>
   );
 }
 
@@ -161,10 +181,12 @@ function PaintProblem({ view }: { view: SceneView }) {
 }
 
 function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer: CoverageAnswer }) {
-  const columns = oaks.flatMap((oak, i) => {
+  const own = oaks.flatMap((oak, i) => {
     const pose = answer.poses[i];
-    return pose ? [{ oak, pose }] : [];
+    return pose ? [{ key: oak.key, oak, pose }] : [];
   });
+  // A point counts for all OAKs together if one of them measures it.
+  const columns = own.length > 1 ? [...own, { key: "together", oak: null, pose: answer.together }] : own;
   const { outcomes } = useStore(useApp().studio.catalog);
   const most = (name: string) => Math.max(...columns.map(({ pose }) => pose.lost[name] ?? 0));
   const names = [...new Set(columns.flatMap(({ pose }) => Object.keys(pose.lost)))].sort((a, b) => most(b) - most(a));
@@ -175,23 +197,24 @@ function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer:
         <thead>
           <tr>
             <td />
-            {columns.map(({ oak }) => (
-              <th key={oak.key} scope="col" data-tip={oak.state.model}>
+            {columns.map(({ key, oak }) => (oak ? (
+              <th key={key} scope="col" data-tip={oak.state.model}>
                 <ColumnName index={all.indexOf(oak)} model={oak.state.model} isShort={columns.length > 2} />
               </th>
-            ))}
+            ) : <th key={key} scope="col" data-tip="A point counts if one of the OAKs measures it">All</th>))}
           </tr>
         </thead>
         <tbody>
-          <tr><th scope="row">Visible, %</th>{columns.map(({ oak, pose }) => <td key={oak.key}>{bareShare(pose.seen)}</td>)}</tr>
-          <tr><th scope="row"><span class="swatch" style={{ background: css(outcomeColor(0)) }} />Measured, %</th>{columns.map(({ oak, pose }) => <td key={oak.key}><b>{bareShare(pose.measured)}</b></td>)}</tr>
-          <tr><th scope="row">Median |error|, mm</th>{columns.map(({ oak, pose }) => <td key={oak.key}>{bareMillimetres(pose.medianAbsoluteErrorM)}</td>)}</tr>
+          <tr><th scope="row">Visible, %</th>{columns.map(({ key, pose }) => <td key={key}>{bareShare(pose.seen)}</td>)}</tr>
+          <tr><th scope="row"><span class="swatch" style={{ background: css(outcomeColor(0)) }} />Measured, %</th>{columns.map(({ key, pose }) => <td key={key}><b>{bareShare(pose.measured)}</b></td>)}</tr>
+          <tr><th scope="row" data-tip="The share of what the camera sees that it measures">Measured of visible, %</th>{columns.map(({ key, pose }) => <td key={key}>{pose.seen > 0 ? bareShare(pose.measured / pose.seen) : NONE}</td>)}</tr>
+          <tr><th scope="row">Median |error|, mm</th>{columns.map(({ key, pose }) => <td key={key}>{bareMillimetres(pose.medianAbsoluteErrorM)}</td>)}</tr>
           {lost.map(({ name, outcome }) => (
             <tr key={name}>
               <th scope="row" data-tip={outcome?.documentation}>
                 {outcome && <span class="swatch" style={{ background: css(outcomeColor(outcome.code)) }} />}{words(name)}, %
               </th>
-              {columns.map(({ oak, pose }) => <td key={oak.key}>{bareShare(pose.lost[name] ?? 0)}</td>)}
+              {columns.map(({ key, pose }) => <td key={key}>{bareShare(pose.lost[name] ?? 0)}</td>)}
             </tr>
           ))}
         </tbody>

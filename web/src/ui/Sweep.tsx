@@ -1,9 +1,9 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { api } from "../net/api";
-import type { CoverageAnswer } from "../protocol";
+import type { PoseCoverage } from "../protocol";
 import { changeOak, selectedOak, type Target } from "../state/document";
 import { height, MAX_POSES, rank, type Ranked, type Span, sweep } from "../studio/sweep";
-import { millimetres, share } from "../util/format";
+import { millimetres, NONE, share } from "../util/format";
 import { toAngles } from "../util/pose";
 import { useStore } from "../util/store";
 import { Button, Check, NumberField, Section } from "./controls";
@@ -16,7 +16,7 @@ const AT_ONCE = 3;
 const LISTED = 12;
 
 /** Tries heights and tilts, and ranks the poses by what they measure of the region. */
-export function Sweep({ target }: { target: Target }) {
+export function Sweep({ target, tolerance }: { target: Target; tolerance: number | null }) {
   const { studio } = useApp();
   const document = useStore(studio.document);
   const up = useStore(studio.scene)?.up ?? "z";
@@ -34,21 +34,27 @@ export function Sweep({ target }: { target: Target }) {
   /** The number of poses that were tried; null while none are. */
   const [done, setDone] = useState<number | null>(null);
   useEffect(() => () => running.current?.abort(), []);
+  // A ranking belongs to the region that it was made for.
+  useEffect(() => {
+    running.current?.abort();
+    setRanked(null);
+    setProblem(null);
+  }, [document.scene, JSON.stringify(target), tolerance]);
   if (!oak) return null;
-  const shown = isForAll ? document.oaks.filter((oak) => !oak.isHidden && studio.hasDepth(oak.state)).map(({ state }) => state) : [oak.state];
+  const shown = isForAll ? document.oaks.filter((oak) => !oak.isHidden && studio.hasDepth(oak.state)) : [oak];
   const count = heights.count * tilts.count * shown.length;
   const run = async () => {
-    const states = sweep(shown, heights, tilts, up);
+    const tried = sweep(shown, heights, tilts, up);
     const own = new AbortController();
     running.current = own;
     setProblem(null);
-    const poses: CoverageAnswer["poses"] = [];
+    const poses: PoseCoverage[] = [];
     try {
-      while (poses.length < states.length) {
+      while (poses.length < tried.length) {
         setDone(poses.length);
-        const next = states.slice(poses.length, poses.length + AT_ONCE);
-        poses.push(...(await api.coverage({ scene: document.scene, states: next, region: target }, own.signal)).poses);
-        setRanked(rank(states, { poses }, up));
+        const states = tried.slice(poses.length, poses.length + AT_ONCE).map(({ state }) => state);
+        poses.push(...(await api.coverage({ scene: document.scene, states, region: target, toleranceMm: tolerance }, own.signal)).poses);
+        setRanked(rank(tried, poses, up));
       }
     } catch (error) {
       if (!own.signal.aborted) setProblem(error instanceof Error ? error.message : String(error));
@@ -56,8 +62,8 @@ export function Sweep({ target }: { target: Target }) {
       setDone(null);
     }
   };
-  const take = ({ state }: Ranked) => studio.document.commit("sweep", (document) =>
-    changeOak(document, document.selected, (before) => ({ ...before, pose: state.pose })));
+  const take = ({ key, state }: Ranked) => studio.document.commit("sweep", (document) =>
+    changeOak({ ...document, selected: key }, key, (before) => ({ ...before, pose: state.pose })));
   return (
     <Section title="Sweep" testId="sweep">
       <SpanFields name="Height" unit="m" span={heights} onChange={setHeights} />
@@ -91,7 +97,7 @@ function Ranking({ ranked, onTake }: { ranked: Ranked[]; onTake: (one: Ranked) =
   const hasModels = new Set(ranked.map(({ state }) => state.model)).size > 1;
   return (
     <table class="numbers ranking">
-      <thead><tr>{hasModels && <th scope="col">OAK</th>}<th scope="col">Height</th><th scope="col">Tilt</th><th scope="col">Measured</th><th scope="col">|Error|</th><td /></tr></thead>
+      <thead><tr>{hasModels && <th scope="col">OAK</th>}<th scope="col">Height</th><th scope="col">Tilt</th><th scope="col">Measured</th><th scope="col" data-tip="The share of what the camera sees there that it measures">of seen</th><th scope="col">|Error|</th><td /></tr></thead>
       <tbody>
         {ranked.map((one, i) => (
           <tr key={i}>
@@ -99,8 +105,9 @@ function Ranking({ ranked, onTake }: { ranked: Ranked[]; onTake: (one: Ranked) =
             <td>{one.heightM.toFixed(2)} m</td>
             <td>{one.tiltDeg.toFixed(0)}°</td>
             <td>{share(one.coverage.measured)}</td>
+            <td>{one.coverage.seen > 0 ? share(one.coverage.measured / one.coverage.seen) : NONE}</td>
             <td>{millimetres(one.coverage.medianAbsoluteErrorM)}</td>
-            <td><Button label="Take" class="text" tip="Move the selected OAK there" onClick={() => onTake(one)} /></td>
+            <td><Button label="Take" class="text" tip="Move this OAK there" onClick={() => onTake(one)} /></td>
           </tr>
         ))}
       </tbody>

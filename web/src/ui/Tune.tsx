@@ -1,5 +1,5 @@
 import { useMemo, useRef } from "preact/hooks";
-import type { DepthSensor, OakState, Parameter } from "../protocol";
+import type { DepthSensor, Engine, OakState, Parameter } from "../protocol";
 import { findEngine, findModel, findSensor, type Oak, selectedOak } from "../state/document";
 import { grouped } from "../state/parameters";
 import { words } from "../util/format";
@@ -113,14 +113,19 @@ function SensorSection({ state, sensor, problem }: { state: OakState; sensor: De
           onChange={(isOn) => set("lens", { lens: isOn ? "fisheye" : "pinhole" })}
         />
       )}
-      {sensor.kind === "stereo" && <Light state={state} isMatcher={engine?.isMatcher ?? false} hasProjector={model?.hasProjector ?? false} />}
+      {sensor.kind === "stereo" && <Light state={state} isSeen={engine ? seesLight(engine) : false} hasProjector={model?.hasProjector ?? false} />}
       {problem && <p class="problem" role="alert">{problem}</p>}
     </Section>
   );
 }
 
+/** Whether the light determines what an engine measures: in the images of the pair, or by its parameters. */
+function seesLight({ isMatcher, parameters }: Engine): boolean {
+  return isMatcher || parameters.some(({ name }) => name === "dotContrast");
+}
+
 /** The light for the infrared cameras. */
-function Light({ state, isMatcher, hasProjector }: { state: OakState; isMatcher: boolean; hasProjector: boolean }) {
+function Light({ state, isSeen, hasProjector }: { state: OakState; isSeen: boolean; hasProjector: boolean }) {
   const { studio } = useApp();
   const isNight = state.ambient === 0;
   return (
@@ -154,7 +159,7 @@ function Light({ state, isMatcher, hasProjector }: { state: OakState; isMatcher:
           maximum={100}
         />}
       </div>
-      {!isMatcher && <p class="hint">The light changes the left and right images. Only engines that match images measure from them.</p>}
+      {!isSeen && <p class="hint">The light changes the left and right images. This engine does not depend on them.</p>}
     </>
   );
 }

@@ -144,6 +144,12 @@ export function makeCloud(input: CloudInput): Points<BufferGeometry, RawShaderMa
   return points;
 }
 
+/** Draws a cloud over the rest of the scene, which would hide what lies behind its surfaces. */
+export function showThrough(points: Points<BufferGeometry, RawShaderMaterial>): void {
+  points.material.depthTest = false;
+  points.renderOrder = 1;
+}
+
 /** Places a cloud by the pose of its body and the camera in that body. */
 export function placeCloud(points: Points, worldFromBody: Matrix4, bodyFromCamera: Matrix4): void {
   points.matrix.multiplyMatrices(worldFromBody, bodyFromCamera);

@@ -51,6 +51,10 @@ pub(crate) struct CoverageArgs {
     #[arg(long, value_name = "N", default_value_t = SAMPLES)]
     pub(crate) samples: u32,
 
+    /// Count a point as measured only if its error is at most this many millimetres [default: any error]
+    #[arg(long, value_name = "MM")]
+    pub(crate) tolerance: Option<f64>,
+
     /// Write coverage.csv, coverage.json and coverage.png (the best candidate's) to this folder
     #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(crate) output: Option<PathBuf>,

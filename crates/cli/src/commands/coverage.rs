@@ -55,6 +55,7 @@ pub(crate) fn run(context: &Context, args: &CoverageArgs) -> Result<Exit> {
     let renderer = Renderer::new(scene.scene);
     let options = Options {
         samples: args.samples,
+        tolerance_mm: args.tolerance,
         ..Options::default()
     };
     let measured =

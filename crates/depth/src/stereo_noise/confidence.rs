@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::scale::Scale;
 use super::sense::BAND;
-use super::texture::{GAIN, Texture, add_dots};
+use super::texture::{self, Texture};
 use super::{Parameters, Shot};
 
 /// The memory of one thread.
@@ -21,8 +21,9 @@ struct Scratch {
 pub(super) fn confidence(parameters: &Parameters, shot: &Shot<'_>) -> Option<Image<u16>> {
     let (picture, depth) = (shot.rgb()?, shot.depth());
     let mut levels = Image::filled(picture.width(), picture.height(), 0);
-    let scale = Scale::new(parameters, picture.width());
-    let side = scale.window;
+    let scale = Scale::new(parameters, shot);
+    let measure = &scale.texture;
+    let side = measure.side;
     let width = (picture.width() as usize).max(1);
     let level = Level::detect();
     levels
@@ -31,24 +32,19 @@ pub(super) fn confidence(parameters: &Parameters, shot: &Shot<'_>) -> Option<Ima
         .enumerate()
         .for_each_init(Scratch::default, |s, (index, band)| {
             let first = index * BAND;
-            s.texture.reset(width, side);
+            s.texture.reset(width, measure);
             s.sums.resize(width, 0);
             for row in first..first + side - 1 {
-                s.texture.slide(level, &picture, row, side, &mut []);
+                s.texture.slide(level, &picture, row, measure, &mut []);
             }
             for (y, out) in (first..).zip(band.chunks_exact_mut(width)) {
-                s.texture.slide(level, &picture, y + side - 1, side, &mut s.sums);
-                add_dots(level, &scale, &picture, &depth, y, &mut s.sums);
+                s.texture
+                    .slide(level, &picture, y + side - 1, measure, &mut s.sums);
+                texture::light(level, scale.light.as_ref(), &picture, &depth, y, &mut s.sums);
                 for (out, sum) in out.iter_mut().zip(&s.sums) {
-                    *out = mean(*sum, side);
+                    *out = measure.confidence(*sum);
                 }
             }
         });
     Some(levels)
-}
-
-/// The confidence of a window with this sum, rounded down.
-fn mean(sum: u32, side: usize) -> u16 {
-    let mean = u64::from(sum) * u64::from(GAIN) / (side * side) as u64;
-    u16::try_from(mean.min(255)).unwrap_or(255)
 }

@@ -39,9 +39,12 @@ parameters! {
         left_right_check_threshold_px: u32 = 10 => ("leftRightCheckThreshold".unit("px").range(0.0..=128.0)),
         /// The minimum confidence; pixels with less texture are lost. Needs a colour image; 0 keeps all.
         confidence_threshold: u8 = 55 => ("confidenceThreshold".range(0.0..=255.0)),
-        /// The light at the centre of a projected dot on a surface 1 m away, relative to the ambient light there: about 3
-        /// for a Pro model with its projector at full power in a bright room. Adds to the texture of a colour image.
+        /// The light at the centre of a projected dot on a surface 1 m away, relative to the light of a bright room there: about 3
+        /// for a Pro model with its projector at full power. Adds to the texture of a colour image.
         dot_contrast: f64 = 0.0 => ("dotContrast".range(0.0..=1e6).estimate()),
+        /// The light of the scene relative to a bright room: 0.1 in the evening, 0.001 in a dark room, 0 at night. Below 0.5, noise hides
+        /// texture, and dots have more contrast.
+        ambient: f64 = 1.0 => ("ambient".range(0.0..=1e6).estimate()),
         /// The number of columns at the left border that are lost.
         invalid_edge_px: u32 = 0 => ("numInvalidateEdgePixels".unit("px").range(0.0..=16384.0)),
         /// The width that the matching window adds to near surfaces on every side.

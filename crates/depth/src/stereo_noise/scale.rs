@@ -2,11 +2,9 @@
 
 use super::field::Numbers;
 use super::parameters::{CLOSE_RANGE_M, Parameters};
+use super::texture::{Light, TextureScale};
 use super::window::MAX_SIDE;
-
-/// The mean absolute difference between neighbours along a row, relative to the peak of a dot, of the pattern of an ams Belago 1.1
-/// ([`crate::dots`]) near the axis, times the focal length in pixels.
-pub(super) const DOTS_PER_PX: f64 = 15.0;
+use crate::Shot;
 
 /// The parameters for images of one width, in image pixels where noted, else in matcher pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,10 +38,10 @@ pub(super) struct Scale {
     pub(super) invalid_edge: usize,
     /// Pixels whose 16 random bits are below this are dropped.
     pub(super) dropout: u32,
-    /// [`Parameters::dot_contrast`].
-    pub(super) dot_contrast: f32,
-    /// What dots add to the sum of a window for each grey level between a dot's centre and the surface.
-    pub(super) dots: f32,
+    /// How confidence is measured.
+    pub(super) texture: TextureScale,
+    /// The light that changes the texture.
+    pub(super) light: Option<Light>,
 }
 
 impl Scale {
@@ -52,9 +50,11 @@ impl Scale {
         clippy::cast_sign_loss,
         reason = "checked parameters; rows are single precision"
     )]
-    pub(super) fn new(p: &Parameters, image_width: u32) -> Self {
+    pub(super) fn new(p: &Parameters, shot: &Shot<'_>) -> Self {
+        let image_width = shot.depth().width();
         let image_px = f64::from(image_width) / f64::from(p.width_px);
         let window = ((f64::from(p.window_px) * image_px).round() as usize).clamp(1, MAX_SIDE);
+        let texture = TextureScale::new(p.window_px, window, image_px, shot.color_step);
         let numbers = Numbers::under(window);
         let count = (window * window) as f64;
         let [full, none] = CLOSE_RANGE_M.map(|z| p.stereo.disparity(z));
@@ -76,8 +76,8 @@ impl Scale {
             dilation: ((p.edge_dilation_px * image_px).round() as usize).min(MAX_SIDE / 2),
             invalid_edge: (f64::from(p.invalid_edge_px) * image_px).round() as usize,
             dropout: (p.dropout * 65536.0).round() as u32,
-            dot_contrast: p.dot_contrast as f32,
-            dots: (count * DOTS_PER_PX / (p.stereo.focal_length_px * image_px)) as f32,
+            texture,
+            light: Light::new(p, &texture),
         }
     }
 }

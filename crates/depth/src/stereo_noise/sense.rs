@@ -10,7 +10,7 @@ use super::field::Field;
 use super::rows::{Disparities, Dropout, Measure, Textured};
 use super::scale::Scale;
 use super::shadow::{NEARER, Rows, Shadow};
-use super::texture::{GAIN, Texture, add_dots};
+use super::texture::{self, GAIN, Texture};
 use super::window::{WindowSum, field_width};
 use crate::Shot;
 use crate::random::{Plane, Stage, Stream};
@@ -69,7 +69,7 @@ impl<'a> Job<'a> {
         let p = sensor.parameters();
         Self {
             sensor,
-            scale: Scale::new(p, shot.depth().width()),
+            scale: Scale::new(p, shot),
             depth: shot.depth(),
             picture: shot.rgb().filter(|_| p.confidence_threshold > 0),
             jitter: random.plane(Stage::Jitter, shot.frame, shot.item),
@@ -148,15 +148,17 @@ impl Scratch {
         let field = self.field.reset(field_width(self.stride, scale.window));
         self.jitter.reset(field, scale.window);
         if job.picture.is_some() {
-            self.texture.reset(width, scale.window);
+            self.texture.reset(width, &scale.texture);
             self.texture_sums.resize(width, 0);
         }
         for row in first..first + scale.window - 1 {
             let entering = counter(row)..counter(row + 1);
             let numbers = self.field.rows(job.level, &job.jitter, entering, scale.numbers);
             simd::run_at(job.level, self.jitter.slide(numbers, self.stride, &mut []));
-            if let Some(picture) = &job.picture {
-                self.texture.slide(job.level, picture, row, scale.window, &mut []);
+        }
+        if let Some(picture) = &job.picture {
+            for row in first..first + scale.texture.side - 1 {
+                (self.texture).slide(job.level, picture, row, &scale.texture, &mut []);
             }
         }
         if scale.dilation > 0 {
@@ -330,21 +332,26 @@ impl Scratch {
     /// Drops pixels with too little texture.
     fn drop_plain(&mut self, job: &Job<'_>, first: usize) {
         let Some(picture) = &job.picture else { return };
-        let side = job.scale.window;
-        let area = counter(side * side);
+        let measure = &job.scale.texture;
+        let least = measure.least(job.sensor.parameters().confidence_threshold);
         for (y, disparities) in (first..).zip(self.disparities.chunks_exact_mut(self.stride)) {
-            self.texture
-                .slide(job.level, picture, y + side - 1, side, &mut self.texture_sums);
-            add_dots(
+            self.texture.slide(
                 job.level,
-                &job.scale,
+                picture,
+                y + measure.side - 1,
+                measure,
+                &mut self.texture_sums,
+            );
+            texture::light(
+                job.level,
+                job.scale.light.as_ref(),
                 picture,
                 &job.depth,
                 y,
                 &mut self.texture_sums,
             );
             let textured = Textured {
-                least: u32::from(job.sensor.parameters().confidence_threshold) * area,
+                least,
                 gain: GAIN,
                 sums: &self.texture_sums,
                 disparities,

@@ -69,13 +69,14 @@ fn stereo_noise_reports_the_texture_that_its_threshold_tests() {
     let (_, levels) = sure(sensor(&STEREO_NOISE, &[("occlusion", "false")], &[]), shot, &[]);
     let luma = |x: usize, y: usize| i64::from(picture.pixels()[y * WIDTH as usize + x][0]);
     let (width, height) = (WIDTH as usize, HEIGHT as usize);
-    // The window has 7 px; the last difference of a row, and the border, are repeated.
+    // The window has 7 px; the first and last differences over 4 px of a row, and the border, are repeated.
     let difference = |x: i64, y: i64| {
         let (x, y) = (
-            x.clamp(0, width as i64 - 2) as usize,
+            x.clamp(2, width as i64 - 3) as usize,
             y.clamp(0, height as i64 - 1) as usize,
         );
-        (luma(x + 1, y) - luma(x, y)).abs()
+        let [apart, next] = [(x - 2, x + 2), (x, x + 1)].map(|(a, b)| (luma(a, y) - luma(b, y)).abs());
+        apart.max(next)
     };
     for (place, level) in levels.pixels().iter().enumerate() {
         let (x, y) = ((place % width) as i64, (place / width) as i64);

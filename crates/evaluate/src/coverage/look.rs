@@ -29,6 +29,17 @@ pub(super) struct Look {
     pub(super) findings: Vec<Finding>,
 }
 
+impl Look {
+    /// Counts points with larger errors as not measured.
+    pub(super) fn reject_errors_above(&mut self, tolerance_m: f64) {
+        for (outcome, error) in self.outcomes.iter_mut().zip(&self.errors_m) {
+            if *outcome == Outcome::MEASURED && f64::from(*error).abs() > tolerance_m {
+                *outcome = Outcome::INACCURATE;
+            }
+        }
+    }
+}
+
 /// Simulates the depth sensor of a candidate and assesses each point.
 ///
 /// # Errors

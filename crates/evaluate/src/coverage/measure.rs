@@ -28,10 +28,12 @@ const MAX_KEPT: usize = 100_000_000;
 const MAX_OCCLUDERS: usize = 5;
 
 /// The settings of a measurement.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// The number of points on the surface, up to [`MAX_SAMPLES`].
     pub samples: u32,
+    /// The largest error of a point that counts as measured; `None` for any.
+    pub tolerance_mm: Option<f64>,
     /// Whether the outcomes at each point are kept: [`Coverage::points`].
     pub keeps_points: bool,
 }
@@ -40,6 +42,7 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             samples: SAMPLES,
+            tolerance_mm: None,
             keeps_points: false,
         }
     }
@@ -54,6 +57,12 @@ impl Options {
                 self.samples
             );
             return wrong("samples", what);
+        }
+        if let Some(tolerance) = self.tolerance_mm
+            && !(tolerance > 0.0 && tolerance.is_finite())
+        {
+            let what = format!("{tolerance} mm is out of range; give more than 0");
+            return wrong("tolerance", what);
         }
         if candidates == 0 {
             return wrong(
@@ -104,7 +113,10 @@ pub fn measure(
             is_interrupted = true;
             break;
         }
-        let seen = look(renderer, candidate, &samples.points)?;
+        let mut seen = look(renderer, candidate, &samples.points)?;
+        if let Some(tolerance) = options.tolerance_mm {
+            seen.reject_errors_above(tolerance * 1e-3);
+        }
         tally.add(renderer.scene(), candidate, seen);
     }
     if !is_interrupted {

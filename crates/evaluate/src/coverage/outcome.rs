@@ -20,8 +20,13 @@ pub struct Reason {
 }
 
 /// The outcomes that are not reasons of the sensor's pixels.
-const OWN: [(Outcome, &str, &str); 6] = [
+const OWN: [(Outcome, &str, &str); 7] = [
     (Outcome::MEASURED, "measured", "The sensor measures the point."),
+    (
+        Outcome::INACCURATE,
+        "inaccurate",
+        "The sensor measures the point with an error above the tolerance.",
+    ),
     (
         Outcome::NOT_MEASURED,
         "not_measured",
@@ -76,6 +81,7 @@ pub fn reasons() -> &'static [Reason] {
 impl Outcome {
     /// The sensor measures the point.
     pub const MEASURED: Self = Self(0);
+    pub(super) const INACCURATE: Self = Self(126);
     /// The pixel has no value, and the engine no reason for it.
     pub(super) const NOT_MEASURED: Self = Self(127);
     pub(super) const NOT_RESOLVED: Self = Self(128);
@@ -85,7 +91,7 @@ impl Outcome {
 
     /// The outcome at a pixel without a value for which the sensor has this code.
     pub(super) fn of_pixel(code: u8) -> Self {
-        if (Self::MEASURED.0 + 1..Self::NOT_MEASURED.0).contains(&code) {
+        if (Self::MEASURED.0 + 1..Self::INACCURATE.0).contains(&code) {
             Self(code)
         } else {
             Self::NOT_MEASURED

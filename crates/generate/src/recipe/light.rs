@@ -18,8 +18,8 @@ pub struct LightRule {
     /// Lamps.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lamps: Option<Lamps>,
-    /// The factor of ambient light in the images of the stereo cameras, for `stereo-matching`: 1 for visible light, 0 for a dark
-    /// room or a filter that only the projector passes.
+    /// The factor of ambient light in the images of the stereo cameras: 1 for visible light, 0 for a dark room or a filter that only the
+    /// projector passes. With `stereo-noise`, noise hides texture in little light.
     pub infrared_ambient: Quantity,
     /// The intensity of the dot projector of models that have one, 0 to 1; by default full, 1. With `stereo-matching` the dots are
     /// rendered; with `stereo-noise` they add to the texture of surfaces, less with distance and on dark ones.

@@ -17,7 +17,7 @@ use oaktwin::render::{
     AnnotateOptions, Backend, DepthSensorOptions, OpenOptions, PlacedCamera, Renderer, SceneCameraOptions,
     SceneFile, depth_sensors, scene_cameras,
 };
-use oaktwin::sensor::{SensorOptions, Shot};
+use oaktwin::sensor::{Illumination, SensorOptions, Shot};
 
 /// The front of the red cube, 2.5 m away: its columns, and rows with nothing but ground and wall on its left.
 const RED: Range<u32> = 960..1400;
@@ -61,7 +61,7 @@ fn sensed(parameters: &[(&str, &str)]) -> Image<f32> {
     let options = DepthSensorOptions {
         twin: None,
         sensor: &options,
-        dot_contrast: 0.0,
+        light: Illumination::default(),
     };
     let (mut sensors, _) = depth_sensors(cameras, &options).unwrap();
     let shot = Shot::new((&truth().0).into());

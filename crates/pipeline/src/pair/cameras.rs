@@ -2,6 +2,7 @@ use oaktwin_render::{Backend, Beam, BeamPattern, Clip, Renderer, View};
 
 use super::{Pair, PairError, PairOptions};
 use crate::limits::check_size;
+use crate::sensor::Illumination;
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Axes, Camera, Intrinsics, LensModel, OpenCv, PixelPoint, RigidTransform};
@@ -297,17 +298,18 @@ fn no_projector(twin: &Twin) -> PairError {
     }
 }
 
-/// Returns what `stereo-noise` calls `dotContrast`: the light of a dot at 1 m relative to the ambient light, of the dot projector
-/// at an intensity from 0 (off) to 1, in a room with `ambient` times the light of a bright one.
+/// Returns the light of the dot projector of a device at an intensity from 0 (off) to 1, in a room with `ambient` times the light of
+/// a bright one.
 ///
 /// # Errors
 /// Returns an error if the intensity or the ambient light is out of range, or the device has no projector.
-pub fn dot_contrast(twin: &Twin, projector: f64, ambient: f64) -> Result<f64, PairError> {
-    /// The largest contrast of the engine, for dark rooms.
-    const MAX: f64 = 1e6;
+pub fn illumination(twin: &Twin, projector: f64, ambient: f64) -> Result<Illumination, PairError> {
     within("ambient", ambient, 1e6)?;
     let spec = active(twin, projector)?;
-    Ok(spec.map_or(0.0, |spec| (spec.brightness * projector / ambient).min(MAX)))
+    Ok(Illumination {
+        dot_contrast: spec.map_or(0.0, |spec| spec.brightness * projector),
+        ambient,
+    })
 }
 
 /// Returns the intensity at which data sets and coverage use the dot projector of a device by default: full, 1, or 0 without one.

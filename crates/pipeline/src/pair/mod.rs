@@ -48,7 +48,7 @@ mod options;
 mod tests;
 
 pub use cameras::PairCameras;
-pub use cameras::{default_projector, dot_contrast, shifted};
+pub use cameras::{default_projector, illumination, shifted};
 pub use error::PairError;
 pub use options::PairOptions;
 

@@ -45,6 +45,24 @@ pub struct SensorOptions {
     pub drift: Option<StereoDrift>,
 }
 
+/// The light that the cameras of a stereo pair see, relative to the light of a bright room.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Illumination {
+    /// The light at the centre of a dot of the projector on a surface 1 m away; 0 without a projector.
+    pub dot_contrast: f64,
+    /// The light of the scene; 0 is a dark room.
+    pub ambient: f64,
+}
+
+impl Default for Illumination {
+    fn default() -> Self {
+        Self {
+            dot_contrast: 0.0,
+            ambient: 1.0,
+        }
+    }
+}
+
 impl SensorOptions {
     /// Returns the engine, or the default one for a kind of depth sensor.
     #[must_use]
@@ -53,13 +71,20 @@ impl SensorOptions {
         self.engine.clone().unwrap_or_else(default)
     }
 
-    /// Returns the options with this `dotContrast` for `stereo-noise`, which a parameter that is given overrides. Other engines
-    /// render dots or have none.
+    /// Returns the options with the parameters of `stereo-noise` for this light, which parameters that are given override. Other
+    /// engines see the light in their images or do not depend on it.
     #[must_use]
-    pub fn with_dots(mut self, contrast: f64) -> Self {
-        if contrast > 0.0 && self.engine.as_ref().is_some_and(|engine| *engine == STEREO_NOISE) {
-            let parameter = ("dotContrast".to_owned(), contrast.to_string());
-            self.parameters.insert(0, parameter);
+    pub fn lit_by(mut self, light: Illumination) -> Self {
+        if self.engine.as_ref().is_some_and(|engine| *engine == STEREO_NOISE) {
+            let usual = Illumination::default();
+            let parameters = [
+                ("dotContrast", light.dot_contrast, usual.dot_contrast),
+                ("ambient", light.ambient, usual.ambient),
+            ];
+            #[expect(clippy::float_cmp, reason = "a default that nobody changed")]
+            let changed = parameters.into_iter().filter(|(_, value, usual)| value != usual);
+            let changed = changed.map(|(name, value, _)| (name.to_owned(), value.to_string()));
+            self.parameters.splice(0..0, changed);
         }
         self
     }

@@ -106,6 +106,7 @@ pub(crate) fn coverage<'py>(
     let options = Options {
         samples: samples.unwrap_or(Options::default().samples),
         keeps_points: points,
+        ..Options::default()
     };
     let measured = threads::interruptible(py, |stop| {
         let watch = |_| {

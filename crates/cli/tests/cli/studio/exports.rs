@@ -77,7 +77,7 @@ fn exports_reproduce_the_page() {
         assert!(asset.starts_with(b"#usda 1.0"));
         let numbers = export(&server, &state, "statistics", &json!({"format": "json"}));
         let numbers: Value = serde_json::from_slice(&numbers).unwrap();
-        assert!(numbers["fillRate"].as_f64().unwrap() > 0.0);
+        assert!(numbers["oaks"][0]["fillRate"].as_f64().unwrap() > 0.0);
     }
 }
 
@@ -93,7 +93,7 @@ fn exports_reproduce_the_light_of_the_projector() {
         state["ambient"] = json!(0.3);
         let numbers = export(&server, &state, "statistics", &json!({"format": "json"}));
         let numbers: Value = serde_json::from_slice(&numbers).unwrap();
-        (numbers["fillRate"].as_f64().unwrap(), state)
+        (numbers["oaks"][0]["fillRate"].as_f64().unwrap(), state)
     };
     let ((dark, _), (lit, state)) = (shown(0.0), shown(0.7));
     assert!(lit > dark + 0.2, "{dark} and {lit}");

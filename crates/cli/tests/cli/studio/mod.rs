@@ -116,9 +116,12 @@ fn coarse_colours_leave_depth_exact() {
     assert_eq!(coarse.image("depth"), exact.image("depth"));
     let (fine, colors) = (exact.image("color").unwrap(), coarse.image("color").unwrap());
     assert_ne!(fine, colors);
-    let pixel = |x: usize, y: usize| &colors[4 * (160 * y + x)..][..4];
-    for (x, y) in (0..160).flat_map(|x| (0..100).map(move |y| (x, y))) {
-        assert_eq!(pixel(x, y), pixel(x / 4 * 4, y / 4 * 4), "{x}, {y}");
+    // Colours are interpolated: along a row, no pixel differs from its neighbours as much as samples do.
+    let pixel = |x: usize, y: usize| i32::from(colors[4 * (160 * y + x)]);
+    for (x, y) in (6..150).step_by(4).flat_map(|x| (0..100).map(move |y| (x, y))) {
+        let [first, second, third] = [x, x + 1, x + 2].map(|x| pixel(x, y));
+        let bend = (first - 2 * second + third).abs();
+        assert!(bend <= 2, "{x}, {y}: {first} {second} {third}");
     }
     let distance: u64 = (fine.iter().zip(&colors))
         .map(|(a, b)| u64::from(a.abs_diff(*b)))
@@ -153,7 +156,7 @@ fn all_engines_measure() {
             frame.image("sensor").unwrap().iter().any(|byte| *byte != 0),
             "{engine}"
         );
-        assert_eq!(frame.image("confidence").is_some(), engine == "stereo-matching");
+        assert!(frame.image("confidence").is_some(), "{engine}");
         assert_eq!(frame.image("left").is_some(), frame.image("right").is_some());
         assert!(frame.image("left").is_some() || model == "OAK-D ToF");
     }

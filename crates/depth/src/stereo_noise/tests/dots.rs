@@ -1,13 +1,14 @@
 use super::*;
 use crate::dots::{Dots, Projector};
-use crate::stereo_noise::scale::DOTS_PER_PX;
+use crate::stereo_noise::texture::dots_of;
 
 /// The share of a plain wall's pixels that are measured, for walls at several distances.
-fn shares(dot_contrast: f64, level: u8, confidence_threshold: u8) -> Vec<f64> {
+fn shares(dot_contrast: f64, ambient: f64, level: u8, confidence_threshold: u8) -> Vec<f64> {
     let (width, height) = (320, 40);
     let rgb = Image::filled(width, height, [level; 4]);
     let p = Parameters {
         dot_contrast,
+        ambient,
         confidence_threshold,
         occlusion: false,
         stereo: StereoGeometry {
@@ -29,13 +30,80 @@ fn shares(dot_contrast: f64, level: u8, confidence_threshold: u8) -> Vec<f64> {
 #[test]
 fn plain_walls_are_measured_as_far_as_dots_are_bright() {
     let none = [0.0; 4];
-    assert_eq!(shares(0.0, 128, 55), none);
-    // 4 m: 128 grey levels × (√(1 + 3/16) − 1) × 15/200 px = 0.86 grey levels, a confidence of 109.
-    assert_eq!(shares(3.0, 128, 109), [1.0, 1.0, 1.0, 0.0]);
-    assert_eq!(shares(3.0, 128, 110), [1.0, 1.0, 0.0, 0.0]);
+    assert_eq!(shares(0.0, 1.0, 128, 55), none);
+    // 2 m: 128 grey levels × (√(1 + 3/4) − 1) × 0.3 × 0.046 = 0.57 grey levels, a confidence of 70 after rounding down.
+    assert_eq!(shares(3.0, 1.0, 128, 70), [1.0, 1.0, 0.0, 0.0]);
+    assert_eq!(shares(3.0, 1.0, 128, 74), [1.0, 0.0, 0.0, 0.0]);
     // A darker wall reflects less, and a black one nothing.
-    assert_eq!(shares(3.0, 40, 55), [1.0, 1.0, 0.0, 0.0]);
-    assert_eq!(shares(1e6, 0, 55), none);
+    assert_eq!(shares(3.0, 1.0, 80, 55), [1.0, 0.0, 0.0, 0.0]);
+    assert_eq!(shares(1e6, 1.0, 0, 55), none);
+    // Dots reach farther in the dark, where their own light is what limits them.
+    assert_eq!(shares(3.0, 0.1, 128, 55), [1.0, 1.0, 1.0, 0.0]);
+    assert_eq!(shares(3.0, 0.0, 128, 55), [1.0; 4]);
+    assert_eq!(shares(3.0, 0.0, 128, 254), [1.0, 1.0, 1.0, 0.0]);
+    assert_eq!(shares(0.0, 0.0, 128, 1), none);
+}
+
+#[test]
+fn noise_hides_texture_in_little_light() {
+    let (width, height) = (64, 16);
+    let stripes: Vec<[u8; 4]> = (0..width * height)
+        .map(|i| if i % 8 < 4 { [100; 4] } else { [102; 4] })
+        .collect();
+    let rgb = Image::new(width, height, stripes).unwrap();
+    let depth = Image::filled(width, height, 1.0);
+    let shot = shot(&depth, 0).with_rgb((&rgb).into()).unwrap();
+    let level = |ambient: f64| {
+        let p = Parameters {
+            ambient,
+            width_px: width,
+            ..exact()
+        };
+        *sensor(p).confidence(&shot).unwrap().get(32, 8).unwrap()
+    };
+    // Every difference over 4 px is 2 grey levels.
+    assert_eq!([1.0, 0.5, 100.0].map(level), [255, 255, 255]);
+    let electrons = 6300.0 * (101.0 / 255.0f64).powi(2);
+    for ambient in [0.2, 0.1, 0.01, 0.001] {
+        let share = 2.0 * ambient;
+        let clearness = share * ((electrons + 6.25) / (share * electrons + 6.25)).sqrt();
+        let expected = (256.0 * clearness).min(255.0);
+        assert!((f64::from(level(ambient)) - expected).abs() < 3.0, "{ambient}");
+    }
+    assert_eq!(level(0.0), 0);
+}
+
+#[test]
+fn images_of_any_width_have_the_same_texture() {
+    // A surface as rough at every scale, and rougher from top to bottom, seen by cameras with different numbers of pixels.
+    let share = |width: u32| {
+        let height = width / 4;
+        let light = |x: u32, y: u32| {
+            let [x, y] = [x, y].map(|i| 1280.0 * (f64::from(i) + 0.5) / f64::from(width));
+            let waves = (0..6).map(|octave| {
+                let length = 200.0 / f64::from(1 << octave);
+                length.sqrt() * (std::f64::consts::TAU * x / length + f64::from(octave) + y / 50.0).sin()
+            });
+            (128.0 + 0.4 * y / 320.0 * waves.sum::<f64>()).round() as u8
+        };
+        let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [light(x, y); 4]));
+        let rgb = Image::new(width, height, pixels.collect()).unwrap();
+        let depth = Image::filled(width, height, 5.0);
+        let p = Parameters {
+            width_px: 1280,
+            ..Parameters::new(Platform::Rvc2, STEREO, 1280)
+        };
+        let shot = shot(&depth, 0).with_rgb((&rgb).into()).unwrap();
+        let levels = sensor(p).confidence(&shot).unwrap();
+        let lost = levels.pixels().iter().filter(|&&level| level < 55).count();
+        lost as f64 / f64::from(width * height)
+    };
+    let full = share(1280);
+    assert!((0.05..0.95).contains(&full), "{full}");
+    for width in [2560, 960, 640, 480, 320] {
+        let narrow = share(width);
+        assert!((narrow - full).abs() < 0.03, "{width}: {narrow} {full}");
+    }
 }
 
 #[test]
@@ -48,7 +116,7 @@ fn texture_is_that_of_the_pattern() {
         dot_width_rad: 3e-3,
         brightness: 1.0,
     });
-    for focal_length_px in [800.0f64, 1600.0] {
+    for focal_length_px in [300.0f64, 400.0, 800.0, 1600.0, 2400.0] {
         let half = (0.3 * focal_length_px) as i32;
         let light = |x: i32, y: i32| {
             // Averaged over the pixel, as a camera does.
@@ -58,11 +126,11 @@ fn texture_is_that_of_the_pattern() {
         };
         let mut sum = 0.0;
         for y in -half..half {
-            let row: Vec<f64> = (-half..=half).map(|x| light(x, y)).collect();
-            sum += row.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum::<f64>();
+            let row: Vec<f64> = (-half..half + 4).map(|x| light(x, y)).collect();
+            sum += row.windows(5).map(|part| (part[4] - part[0]).abs()).sum::<f64>();
         }
         let mean = sum / f64::from(4 * half * half);
-        let expected = DOTS_PER_PX / focal_length_px;
+        let expected = dots_of(focal_length_px);
         assert!((mean / expected - 1.0).abs() < 0.1, "{mean} {expected}");
     }
 }

@@ -9,8 +9,8 @@ fn parameters() -> Parameters {
 #[test]
 fn each_name_changes_what_it_reads() {
     let values = [
-        "572.5", "0.15", "640", "false", "4", "true", "12", "false", "false", "5", "245", "3", "3", "2.5",
-        "0.25", "-0.22", "0.2", "0.08", "0.5", "9", "truncate",
+        "572.5", "0.15", "640", "false", "4", "true", "12", "false", "false", "5", "245", "3", "0.1", "3",
+        "2.5", "0.25", "-0.22", "0.2", "0.08", "0.5", "9", "truncate",
     ];
     for (name, value) in Parameters::names().into_iter().zip(values) {
         let mut p = parameters();

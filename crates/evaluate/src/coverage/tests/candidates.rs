@@ -57,11 +57,47 @@ fn two_cameras_cover_both_sides() {
 }
 
 #[test]
+fn a_tolerance_loses_points_with_larger_errors() {
+    let (renderer, rig, [front, _]) = sandwich();
+    let run = |tolerance_mm: Option<f64>| {
+        let options = Options {
+            keeps_points: true,
+            tolerance_mm,
+            ..Options::default()
+        };
+        let candidates = [Candidate::new(&rig, "front", front)];
+        measure(&renderer, &Region::default(), &candidates, &options, &go_on).unwrap()
+    };
+    let any = run(None);
+    let shares = |coverage: &Coverage| coverage.candidates[0].shares.clone();
+    let errors: Vec<f64> = any.points.as_ref().unwrap().errors_m[0]
+        .iter()
+        .filter(|error| !error.is_nan())
+        .map(|error| f64::from(error.abs()))
+        .collect();
+    let tolerance_mm = 1e3 * errors[errors.len() / 2];
+    let strict = run(Some(tolerance_mm));
+    let within = errors
+        .iter()
+        .filter(|&&error| error <= tolerance_mm * 1e-3)
+        .count();
+    assert!(within > 0 && within < errors.len());
+    assert_eq!(shares(&strict).measured, within as f64 / f64::from(SAMPLES));
+    assert_share(
+        shares(&strict).lost["inaccurate"],
+        shares(&any).measured - shares(&strict).measured,
+    );
+    assert_eq!(shares(&strict).seen, shares(&any).seen);
+    assert_eq!(strict.together.measured, shares(&strict).measured);
+}
+
+#[test]
 fn results_do_not_depend_on_threads_or_other_candidates() {
     let (renderer, rig, [front, back]) = sandwich();
     let options = Options {
         samples: 3000,
         keeps_points: true,
+        ..Options::default()
     };
     let both = [
         Candidate::new(&rig, "front", front),
@@ -178,9 +214,23 @@ fn numbers_out_of_range_are_rejected() {
     for samples in [0, MAX_SAMPLES + 1] {
         assert!(error(1, Options { samples, ..options }).contains("give 1 to 1000000"));
     }
+    for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let tolerance_mm = Some(tolerance);
+        assert!(
+            error(
+                1,
+                Options {
+                    tolerance_mm,
+                    ..options
+                }
+            )
+            .contains("give more than 0")
+        );
+    }
     let kept = Options {
         samples: MAX_SAMPLES,
         keeps_points: true,
+        ..Options::default()
     };
     assert!(error(101, kept).contains("too many to keep"));
 }

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 pub use capture::{scene_annotators, sense_frame, sensor_input};
 
 use super::camera::{DepthSensorSource, PlacedCamera};
-use crate::sensor::{self, ParameterError, Sensor, SensorOptions};
+use crate::sensor::{self, Illumination, ParameterError, Sensor, SensorOptions};
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_catalog::Twin;
 
@@ -20,8 +20,8 @@ pub struct DepthSensorOptions<'a> {
     /// The sensor options. By default, the depth sensor of an OAK uses the engine of its technology, and the depth sensor of a stage uses
     /// `single-view`. The image is the camera's own, and the default name is the name of its prim.
     pub sensor: &'a SensorOptions,
-    /// The light of a dot of the projector relative to the ambient light: [`dot_contrast`](crate::pair::dot_contrast).
-    pub dot_contrast: f64,
+    /// The light that an OAK sees.
+    pub light: Illumination,
 }
 
 /// An invalid depth sensor: `CAMERA: PARAMETER: what is wrong; what to do`.
@@ -77,7 +77,7 @@ fn of_twin(
         image: Some(camera.camera.intrinsics),
         ..options.sensor.clone()
     };
-    let own = own.with_dots(options.dot_contrast);
+    let own = own.lit_by(options.light);
     let sensor = sensor::sensor(twin, spec, &own).map_err(|error| DepthSensorError {
         place: camera.path.clone(),
         error,
@@ -132,7 +132,7 @@ mod tests {
         let options = DepthSensorOptions {
             twin: Some(&twin),
             sensor: &sensor,
-            dot_contrast: 0.0,
+            light: Illumination::default(),
         };
         let (sensors, _) = depth_sensors(&cameras, &options).unwrap();
         assert!(sensors[0].is_none());

@@ -8,13 +8,13 @@ use oaktwin_catalog::Twin;
 
 use super::spec::engine_of;
 use super::{PairUse, Rig, RigError, RigSpec};
-use crate::pair::{PairCameras, PairOptions, dot_contrast};
+use crate::pair::{PairCameras, PairOptions, illumination};
 use crate::render::sweep::SweptSensors;
 use crate::render::{
     DepthSensorOptions, OakOptions, PlacedCamera, SceneCameraOptions, SceneFile, depth_sensors, oak_cameras,
     put_pair, scene_cameras,
 };
-use crate::sensor::{EngineInput, SensorOptions};
+use crate::sensor::{EngineInput, Illumination, SensorOptions};
 
 impl Rig {
     /// Makes the rig of an OAK, with its body at the origin. The findings report where it deviates from the twin.
@@ -33,12 +33,11 @@ impl Rig {
             findings.extend(more);
             pair
         });
-        // The light of the projector is in the images of a pair; other engines have a parameter for it.
-        let dots = dot_contrast(twin, spec.pair.projector, spec.pair.ambient)?;
         let options = DepthSensorOptions {
             twin: Some(twin),
             sensor: &spec.sensor,
-            dot_contrast: dots,
+            // Pairs show it in their images; other engines have parameters for it.
+            light: illumination(twin, spec.pair.projector, spec.pair.ambient)?,
         };
         let rig = Self::with_sensors(
             twin.device.name.clone(),
@@ -80,7 +79,7 @@ impl Rig {
         let options = DepthSensorOptions {
             twin: None,
             sensor: &spec.sensor,
-            dot_contrast: 0.0,
+            light: Illumination::default(),
         };
         let rig = Self::with_sensors(
             stage.path.display().to_string(),
