@@ -16,6 +16,7 @@ mod asset;
 mod camera;
 mod choice;
 mod device;
+mod engine;
 mod error;
 mod export;
 mod filter;

@@ -27,6 +27,7 @@ from ._oaktwin import __version__, set_memory_limit
 from ._poses import BodyPose, CameraPose
 from ._scenes import Mesh, Recording, Scene, annotators
 from ._sensors import DepthSensor, Filter, StereoMatcher, align
+from ._shots import Shot
 
 __all__ = [
     "Accuracy",
@@ -46,6 +47,7 @@ __all__ = [
     "Recording",
     "Rectification",
     "Scene",
+    "Shot",
     "StereoMatcher",
     "__version__",
     "accuracy",

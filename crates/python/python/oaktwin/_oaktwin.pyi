@@ -72,21 +72,19 @@ def accuracy(
     """Wraps the report of `oaktwin accuracy --json` as a dictionary, for `oaktwin.accuracy`."""
 def coverage(
     scene: Scene,
-    devices: Sequence[Device],
+    devices: Sequence[tuple[Device, str | None, _SensorOptions]],
     world_from_body: npt.ArrayLike,
     *,
     region: str | Sequence[str] | None = None,
     region_box: npt.ArrayLike | None = None,
     height: Sequence[float] | str | None = None,
     tilt_deg: Sequence[float] | str | None = None,
-    sensor: str | None = None,
     size: tuple[int, int] | None = None,
     samples: int | None = None,
     points: bool = False,
     projector: float | None = None,
     ambient: float = 1.0,
     imager: Mapping[str, float | str | bool] | None = None,
-    **options: Unpack[_SensorOptions],
 ) -> tuple[_Json, _Json | None]:
     """Wraps the report of `oaktwin coverage --json` as a dictionary, and the outcomes by point, for `oaktwin.coverage`."""
 def fit(

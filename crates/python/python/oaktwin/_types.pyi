@@ -1,4 +1,4 @@
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
 from typing import Any, Literal, Protocol, TypedDict, TypeVar
 
@@ -80,6 +80,8 @@ class _SensorOptions(TypedDict, total=False):
     drift: _Drift | None
 # End of the generated part.
 
+# An engine written in Python: it gets the arguments that it names, and returns an array or a mapping of arrays.
+_Callable = Callable[..., object]
 _Parameters = Mapping[str, object] | str | PathLike[str] | Fit
 _Drift = str | Mapping[str, float]
 _Seeds = Sequence[int] | npt.NDArray[np.integer[Any]]

@@ -1,7 +1,6 @@
 //! Isaac Sim's annotators of the depth sensor as NumPy arrays.
 
 use numpy::{Element, PyArray1, PyArrayMethods};
-use std::sync::{Arc, PoisonError};
 
 use oaktwin::camera::ImageSize;
 use oaktwin::image::annotation::{Annotation, Annotator, Frame, Reasons};
@@ -12,9 +11,9 @@ use pyo3::types::PyDict;
 
 use super::DepthSensor;
 use crate::arguments::{Annotators, FrameNumber};
+use crate::engine::away;
 use crate::error::{error, wrong};
 use crate::images::{Depth, Pictures, array};
-use crate::threads;
 
 impl DepthSensor {
     /// The outputs of annotators for one image.
@@ -29,6 +28,7 @@ impl DepthSensor {
         let asked = annotators.0.iter().map(|name| sensor_annotator(name));
         let asked = asked.collect::<PyResult<Vec<_>>>()?;
         let (depth, shape) = Depth::read("depth", depth)?;
+        self.check_measures_depth()?;
         if shape.batch.is_some() {
             return Err(wrong("depth", "is a batch", "give one image (H, W)"));
         }
@@ -45,14 +45,12 @@ impl DepthSensor {
             ..Frame::default()
         };
         let frame = self.frame(frame);
-        py.detach(|| {
-            let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
-            let eye = self.look(&mut eye, shape.size)?;
-            let sensor = Arc::make_mut(&mut eye.sensor);
-            let missing =
-                threads::install(|| sense_frame(sensor, &eye.camera, frame, None, &asked, &mut seen));
+        away(py, self.engine.as_ref(), || {
+            let missing = self.measure(shape.size, |sensor, camera| {
+                sense_frame(sensor, camera, frame, None, &asked, &mut seen)
+            });
             // What is missing is reported below.
-            missing.map(drop).map_err(error)
+            missing?.map(drop).map_err(error)
         })?;
         let distance = seen.depth_sensor_distance.as_ref();
         let is_lost = distance.is_some_and(|z| z.0.pixels().iter().all(|metres| *metres == 0.0));
@@ -76,7 +74,7 @@ fn not_made(annotator: Annotator) -> PyErr {
 }
 
 /// The names of the codes of reasons.
-fn names<'py>(py: Python<'py>, reasons: &Reasons) -> PyResult<Bound<'py, PyDict>> {
+pub(super) fn names<'py>(py: Python<'py>, reasons: &Reasons) -> PyResult<Bound<'py, PyDict>> {
     let names = PyDict::new(py);
     for (code, label) in &reasons.legend {
         names.set_item(code, &label.name)?;
@@ -95,7 +93,7 @@ fn sensor_annotator(name: &str) -> PyResult<Annotator> {
 }
 
 /// Converts an annotation of a depth sensor to an array.
-fn sensor_array(py: Python<'_>, annotation: Annotation) -> PyResult<Option<Bound<'_, PyAny>>> {
+pub(super) fn sensor_array(py: Python<'_>, annotation: Annotation) -> PyResult<Option<Bound<'_, PyAny>>> {
     match annotation {
         Annotation::ZDepth(image) => array(py, image.0).map(Some),
         Annotation::Scalar(image) => array(py, image).map(Some),
