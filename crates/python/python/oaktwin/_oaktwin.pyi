@@ -86,7 +86,9 @@ def coverage(
     ambient: float = 1.0,
     imager: Mapping[str, float | str | bool] | None = None,
 ) -> tuple[_Json, _Json | None]:
-    """Wraps the report of `oaktwin coverage --json` as a dictionary, and the outcomes by point, for `oaktwin.coverage`."""
+    """Wraps the report of `oaktwin coverage --json` as a dictionary, and the outcomes by point, for `oaktwin.coverage`. Each device has the
+    name of its sensor and its options.
+    """
 def fit(
     device: Device,
     recordings: Sequence[str | PathLike[str]],

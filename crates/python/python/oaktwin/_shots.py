@@ -123,10 +123,11 @@ class Shot(_Layers):
         Raises ImportError without Matplotlib: `pip install oaktwin[plot]`.
         """
         ax = new_axes() if ax is None else ax
-        depth = self.depth
-        drawn = ax.imshow(np.where(depth > 0, depth, np.nan), cmap="turbo", interpolation="nearest")
+        depth = np.where(self.depth > 0, self.depth, np.nan)
+        near, far = np.nanpercentile(depth, (1, 99)) if np.isfinite(depth).any() else (0.0, 1.0)
+        drawn = ax.imshow(depth, cmap="turbo", vmin=near, vmax=far, interpolation="nearest")
         ax.figure.colorbar(drawn, ax=ax, label="m")
-        ax.set_title(f"frame {self.frame}, {np.mean(depth > 0):.1%} of the pixels measured")
+        ax.set_title(f"frame {self.frame}, {np.mean(self.depth > 0):.1%} of the pixels measured")
         return ax
 
     def __repr__(self) -> str:

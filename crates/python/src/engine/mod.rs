@@ -175,6 +175,14 @@ impl Engine for Running {
         &self.kind
     }
 
+    fn disparity_times_depth(&self, width_px: u32) -> f64 {
+        let stereo = self.stereo(width_px);
+        match self.kind.input {
+            EngineInput::Pair => stereo.focal_length_px * stereo.baseline_m,
+            EngineInput::Depth => 0.0,
+        }
+    }
+
     fn outputs(&self) -> &'static [Annotator] {
         &[Annotator::DepthSensorConfidence]
     }

@@ -81,23 +81,22 @@ impl DepthSensor {
         findings.retain(|finding| finding.code != "sensor-output-missing");
         finding::warn(py, &findings)?;
         let mut frame = shot.frame;
-        let layers = PyDict::new(py);
-        for annotator in MADE.into_iter().filter(|one| one.is_depth_sensor()) {
-            let Some(data) = frame.take(annotator) else {
-                continue;
-            };
+        let of_sensor = MADE.into_iter().filter(|one| one.is_depth_sensor());
+        let of_sensor = of_sensor.map(|one| (one, frame.take(one)));
+        let of_sensor: Vec<(Annotator, Option<Annotation>)> = of_sensor.collect();
+        let (Some(image), Some(measured)) = (shot.view, shot.sensor_view) else {
+            return Err(wrong("sensor", "measures no images", "choose another sensor"));
+        };
+        let mut frames = Frames::new(image.camera.intrinsics.size, None);
+        frames.put(py, 0, frame)?;
+        let layers = frames.finish(py, &[Annotator::Rgb, Annotator::DistanceToImagePlane])?;
+        for (annotator, data) in of_sensor {
+            let Some(data) = data else { continue };
             if let Annotation::Reasons(reasons) = &data {
                 layers.set_item("depth_sensor_reason_names", names(py, reasons)?)?;
             }
             layers.set_item(annotator.name(), sensor_array(py, data)?)?;
         }
-        let (Some(image), Some(measured)) = (shot.view, shot.sensor_view) else {
-            return Err(wrong("sensor", "measures no images", "choose another sensor"));
-        };
-        let of_scene = [Annotator::Rgb, Annotator::DistanceToImagePlane];
-        let mut frames = Frames::new(image.camera.intrinsics.size, None);
-        frames.put(py, 0, frame)?;
-        layers.update(frames.finish(py, &of_scene)?.as_mapping())?;
         let about = PyDict::new(py);
         let body_from_world = world_from_body.inverse();
         for (name, view) in [("image_camera", &image), ("camera", &measured)] {
