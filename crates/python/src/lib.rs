@@ -28,6 +28,7 @@ mod grey;
 mod images;
 mod imu;
 mod json;
+mod layers;
 mod memory;
 mod mesh;
 mod models;

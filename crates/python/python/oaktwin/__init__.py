@@ -19,7 +19,7 @@ from . import filters
 from ._accuracy import Accuracy, accuracy
 from ._cameras import Camera, Rectification, look_at
 from ._coverage import Coverage, coverage
-from ._datasets import Recipe, generate
+from ._datasets import Recipe, Sample, generate
 from ._devices import Device, models, parameters, presets, simulate_imu
 from ._findings import Error, Finding, FindingWarning
 from ._fit import Fit, fit
@@ -46,6 +46,7 @@ __all__ = [
     "Recipe",
     "Recording",
     "Rectification",
+    "Sample",
     "Scene",
     "Shot",
     "StereoMatcher",

@@ -91,7 +91,7 @@ def coverage(
     """
 def fit(
     device: Device,
-    recordings: Sequence[str | PathLike[str]],
+    recordings: Sequence[str | PathLike[str]] | Sequence[tuple[float, bytes]],
     *,
     sensor: str | None = None,
     region: float = ...,

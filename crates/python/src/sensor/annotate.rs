@@ -1,9 +1,8 @@
 //! Isaac Sim's annotators of the depth sensor as NumPy arrays.
 
-use numpy::{Element, PyArray1, PyArrayMethods};
 
 use oaktwin::camera::ImageSize;
-use oaktwin::image::annotation::{Annotation, Annotator, Frame, Reasons};
+use oaktwin::image::annotation::{Annotation, Annotator, Frame};
 use oaktwin::image::{Image, ZDepth};
 use oaktwin::render::{annotator, sense_frame};
 use pyo3::prelude::*;
@@ -13,7 +12,8 @@ use super::DepthSensor;
 use crate::arguments::{Annotators, FrameNumber};
 use crate::engine::away;
 use crate::error::{error, wrong};
-use crate::images::{Depth, Pictures, array};
+use crate::images::{Depth, Pictures};
+use crate::layers::{names, sensor_array};
 
 impl DepthSensor {
     /// The outputs of annotators for one image.
@@ -73,15 +73,6 @@ fn not_made(annotator: Annotator) -> PyErr {
     wrong(annotator.name(), "is not made of what was given", remedy)
 }
 
-/// The names of the codes of reasons.
-pub(super) fn names<'py>(py: Python<'py>, reasons: &Reasons) -> PyResult<Bound<'py, PyDict>> {
-    let names = PyDict::new(py);
-    for (code, label) in &reasons.legend {
-        names.set_item(code, &label.name)?;
-    }
-    Ok(names)
-}
-
 /// Returns the depth sensor annotator with a name.
 fn sensor_annotator(name: &str) -> PyResult<Annotator> {
     let found = annotator(name).map_err(error)?;
@@ -90,23 +81,4 @@ fn sensor_annotator(name: &str) -> PyResult<Annotator> {
     }
     let remedy = "render the scene with it";
     Err(wrong(name, "is not an annotator of a depth sensor", remedy))
-}
-
-/// Converts an annotation of a depth sensor to an array.
-pub(super) fn sensor_array(py: Python<'_>, annotation: Annotation) -> PyResult<Option<Bound<'_, PyAny>>> {
-    match annotation {
-        Annotation::ZDepth(image) => array(py, image.0).map(Some),
-        Annotation::Scalar(image) => array(py, image).map(Some),
-        Annotation::Levels(image) => array(py, image).map(Some),
-        Annotation::Reasons(reasons) => array(py, reasons.codes).map(Some),
-        Annotation::PixelPoints(image) => vectors(py, image).map(Some),
-        Annotation::Color(image) | Annotation::PixelColors(image) => vectors(py, image).map(Some),
-        _ => Ok(None),
-    }
-}
-
-fn vectors<T: Element>(py: Python<'_>, image: Image<[T; 4]>) -> PyResult<Bound<'_, PyAny>> {
-    let dims = [image.height() as usize, image.width() as usize, 4];
-    let values = image.into_pixels().into_flattened();
-    Ok(PyArray1::from_vec(py, values).reshape(dims)?.into_any())
 }

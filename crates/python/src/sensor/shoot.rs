@@ -3,7 +3,7 @@
 use std::sync::{Mutex, PoisonError};
 
 use oaktwin::camera::ImageSize;
-use oaktwin::image::annotation::{Annotation, Annotator};
+use oaktwin::image::annotation::Annotator;
 use oaktwin::pair::PairOptions;
 use oaktwin::render::{Rig, RigSpec};
 use oaktwin::sense::FieldOfView;
@@ -12,13 +12,12 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use super::DepthSensor;
-use super::annotate::{names, sensor_array};
 use crate::arguments::{FrameNumber, Size};
 use crate::camera::Camera;
 use crate::engine::serve_all;
 use crate::error::{error, wrong};
 use crate::finding;
-use crate::frames::Frames;
+use crate::layers::layers;
 use crate::pair::PairSettings;
 use crate::pose::Of;
 use crate::scene::Scene;
@@ -80,23 +79,10 @@ impl DepthSensor {
         // Nobody has asked for what the engine does not make.
         findings.retain(|finding| finding.code != "sensor-output-missing");
         finding::warn(py, &findings)?;
-        let mut frame = shot.frame;
-        let of_sensor = MADE.into_iter().filter(|one| one.is_depth_sensor());
-        let of_sensor = of_sensor.map(|one| (one, frame.take(one)));
-        let of_sensor: Vec<(Annotator, Option<Annotation>)> = of_sensor.collect();
         let (Some(image), Some(measured)) = (shot.view, shot.sensor_view) else {
             return Err(wrong("sensor", "measures no images", "choose another sensor"));
         };
-        let mut frames = Frames::new(image.camera.intrinsics.size, None);
-        frames.put(py, 0, frame)?;
-        let layers = frames.finish(py, &[Annotator::Rgb, Annotator::DistanceToImagePlane])?;
-        for (annotator, data) in of_sensor {
-            let Some(data) = data else { continue };
-            if let Annotation::Reasons(reasons) = &data {
-                layers.set_item("depth_sensor_reason_names", names(py, reasons)?)?;
-            }
-            layers.set_item(annotator.name(), sensor_array(py, data)?)?;
-        }
+        let layers = layers(py, shot.frame, image.camera.intrinsics.size)?;
         let about = PyDict::new(py);
         let body_from_world = world_from_body.inverse();
         for (name, view) in [("image_camera", &image), ("camera", &measured)] {
