@@ -252,7 +252,10 @@ impl Recipe {
             let mount_from_world = shot.world_from_mount.inverse();
             let camera = |view: &View| {
                 let body_from_camera = mount_from_world * view.world_from_camera;
-                Camera::rectified(view.camera, body_from_camera)
+                Camera {
+                    name: name.clone(),
+                    ..Camera::rectified(view.camera, body_from_camera)
+                }
             };
             cameras.set_item(&name, camera(&view))?;
             poses.set_item(&name, Of::Camera.array(py, &view.world_from_camera)?)?;

@@ -340,9 +340,11 @@ impl StereoMatcher {
         })?;
         let [left, right] = seen.rectified;
         let all = PyDict::new(py);
-        all.set_item("disparity", array(py, disparities(&mut seen.capture, stereo))?)?;
-        all.set_item("confidence", array(py, confidences(&mut seen.capture))?)?;
+        let disparity = disparities(&mut seen.capture, stereo);
+        let confidence = confidences(&mut seen.capture);
         all.set_item("depth", array(py, seen.capture.distance.0)?)?;
+        all.set_item("disparity", array(py, disparity)?)?;
+        all.set_item("confidence", array(py, confidence)?)?;
         all.set_item("rectified_left", recorded(py, left)?)?;
         all.set_item("rectified_right", recorded(py, right)?)?;
         all.set_item("findings", finding::list(&seen.findings))?;

@@ -279,3 +279,16 @@ def test_what_is_no_device():
     with pytest.raises(TypeError):
         oaktwin.Device(7)
     assert issubclass(oaktwin.Error, ValueError) and issubclass(oaktwin.FindingWarning, UserWarning)
+
+
+def test_rectification_is_the_devices(calibration):
+    """Its intrinsics are those of the images that the device's matcher sees."""
+    for device in [oaktwin.Device("OAK4-D"), oaktwin.Device.from_calibration(calibration, "OAK-D Pro PoE")]:
+        own = oaktwin.StereoMatcher(device).camera.K
+        assert np.allclose(device.rectification().P1[:, :3], own, rtol=1e-9)
+    # The unit's cameras differ, so that OpenCV's choice is another one.
+    opencv = device.rectification(intrinsics="zero-disparity").P1[:, :3]
+    assert not np.allclose(opencv, own, rtol=1e-4)
+    # Another maker's has no processor that is known.
+    other = oaktwin.Device("D435i")
+    assert np.array_equal(other.rectification().P1, other.rectification(intrinsics="zero-disparity").P1)

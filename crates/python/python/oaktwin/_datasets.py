@@ -27,6 +27,7 @@ class Sample(_Layers):
     `sample["distance_to_image_plane"]`, those that the formats of the recipe have. With several cameras, the names begin with the camera's:
     `sample["Camera_left/rgb"]`. Values are those of the files, to the byte.
 
+    layers: the arrays by name.
     frame: the number of the frame.
     cameras: the Cameras by name; the only one is "camera".
     world_from_camera: their poses, (4, 4), metres; the axes are OpenCV's.

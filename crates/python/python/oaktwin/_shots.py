@@ -35,7 +35,8 @@ class Reasons(_Codes):
         self.legend = getattr(source, "legend", {})
 
     def __reduce__(self) -> tuple[Any, ...]:
-        make, arguments, state = super().__reduce__()
+        reduced: Any = super().__reduce__()
+        make, arguments, state = reduced
         return _with_legend, (make, arguments, state, self.legend)
 
 
@@ -50,6 +51,7 @@ class Shot(_Layers):
     """What a depth sensor measured of a scene, from `DepthSensor.shoot`: a dictionary of arrays by the names of Replicator's annotators,
     such as `shot["distance_to_image_plane"]`, with shorter names for the same arrays.
 
+    layers: the arrays by name.
     camera: the Camera that depth, reasons and confidence are images of.
     image_camera: the Camera that rgb and exact depth are images of. Both are the same, unless the engine matches pairs and rectifies
         them, a filter decimates, or the engine is "single-view".
