@@ -51,13 +51,12 @@ class StereoNetwork:
         rows, columns = left.shape
         pair = [self.prepared(image) for image in (left, right)]
         output = self.session.run(None, dict(zip(self.names, pair)))[0]
-        disparity = np.asarray(output, np.float32).reshape(-1, *output.shape[-2:])[0]
         # Networks that were made of optical flow report how far a pixel moves to the right.
-        disparity = np.abs(disparity)
-        if isinstance(self.width, int):
-            resized = Image.fromarray(disparity).resize((columns, rows), Image.Resampling.BILINEAR)
-            return np.asarray(resized, np.float32) * (columns / self.width)
-        return disparity[:rows, :columns]
+        disparity: Float32 = np.abs(np.asarray(output, np.float32).reshape(-1, *output.shape[-2:])[0])
+        if not isinstance(self.width, int):
+            return disparity[:rows, :columns]
+        resized = Image.fromarray(disparity).resize((columns, rows), Image.Resampling.BILINEAR)
+        return np.asarray(resized, np.float32) * np.float32(columns / self.width)
 
     def prepared(self, image: npt.NDArray[Any]) -> Float32:
         """The network's input (1, C, H, W): resized if it has a size of its own, otherwise padded at the right and the bottom."""

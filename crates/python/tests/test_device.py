@@ -81,10 +81,10 @@ def test_cameras(device):
 
 def test_resized_and_cropped(device):
     left = device.cameras["left"]
-    small = left.resized(640, 400)
+    small = left.resized(640, 400, rule="depthai")
     assert np.allclose(small.K[:2], left.K[:2] / 2) and small.size == (640, 400)
     assert left.resized(1280, 720).K[1, 2] == left.K[1, 2] - 40
-    assert np.allclose(left.resized(640, 800, keep_aspect_ratio=False).K[:2], left.K[:2] * [[0.5], [1]])
+    assert np.allclose(left.resized(640, 800, keep_aspect_ratio=False, rule="depthai").K[:2], left.K[:2] * [[0.5], [1]])
     part = left.cropped(100, 50, 640, 400)
     assert part.size == (640, 400) and np.allclose(left.K - part.K, [[0, 0, 100], [0, 0, 50], [0, 0, 0]])
     for bad in [(0, 4), (4, 0), (1 << 16, 1 << 16)]:

@@ -21,10 +21,10 @@ _EXAMPLE = "def engine(left, right) or def engine(depth)"
 class Adapter:
     """An engine, with its name, its input and the arguments that it asks for."""
 
-    def __init__(self, engine: object) -> None:
-        self.engine = engine
+    def __init__(self, engine: Any) -> None:
+        self.engine: Any = engine
         self.name = _name(engine)
-        if not callable(engine) or isinstance(engine, type):
+        if isinstance(engine, type) or not hasattr(engine, "__call__"):
             kind = "is a class" if isinstance(engine, type) else "cannot be called"
             raise Error(f"engine: {self.name} {kind}; pass a function such as {_EXAMPLE}, or an instance with such a __call__")
         try:
@@ -51,7 +51,6 @@ class Adapter:
 
     def measure(self, given: Mapping[str, Any]) -> tuple[bool, npt.NDArray[np.float32], npt.NDArray[np.uint8] | None]:
         """Calls the engine. Returns whether it measured disparity, its image, and its confidence."""
-        assert callable(self.engine)
         places = [given[name] for name in self.by_place]
         names = {name: given[name] for name in self.by_name}
         try:
@@ -113,7 +112,7 @@ class Adapter:
         return np.ascontiguousarray(np.rint(255 * array), np.uint8)
 
 
-def _name(engine: object) -> str:
+def _name(engine: Any) -> str:
     """The name for messages and reports: the attribute `name`, or that of the function or class."""
     own = getattr(engine, "name", None)
     if isinstance(own, str) and own:
