@@ -234,11 +234,13 @@ impl Camera {
         let size = ImageSize::new(width, height);
         check_size(size).map_err(error)?;
         let own = &self.camera.intrinsics;
-        self.with(if choose("rule", rule, &[("center", true), ("depthai", false)])? {
-            own.resized_about_centre(size, keep_aspect_ratio)
-        } else {
-            own.resized(size, keep_aspect_ratio)
-        })
+        self.with(
+            if choose("rule", rule, &[("center", true), ("depthai", false)])? {
+                own.resized_about_centre(size, keep_aspect_ratio)
+            } else {
+                own.resized(size, keep_aspect_ratio)
+            },
+        )
     }
 
     /// Projects points to pixels, with the lens's distortion.

@@ -3,9 +3,9 @@ use std::path::{Path, PathBuf, absolute};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
+use oaktwin::dataset::View;
 use oaktwin::generate::recipe::{RecipeFile, Texts};
 use oaktwin::generate::{GenerateError, GenerateOptions, Generated, Generator};
-use oaktwin::dataset::View;
 use oaktwin::progress::Progress;
 use pyo3::exceptions::{PyIndexError, PyTypeError};
 use pyo3::prelude::*;
@@ -112,8 +112,13 @@ impl Recipe {
 
     fn __iter__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         let py = slf.py();
-        let numbers = py.import("builtins")?.getattr("range")?.call1((slf.get().frames(),))?;
-        py.import("builtins")?.getattr("map")?.call1((slf.getattr("__getitem__")?, numbers))
+        let numbers = py
+            .import("builtins")?
+            .getattr("range")?
+            .call1((slf.get().frames(),))?;
+        py.import("builtins")?
+            .getattr("map")?
+            .call1((slf.getattr("__getitem__")?, numbers))
     }
 
     /// Makes a frame in memory, or several for a slice.
@@ -126,20 +131,30 @@ impl Recipe {
         let count = slf.get().__len__()?;
         if let Ok(slice) = index.cast::<PySlice>() {
             let numbers = slice.call_method1("indices", (count,))?;
-            let numbers = py.import("builtins")?.getattr("range")?.call1(numbers.cast_into::<PyTuple>()?)?;
+            let numbers = py
+                .import("builtins")?
+                .getattr("range")?
+                .call1(numbers.cast_into::<PyTuple>()?)?;
             let samples = numbers.try_iter()?.map(|number| Self::__getitem__(slf, &number?));
             return Ok(PyList::new(py, samples.collect::<PyResult<Vec<_>>>()?)?.into_any());
         }
-        let number = index.call_method0("__index__").and_then(|number| number.extract::<i64>());
+        let number = index
+            .call_method0("__index__")
+            .and_then(|number| number.extract::<i64>());
         let number = number.map_err(|_| {
-            let text = index.get_type().name().map_or_else(|_| "object".to_owned(), |name| name.to_string());
+            let text = index
+                .get_type()
+                .name()
+                .map_or_else(|_| "object".to_owned(), |name| name.to_string());
             PyTypeError::new_err(format!("frame: is a {text}; pass a whole number, or a slice"))
         })?;
-        let from_end = i64::try_from(count).map_or(number, |count| if number < 0 { number + count } else { number });
+        let from_end =
+            i64::try_from(count).map_or(number, |count| if number < 0 { number + count } else { number });
         match u64::try_from(from_end) {
             Ok(frame) if frame < slf.get().frames() => slf.get().sample(py, frame),
             _ => {
-                let text = format!("frame: {number} is beyond the {count} frames of the recipe; choose one of them");
+                let text =
+                    format!("frame: {number} is beyond the {count} frames of the recipe; choose one of them");
                 Err(PyIndexError::new_err(text))
             }
         }
@@ -247,7 +262,10 @@ impl Recipe {
         let objects = PyList::empty(py);
         for shot in shots {
             let name = shot.render_product.clone().unwrap_or_else(|| "camera".to_owned());
-            let prefix = shot.render_product.as_ref().map_or_else(String::new, |name| format!("{name}/"));
+            let prefix = shot
+                .render_product
+                .as_ref()
+                .map_or_else(String::new, |name| format!("{name}/"));
             let Some(view) = shot.view else { continue };
             let mount_from_world = shot.world_from_mount.inverse();
             let camera = |view: &View| {

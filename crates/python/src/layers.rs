@@ -13,12 +13,11 @@ use crate::images::array;
 /// Returns the arrays of a frame, those of its depth sensor last.
 pub(crate) fn layers(py: Python<'_>, mut frame: Frame, size: ImageSize) -> PyResult<Bound<'_, PyDict>> {
     let present: Vec<Annotator> = frame.annotations().map(|(annotator, _)| annotator).collect();
-    let (of_sensor, of_scene): (Vec<Annotator>, Vec<Annotator>) =
-        present.into_iter().partition(|annotator| annotator.is_depth_sensor());
-    let of_sensor: Vec<(Annotator, Option<Annotation>)> = of_sensor
+    let (of_sensor, of_scene): (Vec<Annotator>, Vec<Annotator>) = present
         .into_iter()
-        .map(|one| (one, frame.take(one)))
-        .collect();
+        .partition(|annotator| annotator.is_depth_sensor());
+    let of_sensor: Vec<(Annotator, Option<Annotation>)> =
+        of_sensor.into_iter().map(|one| (one, frame.take(one))).collect();
     let mut frames = Frames::new(size, None);
     frames.put(py, 0, frame)?;
     let layers = frames.finish(py, &of_scene)?;

@@ -3,7 +3,10 @@
 use std::path::PathBuf;
 
 use oaktwin::diagnostic::suggest;
-use oaktwin::sensor::{EngineKind, EngineRef, OptionValue, ParameterFile, SENSOR_OPTIONS, SensorOption, SensorOptions, assignment};
+use oaktwin::sensor::{
+    EngineKind, EngineRef, OptionValue, ParameterFile, SENSOR_OPTIONS, SensorOption, SensorOptions,
+    assignment,
+};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyInt, PyString};

@@ -192,7 +192,12 @@ fn disparities(capture: &mut Capture, stereo: StereoGeometry) -> Image<f32> {
 /// The confidence of a capture; if the engine has none, it is full where there is depth.
 fn confidences(capture: &mut Capture) -> Image<u8> {
     let own = capture.take(Annotator::Confidence);
-    own.unwrap_or_else(|| capture.distance.0.map(|metres| if *metres > 0.0 { 255 } else { 0 }))
+    own.unwrap_or_else(|| {
+        capture
+            .distance
+            .0
+            .map(|metres| if *metres > 0.0 { 255 } else { 0 })
+    })
 }
 
 /// The arguments besides the options of the sensor.
@@ -236,7 +241,11 @@ impl StereoMatcher {
         }
         if let Some(other) = of_depth(&options) {
             let is = format!("{other} measures depth images and matches no pairs");
-            return Err(wrong("engine", is, "pass an engine with the parameters left and right"));
+            return Err(wrong(
+                "engine",
+                is,
+                "pass an engine with the parameters left and right",
+            ));
         }
         let of_any = fx.is_some() || hfov_deg.is_some() || baseline.is_some();
         let source = match device {

@@ -45,7 +45,6 @@ mod target;
 mod time_of_flight;
 mod work;
 
-
 pub use recording::TABLE;
 pub use report::{Curve, FittedPoint, NotFound, Parameter, Report, Target};
 

@@ -63,7 +63,10 @@ impl Recordings<'_> {
         };
         let mut images = images.to_vec();
         images.sort_by(|a, b| a.distance_m.total_cmp(&b.distance_m));
-        if let Some(wrong) = images.iter().find(|one| !(one.distance_m > 0.0 && one.distance_m.is_finite())) {
+        if let Some(wrong) = images
+            .iter()
+            .find(|one| !(one.distance_m > 0.0 && one.distance_m.is_finite()))
+        {
             let what = format!("{} is no distance; give metres above 0", wrong.name());
             return Err(FitError::Option(format!("recordings: {what}").into()));
         }

@@ -177,7 +177,11 @@ fn full_type(option: &SensorOption) -> String {
         ""
     };
     // Python takes engines that are written in it.
-    let or_callable = if option.name == "engine" { " | _Callable" } else { "" };
+    let or_callable = if option.name == "engine" {
+        " | _Callable"
+    } else {
+        ""
+    };
     format!("{}{or_callable}{or_none}", type_of(option))
 }
 

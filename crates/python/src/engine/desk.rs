@@ -56,7 +56,11 @@ impl PythonEngine {
                 Err(TryLockError::Poisoned(turn)) => return Ok(turn.into_inner()),
                 Err(TryLockError::WouldBlock) if threads::is_answering(self.key()) => {
                     let is = "calls a sensor whose engine it is itself";
-                    return Err(wrong("engine", format!("{} {is}", self.name), "call another sensor"));
+                    return Err(wrong(
+                        "engine",
+                        format!("{} {is}", self.name),
+                        "call another sensor",
+                    ));
                 }
                 Err(TryLockError::WouldBlock) => {
                     py.detach(|| thread::sleep(POLL));

@@ -1,6 +1,5 @@
 //! Isaac Sim's annotators of the depth sensor as NumPy arrays.
 
-
 use oaktwin::camera::ImageSize;
 use oaktwin::image::annotation::{Annotation, Annotator, Frame};
 use oaktwin::image::{Image, ZDepth};

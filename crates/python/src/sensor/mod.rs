@@ -288,12 +288,14 @@ impl DepthSensor {
         imager: Option<&Bound<'py, PyAny>>,
         frame: Option<FrameNumber>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let light = Light {
-            projector,
-            ambient,
-            imager,
-        };
-        self.shot(py, scene, world_from_body, size, &light, frame)
+        self.shot(
+            py,
+            scene,
+            world_from_body,
+            size,
+            &Light::new(projector, ambient, imager),
+            frame,
+        )
     }
 
     /// Starts a new sequence: temporal filters forget earlier images. The numbering of frames continues, so that no noise repeats.

@@ -49,6 +49,16 @@ pub(super) struct Light<'a, 'py> {
     pub(super) imager: Option<&'a Bound<'py, PyAny>>,
 }
 
+impl<'a, 'py> Light<'a, 'py> {
+    pub(super) fn new(projector: f64, ambient: f64, imager: Option<&'a Bound<'py, PyAny>>) -> Self {
+        Self {
+            projector,
+            ambient,
+            imager,
+        }
+    }
+}
+
 impl DepthSensor {
     /// The shot of a scene.
     pub(super) fn shot<'py>(
