@@ -37,7 +37,6 @@ const ARGUMENTS: [&str; 7] = [
 #[pyfunction]
 #[pyo3(signature = (device, recordings, *, sensor = None, region = REGION, depth_scale = 0.001, measured_from = 0.0,
     focal_px = None, width_px = None, fits_focal_length = false, **options))]
-#[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub(crate) fn fit<'py>(
     py: Python<'py>,

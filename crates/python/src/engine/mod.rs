@@ -297,7 +297,8 @@ impl Images {
     }
 }
 
-fn owned<T: Copy>(view: &ImageView<'_, T>) -> Image<T> {
+fn owned<T: Copy + Default>(view: &ImageView<'_, T>) -> Image<T> {
     let pixels = view.pixels().to_vec();
-    Image::new(view.width(), view.height(), pixels).expect("as many pixels as the view has")
+    let image = Image::new(view.width(), view.height(), pixels);
+    image.unwrap_or_else(|| Image::filled(0, 0, T::default()))
 }

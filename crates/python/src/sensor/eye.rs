@@ -4,11 +4,13 @@ use std::sync::{Arc, PoisonError};
 use oaktwin::camera::{self, ImageSize, RigidTransform};
 use oaktwin::catalog::{Twin, TwinCamera, TwinDepthSensor};
 use oaktwin::diagnostic;
+use oaktwin::render::Clip;
 use oaktwin::sense::{self, FieldOfView};
 use oaktwin::sensor::{self, EngineInput, Sensor, SensorOptions};
 use pyo3::prelude::*;
 
 use super::DepthSensor;
+use crate::camera::Camera;
 use crate::error::{error, wrong};
 use crate::threads;
 
@@ -127,6 +129,22 @@ impl DepthSensor {
             eye.sensor = own.sensor;
         }
         Ok(measured)
+    }
+
+    /// The camera of the outputs, for the most recent image size.
+    pub(super) fn output_camera(&self, py: Python<'_>) -> PyResult<Camera> {
+        let eye = self.now(py, None)?;
+        let output = eye.sensor.output_camera(&eye.camera);
+        let (near_m, far_m) = self.source.depth.spec.clipping_range_m;
+        let mut own = Camera::rectified(
+            output.camera,
+            self.body_from_images()? * output.input_from_output(),
+        );
+        own.clip = match &self.camera {
+            Some(camera) => camera.clip,
+            None => Clip { near_m, far_m },
+        };
+        Ok(own)
     }
 
     /// An engine that matches pairs measures no depth images.

@@ -11,7 +11,6 @@ use std::sync::{Arc, Mutex};
 
 use oaktwin::align::{self, AlignTo};
 use oaktwin::camera::ImageSize;
-use oaktwin::render::Clip;
 use oaktwin::sense::{self as sensing, FieldOfView};
 use oaktwin::sensor::{SensorOptions, depth_sensor};
 use oaktwin::usd::asset::LensChoice;
@@ -382,18 +381,7 @@ impl DepthSensor {
     /// sees, which is to the left of the images' camera by the baseline.
     #[getter]
     fn camera(&self, py: Python<'_>) -> PyResult<Camera> {
-        let eye = self.now(py, None)?;
-        let output = eye.sensor.output_camera(&eye.camera);
-        let (near_m, far_m) = self.source.depth.spec.clipping_range_m;
-        let mut own = Camera::rectified(
-            output.camera,
-            self.body_from_images()? * output.input_from_output(),
-        );
-        own.clip = match &self.camera {
-            Some(camera) => camera.clip,
-            None => Clip { near_m, far_m },
-        };
-        Ok(own)
+        self.output_camera(py)
     }
 
     /// The name of the engine: "stereo-noise", "stereo-matching", "time-of-flight", "single-view", or that of an engine written in Python.
