@@ -15,8 +15,9 @@ from ._devices import (
     simulate_imu as simulate_imu,
 )
 from ._findings import Error as Error, Finding as Finding, FindingWarning as FindingWarning, _finding as _finding
+from ._images import Filter as Filter, align as align
 from ._scenes import Mesh as Mesh, Recipe as Recipe, Recording as Recording, Scene as Scene, annotators as annotators
-from ._sensors import DepthSensor as DepthSensor, Filter as Filter, StereoMatcher as StereoMatcher, align as align
+from ._sensors import DepthSensor as DepthSensor, StereoMatcher as StereoMatcher
 from ._types import _Array, _Json, _SensorOptions
 
 __all__ = [
