@@ -3,7 +3,7 @@ from typing import final, overload
 import numpy.typing as npt
 
 from ._cameras import Camera
-from ._types import _AlignedZ, _Array, _Depth, _Fill, _Image, _Measured, _Out
+from ._types import _AlignedZ, _Array, _Depth, _Fill, _Image, _Items, _Measured, _Out
 
 __all__ = ["Filter", "align"]
 
