@@ -143,7 +143,7 @@ def test_visibility_matches_another_ray_caster(device):
     scene = oaktwin.Scene.from_meshes(dict.fromkeys(poses, mesh), poses=poses)
     eyes = [oaktwin.look_at(eye, (0.3, 0, 0), frame="body") for eye in [(2, 0, 0), (-1, 1.5, 0.5), (0.5, -1, 1.4), (0.1, 0.1, 0.1)]]
     got = oaktwin.coverage(scene, device, np.stack(eyes), samples=4000, points=True, **SMALL)
-    camera = device.depth_camera().resized(320, 200)
+    camera = device.depth_camera().resized(320, 200, rule="depthai")
     position, normal = got.points["position"], got.points["normal"]
     names = np.vectorize(got.points["reasons"].get)(got.points["outcome"])
     for found, body in zip(names, eyes):

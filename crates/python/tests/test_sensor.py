@@ -156,7 +156,7 @@ def test_alignment_is_the_programs(program, tmp_path, device):
     millimetres = np.rint(measured * 1000).astype(np.uint16)
     whole = oaktwin.align(millimetres, device.depth_camera(), rgb)
     assert whole.dtype == np.uint16 and np.allclose(whole / 1000, aligned, atol=6e-4)
-    large = rgb.resized(1600, 1200)
+    large = rgb.resized(1600, 1200, rule="depthai")
     nearest = oaktwin.align(measured, device.depth_camera(), large, fill="nearest")
     assert (nearest == 0).sum() > 2 * (oaktwin.align(measured, device.depth_camera(), large) == 0).sum()
     moved = oaktwin.align(depth, device.depth_camera(), device.depth_camera(), target_from_source=np.eye(4))
