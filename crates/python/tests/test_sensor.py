@@ -147,7 +147,7 @@ def test_alignment_is_the_programs(program, tmp_path, device):
     sensor = oaktwin.DepthSensor(device)
     assert np.array_equal(sensor(depth), measured)
     assert np.array_equal(sensor.align(measured, "rgb", size=(400, 300)), aligned)
-    rgb = device.cameras["rgb"].resized(400, 300)
+    rgb = device.cameras["rgb"].resized(400, 300, rule="depthai")
     assert np.array_equal(oaktwin.align(measured, device.depth_camera(), rgb), aligned)
     batch = np.stack([measured, measured])
     out = np.empty((2, 300, 400), np.float32)
