@@ -51,7 +51,7 @@ def camera_rows(handler, device, role):
         if size[0] / size[1] <= 1.34 and not 1.5 < stored[0] / stored[1] <= 1.778:
             continue
         theirs = np.array(handler.getCameraIntrinsics(where, *size))
-        ours = camera.resized(*size).K
+        ours = camera.resized(*size, rule="depthai").K
         pick = lambda k: [k[0, 0], k[1, 1], k[0, 2], k[1, 2]]  # noqa: E731
         yield row(f"{role} fx fy cx cy, {size[0]}x{size[1]}", "px", pick(theirs), pick(ours))
     # DepthAI returns as many coefficients as the file, oaktwin as many as the lens model; missing ones are 0.

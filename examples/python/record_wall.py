@@ -68,7 +68,7 @@ def oak(name, projector, folder):
 
 def suggested(device, count=16, farthest=4.0):
     """Distances whose disparities have all phases of a pixel, on which the error depends, metres; near ones first."""
-    camera = device.depth_camera().resized(*SIZE)
+    camera = device.depth_camera().resized(*SIZE, rule="depthai")
     strength = camera.K[0, 0] * device.rectification().baseline
     # The maximum disparity is 95 px.
     disparities = np.linspace(min(88.0, strength / 0.4), strength / farthest, count)
@@ -81,7 +81,7 @@ def view_of(device, image):
     """What the camera sees in the middle: the distance along its axis in metres, the tilt in degrees (to the right, up), and the
     share of valid pixels."""
     height, width = image.shape
-    camera = device.depth_camera().resized(width, height)
+    camera = device.depth_camera().resized(width, height, rule="depthai")
     rows, columns = (slice(side // 4, 3 * side // 4) for side in image.shape)
     points = camera.unproject(np.ascontiguousarray(image))[rows, columns].reshape(-1, 3)
     valid = np.isfinite(points).all(axis=1)

@@ -35,7 +35,7 @@ pub(crate) struct FrameMaker<'a> {
 
 /// An arrangement on its stage.
 #[derive(Debug)]
-struct Shown {
+pub(crate) struct Shown {
     arrangement: Arrangement,
     /// The twin of its unit.
     twin: Twin,
@@ -77,6 +77,16 @@ struct FrameRig {
 impl<'a> FrameMaker<'a> {
     pub(crate) const fn new(context: &'a Context) -> Self {
         Self { context, shown: None }
+    }
+
+    /// Goes on with the arrangement that another one has left.
+    pub(crate) const fn going_on(context: &'a Context, shown: Option<Shown>) -> Self {
+        Self { context, shown }
+    }
+
+    /// Returns the arrangement of the last frame.
+    pub(crate) fn into_shown(self) -> Option<Shown> {
+        self.shown
     }
 
     /// Returns everything that is drawn for a frame.

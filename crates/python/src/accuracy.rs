@@ -11,11 +11,11 @@ use pyo3::{Borrowed, FromPyObject};
 
 use crate::arguments::{captures, optional};
 use crate::device::Device;
+use crate::engine::{PythonEngine, serve_all};
 use crate::error::{error, reading, wrong};
 use crate::finding;
 use crate::json;
 use crate::settings::{mistyped, sensor_options};
-use crate::threads;
 
 /// The arguments besides the options of the sensor.
 const ARGUMENTS: [&str; 10] = [
@@ -70,7 +70,8 @@ pub(crate) fn accuracy<'py>(
     let curve = measured.as_ref().map(read).transpose()?;
     let (bench, findings) = Bench::new(&device.twin, &options).map_err(error)?;
     finding::warn_caller(py, &findings)?;
-    let report = threads::interruptible(py, |stop| {
+    let python = PythonEngine::in_options(&options.engine);
+    let report = serve_all(py, python.as_slice(), |stop| {
         let watch = |_| {
             if stop.load(Ordering::Relaxed) {
                 ControlFlow::Break(())

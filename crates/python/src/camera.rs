@@ -10,6 +10,7 @@ use oaktwin::sense::check_hfov;
 use pyo3::prelude::*;
 
 use crate::arguments::{self, Size, distortion};
+use crate::choice::choose;
 use crate::error::{error, wrong};
 use crate::finding::warn;
 use crate::pose::{Of, matrix};
@@ -213,31 +214,33 @@ impl Camera {
         Of::Mount.array(py, &self.body_from_camera)
     }
 
-    /// Returns the camera at another image size, as DepthAI computes it.
+    /// Returns the camera at another image size.
     ///
     /// width, height: px, or the pair (width, height).
     /// keep_aspect_ratio: whether to scale the image to cover the size and crop it; otherwise each axis is scaled separately.
-    /// keep_center: whether a principal point in the centre stays there, as for images resized by cv2.resize. DepthAI scales it
-    ///     without regard to the half pixel between the border and the first pixel's centre (default).
+    /// rule: "center" (default): a principal point in the centre stays there, as in simulators and for images resized by cv2.resize.
+    ///     "depthai": as DepthAI computes it, without regard to the half pixel between the border and the first pixel's centre.
     ///
     /// Raises oaktwin.Error for an image without pixels.
-    #[pyo3(signature = (width, height = None, *, keep_aspect_ratio = true, keep_center = false))]
+    #[pyo3(signature = (width, height = None, *, keep_aspect_ratio = true, rule = "center"))]
     fn resized(
         &self,
         width: &Bound<'_, PyAny>,
         height: Option<&Bound<'_, PyAny>>,
         keep_aspect_ratio: bool,
-        keep_center: bool,
+        rule: &str,
     ) -> PyResult<Self> {
         let Size(width, height) = arguments::size(width, height)?;
         let size = ImageSize::new(width, height);
         check_size(size).map_err(error)?;
         let own = &self.camera.intrinsics;
-        self.with(if keep_center {
-            own.resized_about_centre(size, keep_aspect_ratio)
-        } else {
-            own.resized(size, keep_aspect_ratio)
-        })
+        self.with(
+            if choose("rule", rule, &[("center", true), ("depthai", false)])? {
+                own.resized_about_centre(size, keep_aspect_ratio)
+            } else {
+                own.resized(size, keep_aspect_ratio)
+            },
+        )
     }
 
     /// Projects points to pixels, with the lens's distortion.
@@ -339,6 +342,20 @@ impl Camera {
     /// Raises oaktwin.Error for a lens that ROS does not have.
     fn to_ros<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         adapter(slf.py(), "to_ros")?.call1((slf,))
+    }
+
+    /// Returns the camera of a configuration of Isaac Lab: a CameraCfg, a TiledCameraCfg or a RayCasterCameraCfg, whose principal point is
+    /// in the centre.
+    ///
+    /// cfg: the configuration, or a PinholeCameraCfg or PinholePatternCfg with `size`.
+    /// size: (width, height) of the images; by default the configuration's.
+    #[staticmethod]
+    #[pyo3(signature = (cfg, *, size = None))]
+    fn from_isaac<'py>(
+        cfg: &Bound<'py, PyAny>,
+        size: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        adapter(cfg.py(), "from_isaac")?.call1((cfg, size))
     }
 
     /// Returns the camera of an intrinsic of Open3D, an open3d.camera.PinholeCameraIntrinsic.

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use numpy::PyArray2;
 use oaktwin::calibration::{Calibration, Raw};
+use oaktwin::camera::RectifiedIntrinsics;
 use oaktwin::catalog::{Origin, Role, Twin};
 use oaktwin::diagnostic;
 use oaktwin::render::check_lens;
@@ -268,18 +269,24 @@ impl Device {
 
     /// The rectification of the stereo pair at the size of its images, as cv2.stereoRectify computes it.
     ///
-    /// intrinsics: the intrinsics of the rectified images: "zero-disparity" (default, OpenCV's default), "free-disparity" (OpenCV without
-    ///     CALIB_ZERO_DISPARITY), "left-camera" (DepthAI's host and RVC4), "right-camera" (RVC2).
+    /// intrinsics: the intrinsics of the rectified images: "right-camera" (RVC2), "left-camera" (RVC4 and DepthAI's host), "zero-disparity"
+    ///     (OpenCV's default) or "free-disparity" (OpenCV without CALIB_ZERO_DISPARITY); by default those of the device's processor, and
+    ///     OpenCV's for devices of other makers.
     ///
     /// Raises oaktwin.Error for a device without a stereo pair, or cameras that cannot be rectified.
-    #[pyo3(signature = (*, intrinsics = "zero-disparity"))]
-    fn rectification(&self, intrinsics: &str) -> PyResult<Rectification> {
+    #[pyo3(signature = (*, intrinsics = None))]
+    fn rectification(&self, intrinsics: Option<&str>) -> PyResult<Rectification> {
         if [Role::Left, Role::Right]
             .iter()
             .any(|role| self.twin.camera(*role).is_none())
         {
             return Err(wrong(self.name(), "has no stereo pair", "use another model"));
         }
+        let own = || match self.twin.platform() {
+            Some(platform) => RectifiedIntrinsics::of(platform).name(),
+            None => "zero-disparity",
+        };
+        let intrinsics = intrinsics.unwrap_or_else(own);
         Rectification::of(self.placed("left")?, self.placed("right")?, intrinsics)
     }
 

@@ -38,6 +38,7 @@ const ARGUMENTS: [(&str, &str); 11] = [
     ("memory-limit", "the limit of set_memory_limit()"),
     ("stereo-width", "width_px"),
     ("tilt", "tilt_deg"),
+    ("tolerance", "tolerance_mm"),
 ];
 
 /// An option as an argument: `fx=500`, `engine="single-view"`; a command as a function: `oaktwin.models()`.

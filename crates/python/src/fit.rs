@@ -3,7 +3,7 @@ use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
 use oaktwin::accuracy::{MeasuredOptics, REGION};
-use oaktwin::fit::{self as fitting, FitError, Options};
+use oaktwin::fit::{self as fitting, FitError, Options, Recordings, TargetImages};
 use oaktwin::sensor::SensorOption;
 use pyo3::exceptions::PyFileNotFoundError;
 use pyo3::prelude::*;
@@ -37,12 +37,11 @@ const ARGUMENTS: [&str; 7] = [
 #[pyfunction]
 #[pyo3(signature = (device, recordings, *, sensor = None, region = REGION, depth_scale = 0.001, measured_from = 0.0,
     focal_px = None, width_px = None, fits_focal_length = false, **options))]
-#[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub(crate) fn fit<'py>(
     py: Python<'py>,
     device: &Device,
-    recordings: Vec<PathBuf>,
+    recordings: Recorded,
     sensor: Option<String>,
     region: f64,
     depth_scale: f64,
@@ -52,20 +51,7 @@ pub(crate) fn fit<'py>(
     fits_focal_length: bool,
     options: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<(Bound<'py, PyAny>, String)> {
-    if recordings.is_empty() {
-        return Err(wrong(
-            "recordings",
-            "is empty",
-            "pass at least one folder or CSV file",
-        ));
-    }
-    if let Some(missing) = recordings.iter().find(|path| !path.exists()) {
-        let text = format!(
-            "{}: there is no such file or folder; check the path",
-            missing.display()
-        );
-        return Err(PyFileNotFoundError::new_err(text));
-    }
+    let recordings = recordings.read()?;
     let options = Options {
         sensor,
         engine: sensor_options("fit", &ARGUMENTS, options, is_offered)?,
@@ -86,10 +72,65 @@ pub(crate) fn fit<'py>(
                 ControlFlow::Continue(())
             }
         };
-        let (fit, findings) = fitting::fit(&device.twin, &recordings, &options, &watch)?;
+        let (fit, findings) = fitting::fit(&device.twin, recordings.recordings(), &options, &watch)?;
         Ok::<_, FitError>((fit.report().clone(), findings))
     })?;
     let (report, findings) = fitted.map_err(error)?;
     finding::warn_caller(py, &findings)?;
     Ok((json::to_python(py, &report)?, report.toml()))
+}
+
+/// Recordings: paths, or a mapping from distances to the bytes of NPY files.
+#[derive(FromPyObject)]
+pub(crate) enum Recorded {
+    Paths(Vec<PathBuf>),
+    Images(Vec<(f64, Vec<u8>)>),
+}
+
+/// Recordings that a fit reads.
+enum Read {
+    Paths(Vec<PathBuf>),
+    Images(Vec<TargetImages>),
+}
+
+impl Recorded {
+    fn read(self) -> PyResult<Read> {
+        let read = match self {
+            Self::Paths(paths) => Read::Paths(paths),
+            Self::Images(images) => {
+                let images = images.into_iter().map(|(distance_m, npy)| TargetImages {
+                    distance_m,
+                    npy: npy.into(),
+                });
+                Read::Images(images.collect())
+            }
+        };
+        let is_empty = match &read {
+            Read::Paths(paths) => paths.is_empty(),
+            Read::Images(images) => images.is_empty(),
+        };
+        if is_empty {
+            let remedy = "pass at least one folder or CSV file, or images by their distance";
+            return Err(wrong("recordings", "is empty", remedy));
+        }
+        if let Read::Paths(paths) = &read
+            && let Some(missing) = paths.iter().find(|path| !path.exists())
+        {
+            let text = format!(
+                "{}: there is no such file or folder; check the path",
+                missing.display()
+            );
+            return Err(PyFileNotFoundError::new_err(text));
+        }
+        Ok(read)
+    }
+}
+
+impl Read {
+    fn recordings(&self) -> Recordings<'_> {
+        match self {
+            Self::Paths(paths) => paths.into(),
+            Self::Images(images) => Recordings::Images(images),
+        }
+    }
 }

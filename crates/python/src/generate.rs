@@ -3,15 +3,20 @@ use std::path::{Path, PathBuf, absolute};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
+use oaktwin::dataset::View;
 use oaktwin::generate::recipe::{RecipeFile, Texts};
 use oaktwin::generate::{GenerateError, GenerateOptions, Generated, Generator};
 use oaktwin::progress::Progress;
+use pyo3::exceptions::{PyIndexError, PyTypeError};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyList, PySlice, PyTuple};
 
 use crate::arguments::{formats, frame, frames, optional};
+use crate::camera::Camera;
 use crate::error::{error, reading, wrong};
+use crate::layers::layers;
 use crate::models::Models;
+use crate::pose::{Of, rows};
 use crate::{finding, json, threads};
 
 /// A recipe of a data set of random scenes, with its scenes and the list of its objects.
@@ -99,6 +104,60 @@ impl Recipe {
     #[getter]
     fn frames(&self) -> u64 {
         self.generator.frames()
+    }
+
+    fn __len__(&self) -> PyResult<usize> {
+        usize::try_from(self.frames()).map_err(error)
+    }
+
+    fn __iter__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let py = slf.py();
+        let numbers = py
+            .import("builtins")?
+            .getattr("range")?
+            .call1((slf.get().frames(),))?;
+        py.import("builtins")?
+            .getattr("map")?
+            .call1((slf.getattr("__getitem__")?, numbers))
+    }
+
+    /// Makes a frame in memory, or several for a slice.
+    ///
+    /// Returns a `Sample`: a dictionary of the arrays whose files a data set has, by the names of their annotators.
+    ///
+    /// Raises IndexError for a frame that the recipe does not have, and oaktwin.Error if an object or the camera has no place.
+    fn __getitem__<'py>(slf: &Bound<'py, Self>, index: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let py = slf.py();
+        let count = slf.get().__len__()?;
+        if let Ok(slice) = index.cast::<PySlice>() {
+            let numbers = slice.call_method1("indices", (count,))?;
+            let numbers = py
+                .import("builtins")?
+                .getattr("range")?
+                .call1(numbers.cast_into::<PyTuple>()?)?;
+            let samples = numbers.try_iter()?.map(|number| Self::__getitem__(slf, &number?));
+            return Ok(PyList::new(py, samples.collect::<PyResult<Vec<_>>>()?)?.into_any());
+        }
+        let number = index
+            .call_method0("__index__")
+            .and_then(|number| number.extract::<i64>());
+        let number = number.map_err(|_| {
+            let text = index
+                .get_type()
+                .name()
+                .map_or_else(|_| "object".to_owned(), |name| name.to_string());
+            PyTypeError::new_err(format!("frame: is a {text}; pass a whole number, or a slice"))
+        })?;
+        let from_end =
+            i64::try_from(count).map_or(number, |count| if number < 0 { number + count } else { number });
+        match u64::try_from(from_end) {
+            Ok(frame) if frame < slf.get().frames() => slf.get().sample(py, frame),
+            _ => {
+                let text =
+                    format!("frame: {number} is beyond the {count} frames of the recipe; choose one of them");
+                Err(PyIndexError::new_err(text))
+            }
+        }
     }
 
     /// Returns all random choices of a frame: the scene, the objects with their poses, the lights, the camera.
@@ -193,6 +252,52 @@ fn watch(stop: &AtomicBool) -> impl Fn(Progress) -> ControlFlow<()> + Sync {
 }
 
 impl Recipe {
+    /// A frame in memory.
+    fn sample<'py>(&self, py: Python<'py>, frame: u64) -> PyResult<Bound<'py, PyAny>> {
+        let made = threads::interruptible(py, |_| self.generator.sample(frame))?;
+        let (shots, findings) = made.map_err(error)?;
+        finding::warn(py, &findings)?;
+        let all = PyDict::new(py);
+        let [cameras, poses, measured] = [PyDict::new(py), PyDict::new(py), PyDict::new(py)];
+        let objects = PyList::empty(py);
+        for shot in shots {
+            let name = shot.render_product.clone().unwrap_or_else(|| "camera".to_owned());
+            let prefix = shot
+                .render_product
+                .as_ref()
+                .map_or_else(String::new, |name| format!("{name}/"));
+            let Some(view) = shot.view else { continue };
+            let mount_from_world = shot.world_from_mount.inverse();
+            let camera = |view: &View| {
+                let body_from_camera = mount_from_world * view.world_from_camera;
+                Camera {
+                    name: name.clone(),
+                    ..Camera::rectified(view.camera, body_from_camera)
+                }
+            };
+            cameras.set_item(&name, camera(&view))?;
+            poses.set_item(&name, Of::Camera.array(py, &view.world_from_camera)?)?;
+            if let Some(view) = &shot.sensor_view {
+                measured.set_item(&name, camera(view))?;
+            }
+            for (layer, array) in layers(py, shot.frame, view.camera.intrinsics.size)? {
+                all.set_item(format!("{prefix}{layer}"), array)?;
+            }
+            if objects.is_empty() {
+                for object in &shot.objects {
+                    let about = PyDict::new(py);
+                    about.set_item("path", &object.path)?;
+                    about.set_item("name", &object.model.name)?;
+                    about.set_item("label", &object.model.label)?;
+                    about.set_item("world_from_object", rows(py, &object.world_from_model)?)?;
+                    objects.append(about)?;
+                }
+            }
+        }
+        let class = py.import("oaktwin._datasets")?.getattr("Sample")?;
+        class.call1((all, frame, cameras, poses, measured, objects))
+    }
+
     fn generate_here(&self, py: Python<'_>, output: &Path, options: &GenerateOptions) -> PyResult<Generated> {
         let made = threads::interruptible(py, |stop| self.generator.generate(output, options, &watch(stop)))?;
         made.map_err(error)

@@ -217,6 +217,13 @@ pub(crate) fn array<T: Element>(py: Python<'_>, image: Image<T>) -> PyResult<Bou
         .into_any())
 }
 
+/// Returns a colour image without its alpha as an array (H, W, 3).
+pub(crate) fn colours(py: Python<'_>, image: Image<[u8; 4]>) -> PyResult<Bound<'_, PyAny>> {
+    let dims = [image.height() as usize, image.width() as usize, 3];
+    let values = image.into_pixels().into_iter().flat_map(|[r, g, b, _]| [r, g, b]);
+    Ok(PyArray1::from_vec(py, values.collect()).reshape(dims)?.into_any())
+}
+
 /// Converts metres to integer millimetres; 0 if invalid.
 pub(crate) fn from_metres(metres: Vec<f32>) -> Vec<u16> {
     // The shape does not matter.

@@ -3,12 +3,16 @@
 use std::path::PathBuf;
 
 use oaktwin::diagnostic::suggest;
-use oaktwin::sensor::{OptionValue, ParameterFile, SENSOR_OPTIONS, SensorOption, SensorOptions, assignment};
+use oaktwin::sensor::{
+    EngineKind, EngineRef, OptionValue, ParameterFile, SENSOR_OPTIONS, SensorOption, SensorOptions,
+    assignment,
+};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyInt, PyString};
 
 use crate::array::readable;
+use crate::engine::PythonEngine;
 use crate::error::{error, reading, wrong};
 
 /// Reads options from the keyword arguments of a function. `others` are the arguments that it also has.
@@ -53,11 +57,24 @@ pub(crate) fn sensor_options(
             })?;
             continue;
         }
+        if option.name == "engine" {
+            options.engine = Some(engine(option.name, &value)?);
+            continue;
+        }
         for text in texts(option, &value)? {
             (option.set)(&mut options, &text).map_err(error)?;
         }
     }
     Ok(options)
+}
+
+/// Returns an engine: one of ours by its name, or a callable.
+pub(crate) fn engine(name: &str, value: &Bound<'_, PyAny>) -> PyResult<EngineRef> {
+    match value.extract::<&str>() {
+        Ok(text) => EngineKind::parse(text).map(EngineRef::from).map_err(error),
+        Err(_) if value.is_callable() => PythonEngine::of(value),
+        Err(_) => Err(mistyped(name, value, "the name of an engine, or a callable")),
+    }
 }
 
 /// The options that Python has: `parameters` takes files, too.
@@ -136,6 +153,12 @@ pub(crate) fn keywords<'py>(
         let Some(first) = values.first() else {
             continue;
         };
+        if option.name == "engine"
+            && let Some(engine) = PythonEngine::in_options(options)
+        {
+            keywords.set_item(option.name, &engine.object)?;
+            continue;
+        }
         match option.value {
             OptionValue::Flag => keywords.set_item(option.name, true)?,
             OptionValue::Number => keywords.set_item(option.name, first.parse::<u64>()?)?,

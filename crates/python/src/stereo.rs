@@ -1,8 +1,8 @@
 mod source;
 
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
-use oaktwin::camera::ImageSize;
+use oaktwin::camera::{ImageSize, StereoGeometry};
 use oaktwin::depth::imager::Recorded;
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::Method;
@@ -10,7 +10,7 @@ use oaktwin::depth::stereo_matching::Pair;
 use oaktwin::image::Image;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::sense::{FieldOfView, check_hfov};
-use oaktwin::sensor::{EngineInput, FixedDisparity, SensorOptions};
+use oaktwin::sensor::{Capture, EngineInput, FixedDisparity, SensorOptions};
 use oaktwin::stereo::{Matcher, Seen, StereoError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -18,17 +18,18 @@ use pyo3::types::PyDict;
 use crate::camera::Camera;
 use crate::choice::maybe_named;
 use crate::device::Device;
+use crate::engine::{PythonEngine, away};
 use crate::error::{error, wrong};
 use crate::finding::{self, Finding};
 use crate::grey::{Images, Stack, read, recorded};
 use crate::images::array;
 use crate::parameters::by_name;
-use crate::settings::{item_numbers, keywords, sensor_options};
+use crate::settings::{engine as of_argument, item_numbers, keywords, sensor_options};
 use crate::threads;
 use source::Source;
 
 #[doc = concat!(
-    "StereoMatcher(device=None, *, sensor=None, raw=None, rectify=None, fx=None, hfov_deg=None, baseline=None, platform=None, ",
+    "StereoMatcher(device=None, *, sensor=None, raw=None, rectify=None, fx=None, hfov_deg=None, baseline=None, platform=None, engine=None, ",
     include_str!("generated/matcher_options.signature"),
     ")\n--\n"
 )]
@@ -46,6 +47,7 @@ use source::Source;
 /// hfov_deg: alternatively their horizontal field of view, degrees.
 /// baseline: the distance between the cameras, metres.
 /// platform: the platform that determines defaults and presets, "rvc2" or "rvc4"; by default the device's, otherwise "rvc2".
+/// engine: a callable that matches the rectified pairs instead, as for `DepthSensor`; by default "stereo-matching".
 #[doc = include_str!("generated/matcher_options.doc")]
 ///
 /// Raises oaktwin.Error for a device without a stereo pair or without calibrated extrinsics of the pair, and for an unknown
@@ -75,6 +77,8 @@ pub(crate) struct StereoMatcher {
     source: Source,
     platform: Option<Platform>,
     options: SensorOptions,
+    /// The engine, if it is written in Python.
+    engine: Option<Arc<PythonEngine>>,
     matcher: Mutex<Matcher>,
 }
 
@@ -90,18 +94,18 @@ impl StereoMatcher {
         work: impl FnOnce(&mut Matcher) -> Result<T, StereoError> + Send,
     ) -> PyResult<T> {
         py.check_signals()?;
-        let done = py.detach(|| {
+        away(py, self.engine.as_ref(), || {
             // Locked before entering the pool, so that the pool's threads never wait for the lock.
             let mut matcher = self.matcher.lock().unwrap_or_else(PoisonError::into_inner);
             let matcher = &mut *matcher;
-            threads::install(|| {
+            let done = threads::install(|| {
                 if matcher.size() != size {
                     *matcher = self.source.matcher(self.platform, &self.options, size)?;
                 }
                 work(matcher)
-            })
-        })?;
-        done.map_err(error)
+            });
+            done?.map_err(error)
+        })
     }
 
     fn match_batch<'py>(&self, py: Python<'py>, left: Images, right: Images) -> PyResult<Bound<'py, PyDict>> {
@@ -111,8 +115,9 @@ impl StereoMatcher {
             return Err(wrong("right", is, "pass images of the same size and dtype"));
         }
         let own = (size.width, size.height);
-        let smaller = self.with_matcher(py, size, |matcher| {
-            Ok(matcher.sensor().filters().size(size.width, size.height))
+        let (smaller, stereo) = self.with_matcher(py, size, |matcher| {
+            let smaller = matcher.sensor().filters().size(size.width, size.height);
+            Ok((smaller, geometry(matcher)))
         })?;
         let (mut depth, mut disparity) = (Stack::new(smaller), Stack::new(smaller));
         let mut confidence = Stack::new(smaller);
@@ -120,7 +125,7 @@ impl StereoMatcher {
         let mut ten = [Stack::new(own), Stack::new(own)];
         let mut findings = Vec::new();
         // Signals are checked between groups of pairs that are matched in parallel.
-        let at_once = threads::install(rayon::current_num_threads)?.max(1);
+        let at_once = threads::count()?;
         let mut pairs = left.images.into_iter().zip(right.images);
         for first in (0..).step_by(at_once) {
             let some: Vec<[Recorded; 2]> = pairs.by_ref().take(at_once).map(Into::into).collect();
@@ -130,12 +135,8 @@ impl StereoMatcher {
             let seen: Vec<Seen> = self.with_matcher(py, size, |matcher| matcher.look_all(some, first))?;
             for mut seen in seen {
                 depth.push(&seen.capture.distance.0);
-                if let Some(fixed) = seen.capture.take::<FixedDisparity>(Annotator::Disparity) {
-                    disparity.push(&fixed.to_px());
-                }
-                if let Some(sure) = seen.capture.take::<Image<u8>>(Annotator::Confidence) {
-                    confidence.push(&sure);
-                }
+                disparity.push(&disparities(&mut seen.capture, stereo));
+                confidence.push(&confidences(&mut seen.capture));
                 for ((rectified, eight), ten) in seen.rectified.iter().zip(&mut eight).zip(&mut ten) {
                     match rectified {
                         Recorded::Eight(image) => eight.push(image),
@@ -167,16 +168,48 @@ impl StereoMatcher {
     }
 }
 
+/// The geometry at the width of the images.
+fn geometry(matcher: &Matcher) -> StereoGeometry {
+    StereoGeometry {
+        focal_length_px: matcher.rectified_camera().intrinsics.fx,
+        baseline_m: matcher.baseline_m(),
+    }
+}
+
+/// The disparities of a capture, px; those of its depth if the engine is written in Python.
+fn disparities(capture: &mut Capture, stereo: StereoGeometry) -> Image<f32> {
+    #[expect(clippy::cast_possible_truncation, reason = "pixels are single precision")]
+    let of_depth = |metres: &f32| match *metres > 0.0 {
+        true => stereo.disparity(f64::from(*metres)) as f32,
+        false => 0.0,
+    };
+    match capture.take::<FixedDisparity>(Annotator::Disparity) {
+        Some(fixed) => fixed.to_px(),
+        None => capture.distance.0.map(of_depth),
+    }
+}
+
+/// The confidence of a capture; if the engine has none, it is full where there is depth.
+fn confidences(capture: &mut Capture) -> Image<u8> {
+    let own = capture.take(Annotator::Confidence);
+    own.unwrap_or_else(|| {
+        capture
+            .distance
+            .0
+            .map(|metres| if *metres > 0.0 { 255 } else { 0 })
+    })
+}
+
 /// The arguments besides the options of the sensor.
-const ARGUMENTS: [&str; 7] = [
-    "sensor", "raw", "rectify", "fx", "hfov_deg", "baseline", "platform",
+const ARGUMENTS: [&str; 8] = [
+    "sensor", "raw", "rectify", "fx", "hfov_deg", "baseline", "platform", "engine",
 ];
 
 #[pymethods]
 impl StereoMatcher {
     #[new]
     #[pyo3(signature = (device = None, *, sensor = None, raw = None, rectify = None, fx = None, hfov_deg = None, baseline = None,
-        platform = None, **options))]
+        platform = None, engine = None, **options))]
     #[pyo3(text_signature = None)]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn new(
@@ -189,18 +222,30 @@ impl StereoMatcher {
         hfov_deg: Option<f64>,
         baseline: Option<f64>,
         platform: Option<&str>,
+        engine: Option<&Bound<'_, PyAny>>,
         options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
-        let options = sensor_options("StereoMatcher", &ARGUMENTS, options, |option| {
+        let mut options = sensor_options("StereoMatcher", &ARGUMENTS, options, |option| {
             option.is_of_matcher
         })?;
-        if let Some(engine) = options
-            .engine
-            .as_ref()
-            .filter(|kind| kind.input != EngineInput::Pair)
-        {
-            let is = format!("are those of {engine}");
+        let of_depth = |options: &SensorOptions| {
+            let engine = options.engine.as_ref();
+            engine.filter(|kind| kind.input != EngineInput::Pair).cloned()
+        };
+        if let Some(other) = of_depth(&options) {
+            let is = format!("are those of {other}");
             return Err(wrong("parameters", is, "pass those of stereo-matching"));
+        }
+        if let Some(engine) = engine {
+            options.engine = Some(of_argument("engine", engine)?);
+        }
+        if let Some(other) = of_depth(&options) {
+            let is = format!("{other} measures depth images and matches no pairs");
+            return Err(wrong(
+                "engine",
+                is,
+                "pass an engine with the parameters left and right",
+            ));
         }
         let of_any = fx.is_some() || hfov_deg.is_some() || baseline.is_some();
         let source = match device {
@@ -231,6 +276,7 @@ impl StereoMatcher {
             matcher: Mutex::new(matcher.map_err(error)?),
             source,
             platform,
+            engine: PythonEngine::in_options(&options),
             options,
         })
     }
@@ -264,6 +310,9 @@ impl StereoMatcher {
             }
         };
         options.set_item("platform", self.platform.map(Platform::name))?;
+        if let Some(engine) = &self.engine {
+            options.set_item("engine", &engine.object)?;
+        }
         Ok(((device,), options))
     }
 
@@ -294,21 +343,17 @@ impl StereoMatcher {
         // An invalid pair must not reset the matcher by its size.
         Pair::new(&left, &right).map_err(error)?;
         let size = ImageSize::new(left.width(), left.height());
-        let mut seen = self.with_matcher(py, size, |matcher| matcher.look(left, right))?;
+        let (mut seen, stereo) = self.with_matcher(py, size, |matcher| {
+            let stereo = geometry(matcher);
+            Ok((matcher.look(left, right)?, stereo))
+        })?;
         let [left, right] = seen.rectified;
         let all = PyDict::new(py);
-        let capture = &mut seen.capture;
-        let (disparity, confidence) = (
-            capture.take::<FixedDisparity>(Annotator::Disparity),
-            capture.take::<Image<u8>>(Annotator::Confidence),
-        );
+        let disparity = disparities(&mut seen.capture, stereo);
+        let confidence = confidences(&mut seen.capture);
         all.set_item("depth", array(py, seen.capture.distance.0)?)?;
-        if let Some(disparity) = disparity {
-            all.set_item("disparity", array(py, disparity.to_px())?)?;
-        }
-        if let Some(confidence) = confidence {
-            all.set_item("confidence", array(py, confidence)?)?;
-        }
+        all.set_item("disparity", array(py, disparity)?)?;
+        all.set_item("confidence", array(py, confidence)?)?;
         all.set_item("rectified_left", recorded(py, left)?)?;
         all.set_item("rectified_right", recorded(py, right)?)?;
         all.set_item("findings", finding::list(&seen.findings))?;

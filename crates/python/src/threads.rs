@@ -1,5 +1,6 @@
 //! Runs work on a thread pool with the interpreter released and Ctrl-C handled.
 
+use std::cell::RefCell;
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -11,17 +12,44 @@ use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// The maximum delay of Ctrl-C.
-const POLL: Duration = Duration::from_millis(50);
+pub(crate) const POLL: Duration = Duration::from_millis(50);
 
-/// The pool of this process; a forked process creates its own, because it inherits no threads.
-static POOL: Mutex<Option<(u32, &'static ThreadPool)>> = Mutex::new(None);
+/// The pools of a process; a forked process creates its own, because it inherits no threads.
+static POOLS: Mutex<Option<(u32, Vec<&'static ThreadPool>)>> = Mutex::new(None);
 
-fn pool() -> PyResult<&'static ThreadPool> {
+thread_local! {
+    /// The engines in Python that this thread is calling, from the outermost on.
+    static ANSWERING: RefCell<Vec<usize>> = const { RefCell::new(Vec::new()) };
+}
+
+/// Calls an engine in Python, for whose answer threads of the pool may be waiting: what it calls of oaktwin has another pool.
+pub(crate) fn answering<T>(engine: usize, call: impl FnOnce() -> T) -> T {
+    struct Leave;
+    impl Drop for Leave {
+        fn drop(&mut self) {
+            ANSWERING.with_borrow_mut(Vec::pop);
+        }
+    }
+    ANSWERING.with_borrow_mut(|all| all.push(engine));
+    let _leave = Leave;
+    call()
+}
+
+/// Whether this thread is calling an engine in Python.
+pub(crate) fn is_answering(engine: usize) -> bool {
+    ANSWERING.with_borrow(|all| all.contains(&engine))
+}
+
+/// The pool for the work of this thread: another one in each engine in Python that it is calling.
+pub(crate) fn pool() -> PyResult<&'static ThreadPool> {
+    let level = ANSWERING.with_borrow(Vec::len);
     let own = process::id();
-    let mut pool = POOL.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some((maker, pool)) = *pool
-        && maker == own
-    {
+    let mut pools = POOLS.lock().unwrap_or_else(PoisonError::into_inner);
+    let (maker, pools) = pools.get_or_insert_with(|| (own, Vec::new()));
+    if *maker != own {
+        (*maker, *pools) = (own, Vec::new());
+    }
+    if let Some(pool) = pools.get(level) {
         return Ok(pool);
     }
     let made = ThreadPoolBuilder::new().build().map_err(|error| {
@@ -29,7 +57,8 @@ fn pool() -> PyResult<&'static ThreadPool> {
     })?;
     // Never dropped: a pool inherited from a parent process has no threads to end.
     let made: &'static ThreadPool = Box::leak(Box::new(made));
-    *pool = Some((own, made));
+    // Each level is reached from the one before it, which may not have had a pool.
+    pools.resize(level + 1, made);
     Ok(made)
 }
 
@@ -39,9 +68,17 @@ pub(crate) fn run<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> P
     Ok(py.detach(|| pool.install(work)))
 }
 
-/// Runs work on the pool if the interpreter is released already.
+/// Runs work on the pool if the interpreter is released already. A thread of a pool stays in it.
 pub(crate) fn install<T: Send>(work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    if rayon::current_thread_index().is_some() {
+        return Ok(work());
+    }
     Ok(pool()?.install(work))
+}
+
+/// The number of threads of the pool.
+pub(crate) fn count() -> PyResult<usize> {
+    Ok(pool()?.current_num_threads().max(1))
 }
 
 fn signals(py: Python<'_>) -> PyResult<()> {

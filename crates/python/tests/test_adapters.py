@@ -80,3 +80,24 @@ def test_conventions_of_poses(convention):
         assert np.allclose(pose.to("ros"), oaktwin.look_at((1, 2, 3), (0.5, 0, 0), frame="body"))
     with pytest.raises(oaktwin.Error, match="convention: invalid value 'usd'; pass opengl, mujoco, ros or open3d"):
         pose.to("usd")
+
+
+def test_isaac_lab():
+    """Isaac Lab's own intrinsic matrix, but for the half pixel between its convention and OpenCV's."""
+    from types import SimpleNamespace as Cfg
+
+    spawn = Cfg(focal_length=24.0, horizontal_aperture=20.955, vertical_aperture=None, horizontal_aperture_offset=0.0)
+    camera = oaktwin.Camera.from_isaac(Cfg(width=640, height=480, spawn=spawn))
+    assert camera.size == (640, 480)
+    assert np.allclose(camera.K, [[640 * 24 / 20.955, 0, 319.5], [0, 640 * 24 / 20.955, 239.5], [0, 0, 1]])
+    wide = {"focal_length": 10.0, "horizontal_aperture": 20.0, "vertical_aperture": 10.0}
+    assert np.allclose(np.diag(oaktwin.Camera.from_isaac(wide, size=(200, 150)).K), [100, 150, 1])
+    pattern = Cfg(focal_length=24.0, horizontal_aperture=20.955, width=64, height=48)
+    assert oaktwin.Camera.from_isaac(Cfg(pattern_cfg=pattern)).size == (64, 48)
+    for wrong, message in [
+        (Cfg(spawn=None), "cfg: SimpleNamespace has no focal_length"),
+        (wide, "size: the configuration has no width and height"),
+        (Cfg(width=6, height=4, spawn=Cfg(focal_length=1, horizontal_aperture=1, vertical_aperture_offset=0.1)), "aperture offset"),
+    ]:
+        with pytest.raises(oaktwin.Error, match=message):
+            oaktwin.Camera.from_isaac(wrong)

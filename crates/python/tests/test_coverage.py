@@ -84,6 +84,16 @@ def test_the_outcomes_at_each_point(plate, device):
     assert np.abs(points["error_m"][0][measured[0]]).max() < 0.1
 
 
+def test_a_tolerance(plate, device):
+    eye = np.eye(4)
+    free = oaktwin.coverage(plate, device, eye, samples=200, points=True, **SMALL)
+    strict = oaktwin.coverage(plate, device, eye, samples=200, tolerance_mm=1, **SMALL)
+    errors = free.points["error"][0]
+    expected = np.mean(np.abs(errors[~np.isnan(errors)]) <= 1e-3) * np.mean(~np.isnan(errors))
+    assert strict.candidates[0]["measured"] == pytest.approx(expected)
+    assert strict.candidates[0]["lost"]["inaccurate"] > 0
+
+
 def test_nonsense(plate, device):
     eye = np.eye(4)
     for text, options in {
@@ -94,6 +104,7 @@ def test_nonsense(plate, device):
         "region_box: y is NaN": {"region_box": [(0, np.nan, 0), (1, 1, 1)]},
         "region_box: has 1 items": {"region_box": [(0, 0, 0)]},
         "samples: 0 points": {"samples": 0},
+        "tolerance_mm: 0 mm is out of range": {"tolerance_mm": 0},
         "height: NaN is not finite": {"height": [np.nan]},
         "height: 'x' is not a number": {"height": "x"},
         "tilt_deg: 91 is out of range": {"tilt_deg": [91]},
@@ -143,7 +154,7 @@ def test_visibility_matches_another_ray_caster(device):
     scene = oaktwin.Scene.from_meshes(dict.fromkeys(poses, mesh), poses=poses)
     eyes = [oaktwin.look_at(eye, (0.3, 0, 0), frame="body") for eye in [(2, 0, 0), (-1, 1.5, 0.5), (0.5, -1, 1.4), (0.1, 0.1, 0.1)]]
     got = oaktwin.coverage(scene, device, np.stack(eyes), samples=4000, points=True, **SMALL)
-    camera = device.depth_camera().resized(320, 200)
+    camera = device.depth_camera().resized(320, 200, rule="depthai")
     position, normal = got.points["position"], got.points["normal"]
     names = np.vectorize(got.points["reasons"].get)(got.points["outcome"])
     for found, body in zip(names, eyes):

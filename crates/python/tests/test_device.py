@@ -81,10 +81,10 @@ def test_cameras(device):
 
 def test_resized_and_cropped(device):
     left = device.cameras["left"]
-    small = left.resized(640, 400)
+    small = left.resized(640, 400, rule="depthai")
     assert np.allclose(small.K[:2], left.K[:2] / 2) and small.size == (640, 400)
     assert left.resized(1280, 720).K[1, 2] == left.K[1, 2] - 40
-    assert np.allclose(left.resized(640, 800, keep_aspect_ratio=False).K[:2], left.K[:2] * [[0.5], [1]])
+    assert np.allclose(left.resized(640, 800, keep_aspect_ratio=False, rule="depthai").K[:2], left.K[:2] * [[0.5], [1]])
     part = left.cropped(100, 50, 640, 400)
     assert part.size == (640, 400) and np.allclose(left.K - part.K, [[0, 0, 100], [0, 0, 50], [0, 0, 0]])
     for bad in [(0, 4), (4, 0), (1 << 16, 1 << 16)]:
@@ -279,3 +279,16 @@ def test_what_is_no_device():
     with pytest.raises(TypeError):
         oaktwin.Device(7)
     assert issubclass(oaktwin.Error, ValueError) and issubclass(oaktwin.FindingWarning, UserWarning)
+
+
+def test_rectification_is_the_devices(calibration):
+    """Its intrinsics are those of the images that the device's matcher sees."""
+    for device in [oaktwin.Device("OAK4-D"), oaktwin.Device.from_calibration(calibration, "OAK-D Pro PoE")]:
+        own = oaktwin.StereoMatcher(device).camera.K
+        assert np.allclose(device.rectification().P1[:, :3], own, rtol=1e-9)
+    # The unit's cameras differ, so that OpenCV's choice is another one.
+    opencv = device.rectification(intrinsics="zero-disparity").P1[:, :3]
+    assert not np.allclose(opencv, own, rtol=1e-4)
+    # Another maker's has no processor that is known.
+    other = oaktwin.Device("D435i")
+    assert np.array_equal(other.rectification().P1, other.rectification(intrinsics="zero-disparity").P1)

@@ -36,6 +36,7 @@ EXCERPTS = {
     "docs/python/isaac_lab_batch.md",
     "docs/python/isaac_sim.md",
     "docs/python/mujoco_table.md",
+    "docs/python/neural_stereo.md",
     "docs/python/open3d_plane.md",
     "docs/python/ray_frames.md",
     "docs/python/replicator_folder.md",

@@ -34,7 +34,7 @@ class Wall:
 
     def __init__(self, device, at=1.0, slope=0.0):
         self.sensor = oaktwin.DepthSensor(device, parameters=KNOWN)
-        self.camera = device.depth_camera().resized(320, 200)
+        self.camera = device.depth_camera().resized(320, 200, rule="depthai")
         self.at, self.slope, self.frame = at, slope, 0
 
     def __call__(self):

@@ -107,3 +107,37 @@ def test_presets():
             oaktwin.DepthSensor(oaktwin.Device(model), preset=name)
     with pytest.raises(oaktwin.Error, match="platform: invalid value 'rvc3'"):
         oaktwin.presets("rvc3")
+
+
+def test_images_in_memory(tmp_path):
+    """Fitting to arrays is fitting to their files."""
+    device = oaktwin.Device("OAK4-D")
+    unit = oaktwin.DepthSensor(device, parameters={"bias": 0.2, "jitter": 0.06})
+    rgb = np.random.default_rng(0).integers(0, 256, (400, 640, 3)).astype(np.uint8)
+    images = {z: [unit(np.full((400, 640), z, np.float32), rgb) for _ in range(3)] for z in (3.0, 0.8, 1.2, 2.0)}
+    found = oaktwin.fit(device, images)
+    assert abs(found.parameters["bias"] - 0.2) < 0.02 and abs(found.parameters["jitter"] - 0.06) < 0.02
+    assert found.report["sources"] == [f"images at {z} m" for z in ("3", "0.8", "1.2", "2")]
+    table = "file,distance_m\n"
+    for z, stack in images.items():
+        np.save(tmp_path / f"{z}.npy", np.stack(stack))
+        table += f"{z}.npy,{z}\n"
+    (tmp_path / "distances.csv").write_text(table)
+    assert oaktwin.fit(device, tmp_path).parameters == found.parameters
+    millimetres = {z: np.rint(1000 * np.stack(stack)).astype(np.uint16) for z, stack in images.items()}
+    assert abs(oaktwin.fit(device, millimetres).parameters["bias"] - 0.2) < 0.05
+
+
+@pytest.mark.parametrize(
+    ("recordings", "message"),
+    [
+        ({}, "recordings: is empty; pass at least one folder or CSV file, or images by their distance"),
+        ({-1.0: np.ones((2, 40, 60), np.float32)}, "images at -1 m is no distance; give metres above 0"),
+        ({1.0: [np.ones((40, 60)), np.ones((40, 50))]}, "recordings: 1.0 m: .*; pass images of one size"),
+        ({1.0: np.ones((2, 40, 60), int)}, "is int64 of shape .*; pass float32 metres or uint16"),
+        ({1.0: np.ones((40, 60), np.float32), 2.0: np.ones((40, 50), np.float32)}, "images at 2 m: it is 50x40"),
+    ],
+)
+def test_what_are_no_images(recordings, message):
+    with pytest.raises(oaktwin.Error, match=message):
+        oaktwin.fit(oaktwin.Device("OAK4-D"), recordings)

@@ -118,12 +118,14 @@ def test_undistortion_maps_are_opencvs(camera):
             camera.undistortion_maps(camera)
 
 
-def test_resizing_can_keep_the_centre():
+def test_resizing_keeps_the_centre():
     camera = oaktwin.Camera((1280, 800), hfov_deg=77)
-    half = camera.resized(640, 400, keep_center=True)
+    half = camera.resized(640, 400)
     assert np.allclose(half.K[:2, 2], [319.5, 199.5], atol=1e-9)
-    assert np.allclose(camera.resized(640, 400).K[:2, 2], [319.75, 199.75])
-    assert np.array_equal(half.K[[0, 1], [0, 1]], camera.resized(640, 400).K[[0, 1], [0, 1]])
+    assert np.allclose(camera.resized(640, 400, rule="depthai").K[:2, 2], [319.75, 199.75])
+    assert np.array_equal(half.K[[0, 1], [0, 1]], camera.resized(640, 400, rule="depthai").K[[0, 1], [0, 1]])
+    with pytest.raises(oaktwin.Error, match="rule: invalid value 'opencv'"):
+        camera.resized(640, 400, rule="opencv")
     # A point's pixel moves as cv2.resize moves the image: pixels are areas.
     points = in_front(50)
     whole, _ = camera.project(points)

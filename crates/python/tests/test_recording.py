@@ -75,7 +75,7 @@ def world_from(frame, topics, stamp):
 def seen():
     """A camera in front of a tilted wall, its poses, and its ground-truth depth, measured depth and colour images."""
     device = oaktwin.Device("OAK4-D")
-    camera = device.depth_camera().resized(*SIZE)
+    camera = device.depth_camera().resized(*SIZE, rule="depthai")
     sensor = oaktwin.DepthSensor(device, seed=3)
     wall = np.array([[4, -9, -9], [3, 9, -9], [3.5, 0, 1.3]])
     scene = oaktwin.Scene.from_triangles(wall, np.array([[0, 1, 2]]))
@@ -338,7 +338,7 @@ def test_the_programs_mcap(tmp_path):
     depth, measured = by_the_program(os.environ["OAKTWIN_BIN"], tmp_path, "a.mcap")
     topics = messages(tmp_path / "a.mcap")
     name = "Camera_pseudo_depth"
-    camera = oaktwin.Device("OAK4-D").depth_camera().resized(64, 40)
+    camera = oaktwin.Device("OAK4-D").depth_camera().resized(64, 40, rule="depthai")
     for frame, (nanosec, y) in enumerate([(250_000_000, 0.0), (500_000_000, 0.5)]):
         np.testing.assert_array_equal(array(topics[f"/{name}/depth"][frame]), depth[frame])
         expected = np.where(measured[frame] > 0, measured[frame], np.nan)

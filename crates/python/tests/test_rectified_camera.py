@@ -52,7 +52,7 @@ def test_a_rendered_pair_has_the_depth_of_the_depth_camera(unit):
     scene = oaktwin.Scene.from_triangles(vertices, np.array([[0, 1, 2], [0, 2, 3]]))
     size = (320, 200)
     pair = scene.render_pair(device, np.eye(4), size=size, frame=0)
-    camera = device.depth_camera("stereo").resized(*size)
+    camera = device.depth_camera("stereo").resized(*size, rule="depthai")
     truth = scene.render(camera, camera.body_from_camera, annotators=["distance_to_image_plane"])
     np.testing.assert_allclose(pair["z"], truth["distance_to_image_plane"], rtol=1e-5)
 

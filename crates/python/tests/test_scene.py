@@ -14,7 +14,7 @@ def wall():
 
 
 def test_a_wall(wall, device):
-    camera = device.cameras["left"].resized(106, 66)
+    camera = device.cameras["left"].resized(106, 66, rule="depthai")
     seen = wall.render(camera, EYE)
     assert list(seen) == ["distance_to_image_plane"]
     z = seen["distance_to_image_plane"]
@@ -32,7 +32,7 @@ def test_a_wall(wall, device):
 
 
 def test_every_annotator(wall, device):
-    camera = device.depth_camera().resized(106, 66)
+    camera = device.depth_camera().resized(106, 66, rule="depthai")
     names = ["rgb", "normals", "instance_id_segmentation", "semantic_segmentation", "bounding_box_2d_tight",
              "bounding_box_2d_loose", "pointcloud", "distance_to_image_plane"]
     seen = wall.render(camera, EYE, annotators=names)
@@ -67,7 +67,7 @@ def test_a_file_renders_like_the_program(program, tmp_path, device):
             "--annotators", "distance_to_image_plane,normals,rgb", "-o", tmp_path)
     [written] = tmp_path.rglob("distance_to_image_plane_0000.npy")
     scene = oaktwin.Scene.open(stage)
-    camera = device.depth_camera().resized(320, 200)
+    camera = device.depth_camera().resized(320, 200, rule="depthai")
     pose = oaktwin.look_at(eye, target, frame="body") @ camera.body_from_camera
     got = scene.render(camera, pose)["distance_to_image_plane"]
     expected = np.load(written)

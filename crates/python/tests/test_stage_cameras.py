@@ -82,7 +82,7 @@ def test_sister_outputs_are_the_programs(program, tmp_path, device):
     program("render", STAGE, "--model", "OAK4-D", "--look-at", *eye, *target, "--resolution", "320x200", "--seed", "5",
             "--engine", "single-view", "--annotators", ",".join(["rgb", "distance_to_image_plane", *SENSED]), "-o", tmp_path)
     scene = oaktwin.Scene.open(STAGE)
-    camera = device.depth_camera().resized(320, 200)
+    camera = device.depth_camera().resized(320, 200, rule="depthai")
     pose = oaktwin.look_at(eye, target, frame="body") @ camera.body_from_camera
     seen = scene.render(camera, pose, annotators=["rgb", "distance_to_image_plane"])
     sensor = oaktwin.DepthSensor(device, engine="single-view", seed=5)

@@ -303,8 +303,10 @@ def test_invalid_options(options, said):
 
 
 def test_the_depth_sensor_rejects_stereo_matching(device, room):
-    with pytest.raises(oaktwin.Error, match="engine: stereo-matching requires a stereo pair.*use StereoMatcher"):
-        oaktwin.DepthSensor(device, engine="stereo-matching")
+    sensor = oaktwin.DepthSensor(device, engine="stereo-matching")
+    for call in [sensor, lambda depth: sensor.annotate(depth, annotators=["depth_sensor_distance"])]:
+        with pytest.raises(oaktwin.Error, match="engine: stereo-matching matches image pairs.*use shoot.*or StereoMatcher"):
+            call(room[0])
 
 
 def codes(seen):

@@ -138,7 +138,7 @@ pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String,
     }
     let kind = state.sensor_kind();
     let resized = size.map_or_else(String::new, |size| {
-        format!(".resized({}, {})", size.width, size.height)
+        format!(".resized({}, {}, rule=\"depthai\")", size.width, size.height)
     });
     let mut engine = format!(", engine={}", quoted(&state.engine));
     if state.seed != 0 {

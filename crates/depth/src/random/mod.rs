@@ -38,6 +38,8 @@ pub enum Stage {
     Recipe = 8,
     /// The units of a population.
     Population = 9,
+    /// The seeds that engines outside this crate are called with.
+    Engine = 10,
     /// The positions of a projector's dots.
     Dots = 16,
 }

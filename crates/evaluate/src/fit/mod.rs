@@ -45,8 +45,6 @@ mod target;
 mod time_of_flight;
 mod work;
 
-use std::path::PathBuf;
-
 pub use recording::TABLE;
 pub use report::{Curve, FittedPoint, NotFound, Parameter, Report, Target};
 
@@ -62,6 +60,7 @@ use oaktwin_pipeline::input::check_depth_scale;
 use oaktwin_pipeline::progress::Watch;
 use oaktwin_pipeline::sensor::{ParameterError, SensorOptions, Technology, depth_sensor, sensor};
 use recording::Recording;
+pub use recording::{Recordings, TargetImages};
 use stereo_noise::Stereo;
 use time_of_flight::Tof;
 use work::Work;
@@ -145,13 +144,14 @@ impl Fit {
 /// # Errors
 /// Returns an error if a recording cannot be read, is empty, or does not show a flat, perpendicular target; if an option is
 /// invalid; or if `watch` interrupts.
-pub fn fit(
+pub fn fit<'a>(
     twin: &Twin,
-    recordings: &[PathBuf],
+    recordings: impl Into<Recordings<'a>>,
     options: &Options,
     watch: &Watch<'_>,
 ) -> Result<(Fit, Vec<Finding>), FitError> {
     check(options)?;
+    let recordings = recordings.into();
     let mut twin = twin.clone();
     let of_engine = options.engine.engine.as_ref().and_then(|kind| kind.models);
     let of_engine = of_engine.map(|models| match models {
@@ -179,7 +179,7 @@ pub fn fit(
             )]));
         }
     };
-    let recording = recording::open(recordings, &depth.spec.prim)?;
+    let recording = recordings.open(&depth.spec.prim)?;
     let (focal_length_px, width_px) = method.focal_length_px();
     let report = Report {
         model: twin.device.name.clone(),
@@ -196,7 +196,7 @@ pub fn fit(
         from_m: options.from_m,
         curve: None,
         tilt_deg: None,
-        sources: recordings.iter().map(|path| path.display().to_string()).collect(),
+        sources: recordings.names(),
         targets: Vec::new(),
         points: Vec::new(),
         passed: true,

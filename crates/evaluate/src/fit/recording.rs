@@ -1,7 +1,9 @@
 //! Recordings: the files of each distance, and the true distances.
 
 use std::collections::BTreeMap;
+use std::io::Cursor;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::FitError;
 use crate::accuracy::distances;
@@ -11,6 +13,7 @@ use oaktwin_base::diagnostic::nearest;
 use oaktwin_files::FileError;
 use oaktwin_pipeline::input::name::Name;
 use oaktwin_pipeline::input::replicator;
+use oaktwin_pipeline::input::source::Source;
 use oaktwin_pipeline::sense::InputKind;
 
 /// The name of the table of distances in a folder.
@@ -18,6 +21,73 @@ pub const TABLE: &str = "distances.csv";
 
 const SENSED: &str = "depth_sensor_distance";
 const EXTENSIONS: [&str; 7] = ["npy", "npz", "png", "exr", "pfm", "tif", "tiff"];
+
+/// What is fitted to.
+#[derive(Clone, Copy, Debug)]
+pub enum Recordings<'a> {
+    /// Files and folders.
+    Files(&'a [PathBuf]),
+    /// Images in memory.
+    Images(&'a [TargetImages]),
+}
+
+/// Images of a target, in memory.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TargetImages {
+    /// The depth of the target along the optical axis, metres.
+    pub distance_m: f64,
+    /// The images in chronological order, as the bytes of an NPY file of (N, H, W).
+    pub npy: Arc<[u8]>,
+}
+
+impl<'a> From<&'a Vec<PathBuf>> for Recordings<'a> {
+    fn from(paths: &'a Vec<PathBuf>) -> Self {
+        Self::Files(paths)
+    }
+}
+
+impl Recordings<'_> {
+    /// The names for reports.
+    pub(super) fn names(&self) -> Vec<String> {
+        match self {
+            Self::Files(paths) => paths.iter().map(|path| path.display().to_string()).collect(),
+            Self::Images(all) => all.iter().map(TargetImages::name).collect(),
+        }
+    }
+
+    /// Reads the inputs; see [`open`].
+    pub(super) fn open(&self, prim: &str) -> Result<Recording, FitError> {
+        let images = match self {
+            Self::Files(paths) => return open(paths, prim),
+            Self::Images(images) => images,
+        };
+        let mut images = images.to_vec();
+        images.sort_by(|a, b| a.distance_m.total_cmp(&b.distance_m));
+        if let Some(wrong) = images
+            .iter()
+            .find(|one| !(one.distance_m > 0.0 && one.distance_m.is_finite()))
+        {
+            let what = format!("{} is no distance; give metres above 0", wrong.name());
+            return Err(FitError::Option(format!("recordings: {what}").into()));
+        }
+        let target = |one: TargetImages| TargetRecording {
+            name: one.name(),
+            distance_m: Some(one.distance_m),
+            files: vec![Files {
+                sensed: one.name().into(),
+                npy: Some(one.npy),
+                truth: None,
+            }],
+        };
+        Ok(Recording::Targets(images.into_iter().map(target).collect()))
+    }
+}
+
+impl TargetImages {
+    fn name(&self) -> String {
+        format!("images at {} m", self.distance_m)
+    }
+}
 
 /// The content of the inputs.
 pub(super) enum Recording {
@@ -41,7 +111,10 @@ pub(super) struct TargetRecording {
 /// A measured image and its ground truth.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Files {
+    /// The file, or what images in memory are called.
     pub(super) sensed: PathBuf,
+    /// The content of images in memory.
+    pub(super) npy: Option<Arc<[u8]>>,
     /// The true depth along the optical axis in metres.
     pub(super) truth: Option<PathBuf>,
 }
@@ -102,7 +175,24 @@ pub(super) fn open(paths: &[PathBuf], prim: &str) -> Result<Recording, FitError>
 }
 
 fn alone(sensed: PathBuf) -> Files {
-    Files { sensed, truth: None }
+    Files {
+        sensed,
+        npy: None,
+        truth: None,
+    }
+}
+
+impl Files {
+    /// Opens the measured images. Integer pixels are multiplied by `unit_m`.
+    pub(super) fn open(&self, unit_m: f64) -> Result<Source, FileError> {
+        match &self.npy {
+            None => Source::open(&self.sensed, unit_m),
+            Some(npy) => {
+                let (reader, length) = (Cursor::new(Arc::clone(npy)), npy.len() as u64);
+                Source::read(&self.sensed, Box::new(reader), Some(length), unit_m)
+            }
+        }
+    }
 }
 
 /// Returns the rows of a table of distances: the distance in metres, and the file or folder of images.
@@ -190,6 +280,7 @@ fn folder(path: &Path, prim: &str) -> Result<Vec<TargetRecording>, FileError> {
             }
             files.push(Files {
                 sensed,
+                npy: None,
                 truth: Some(frame.depth),
             });
         }

@@ -178,7 +178,7 @@ impl Observation {
 pub(super) fn look(recording: &TargetRecording, look: &Look) -> Result<Observation, FitError> {
     let mut observer: Option<Observer> = None;
     for files in &recording.files {
-        let mut sensed = Source::open(&files.sensed, look.unit_m)?;
+        let mut sensed = files.open(look.unit_m)?;
         let mut truth = files
             .truth
             .as_ref()

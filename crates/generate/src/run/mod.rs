@@ -9,17 +9,17 @@ mod workers;
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_catalog::Catalog;
-use oaktwin_dataset::Format;
+use oaktwin_dataset::{Format, Shot};
 use oaktwin_pipeline::progress::Watch;
 use serde_json::Value;
 
 use crate::GenerateError;
 use crate::context::Context;
-use crate::frame::FrameMaker;
+use crate::frame::{FrameMaker, Shown};
 use crate::recipe::RecipeFile;
 
 pub use generation::Generation;
@@ -67,6 +67,8 @@ pub struct Generated {
 #[derive(Debug)]
 pub struct Generator {
     context: Arc<Context>,
+    /// The arrangement of the last sample.
+    shown: Mutex<Option<Shown>>,
 }
 
 impl Generator {
@@ -77,6 +79,7 @@ impl Generator {
     pub fn open(file: RecipeFile, catalog: &Catalog) -> Result<Self, GenerateError> {
         Ok(Self {
             context: Arc::new(Context::open(file, catalog)?),
+            shown: Mutex::default(),
         })
     }
 
@@ -92,6 +95,20 @@ impl Generator {
     /// Returns an error if an object or the camera has no place.
     pub fn explain(&self, frame: u64) -> Result<Value, GenerateError> {
         FrameMaker::new(&self.context).explain(frame)
+    }
+
+    /// Makes a frame in memory: the shots of the cameras, which a data set has in its files, and the findings.
+    ///
+    /// # Errors
+    /// Returns an error if the recipe does not have the frame, or it cannot be made.
+    pub fn sample(&self, frame: u64) -> Result<(Vec<Shot>, Vec<Finding>), GenerateError> {
+        let shown = || self.shown.lock().unwrap_or_else(PoisonError::into_inner);
+        // Consecutive frames have their arrangement in common.
+        let before = shown().take();
+        let mut maker = FrameMaker::going_on(&self.context, before);
+        let made = maker.make(frame);
+        *shown() = maker.into_shown();
+        made.map(|made| (made.shots, made.findings))
     }
 
     /// Generates the data set, or a part of it, in a folder.

@@ -176,13 +176,18 @@ fn full_type(option: &SensorOption) -> String {
     } else {
         ""
     };
-    format!("{}{or_none}", type_of(option))
+    // Python takes engines that are written in it.
+    let or_callable = if option.name == "engine" {
+        " | _Callable"
+    } else {
+        ""
+    };
+    format!("{}{or_callable}{or_none}", type_of(option))
 }
 
 /// The type of an option as a parameter of `DepthSensor`, which measures depth images and tells its seed.
 fn of_sensor(option: &SensorOption) -> String {
     match option.name {
-        "engine" => "_DepthEngine | None".to_owned(),
         "seed" => "int | None".to_owned(),
         _ => full_type(option),
     }

@@ -2,10 +2,10 @@
 
 use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::{ImageSize, Intrinsics, OpenCv, PixelPoint, StereoDrift};
-use oaktwin_depth::{DriftedPair, EngineKind, ParameterError, Setup};
+use oaktwin_depth::{DriftedPair, EngineInput, EngineKind, ParameterError, Setup};
 
 use super::setup::Source;
-use super::{STEREO_MATCHING, STEREO_NOISE, SensorOptions};
+use super::{STEREO_NOISE, SensorOptions};
 
 /// The columns and rows of the points at which the loss is computed.
 const POINTS: (u32, u32) = (16, 10);
@@ -28,7 +28,7 @@ pub(super) fn pair(
     let Some(drift) = options.drift.filter(|drift| !drift.is_none()) else {
         return Ok(pair.filter(|pair| pair.depth_baseline_m != pair.baseline_m));
     };
-    if *kind == STEREO_MATCHING {
+    if kind.input == EngineInput::Pair {
         return match source {
             Source::Twin { .. } => Ok(None),
             _ => Err(ParameterError::new(

@@ -2,12 +2,13 @@ use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::StereoGeometry;
 use oaktwin_depth::engines::is_calibration_error;
 use oaktwin_depth::preset::Platform;
-use oaktwin_depth::{EngineKind, ParameterError, Sensor};
+use oaktwin_depth::{EngineInput, EngineKind, ParameterError, Sensor};
 
 use super::setup::Source;
 use super::{STEREO_MATCHING, SensorOptions, create};
 
-/// Creates the sensor of a rectified pair of this geometry at the width of its images; findings are reported at `place`.
+/// Creates the sensor of a rectified pair of this geometry at the width of its images; findings are reported at `place`. The engine is
+/// `stereo-matching`, unless another one that matches pairs is chosen.
 ///
 /// # Errors
 /// Returns an error if a preset, filter or parameter is unknown or out of range, or if a calibration error is given: the
@@ -36,7 +37,9 @@ pub fn stereo_matching(
         name: Some(place.to_owned()),
         ..options.clone()
     };
-    create(&STEREO_MATCHING, &source, &plain, place)
+    let chosen = options.engine.as_deref();
+    let matcher = chosen.filter(|kind| kind.input == EngineInput::Pair);
+    create(matcher.unwrap_or(&STEREO_MATCHING), &source, &plain, place)
 }
 
 /// The error of an engine that requires a pair where there is none.

@@ -61,7 +61,9 @@ pub fn sensor(
 
 /// Returns a note if an engine models the processing of OAKs, and the device is of another maker.
 pub(crate) fn foreign_processing(twin: &Twin, kind: &EngineKind, place: &str) -> Option<Finding> {
-    let what = match kind.models? {
+    // Engines of other crates model what they like.
+    let is_ours = ENGINES.contains(&kind);
+    let what = match kind.models.filter(|_| is_ours)? {
         Technology::Stereo => "the stereo matcher of an OAK with RVC2",
         Technology::TimeOfFlight => "the time-of-flight sensor of the OAK-D ToF",
     };

@@ -63,8 +63,9 @@ pub static SENSOR_OPTIONS: &[SensorOption] = &[
         help: "The error model [default: stereo-noise, or time-of-flight for a time-of-flight sensor]",
         names: None,
         doc: "the error model: \"stereo-noise\" (an OAK's stereo; the default for stereo), \"time-of-flight\" (the default for time \
-              of flight) or \"single-view\" (Isaac Sim's DepthSensorDistance). StereoMatcher matches pairs of images; only \
-              `accuracy` has \"stereo-matching\", which renders and matches pairs of its board.",
+              of flight), \"single-view\" (Isaac Sim's DepthSensorDistance), \"stereo-matching\", which matches pairs of images in \
+              `shoot`, `accuracy` and `coverage`, or an engine of one's own: a callable with the parameters `left` and `right` (the \
+              rectified pair) or `depth`; see the manual.",
         is_of_matcher: false,
         set: |options, name| EngineKind::parse(name).map(|kind| options.engine = Some(kind.into())),
         get: |options| texts(options.engine.as_ref()),

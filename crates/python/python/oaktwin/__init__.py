@@ -19,14 +19,16 @@ from . import filters
 from ._accuracy import Accuracy, accuracy
 from ._cameras import Camera, Rectification, look_at
 from ._coverage import Coverage, coverage
-from ._datasets import Recipe, generate
+from ._datasets import Recipe, Sample, generate
 from ._devices import Device, models, parameters, presets, simulate_imu
 from ._findings import Error, Finding, FindingWarning
 from ._fit import Fit, fit
+from ._images import Filter, align
 from ._oaktwin import __version__, set_memory_limit
 from ._poses import BodyPose, CameraPose
 from ._scenes import Mesh, Recording, Scene, annotators
-from ._sensors import DepthSensor, Filter, StereoMatcher, align
+from ._sensors import DepthSensor, StereoMatcher
+from ._shots import Shot
 
 __all__ = [
     "Accuracy",
@@ -45,7 +47,9 @@ __all__ = [
     "Recipe",
     "Recording",
     "Rectification",
+    "Sample",
     "Scene",
+    "Shot",
     "StereoMatcher",
     "__version__",
     "accuracy",

@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from . import _oaktwin
 from ._plot import finished, new_axes
+from ._settings import settings_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -94,7 +95,7 @@ class Accuracy:
 
 
 def accuracy(
-    device: _oaktwin.Device,
+    device: _oaktwin.Device | _oaktwin.DepthSensor,
     *,
     sensor: str | None = None,
     distances: Sequence[float] | str | None = None,
@@ -110,6 +111,7 @@ def accuracy(
 ) -> Accuracy:
     """Measures a twin's depth accuracy by the vendor's method: a textured board at each distance, and the median unit.
 
+    device: the device, or a `DepthSensor` with its engine, filters and parameters, which `options` override.
     sensor: "stereo", "tof" or the name of a prim; by default the device's own depth sensor.
     distances: the true distances in metres, or the program's range syntax "0.5:4:0.5"; by default about twenty.
     devices: the number of units; by default 200 if units differ and `device_seed` is None, otherwise 1.
@@ -122,12 +124,14 @@ def accuracy(
     measured_from: the minimum distance of measurements that are compared, metres.
     focal_px: the focal length of the measured unit, px of images `width_px` wide; by default the device's own.
     width_px: the width of the unit's images: 1280 at 800P, 640 at 480P and 400P.
-    options: the options of `DepthSensor` from `engine` on; the engine may also be "stereo-matching", which renders and matches
-        an image pair of the board.
+    options: the options of `DepthSensor` from `engine` on. An engine that matches pairs gets image pairs of the board; one that is
+        written in Python is called for each capture of each unit, so that fewer `distances`, `devices` and `captures` save time.
 
     Ctrl-C interrupts the measurement. Raises `oaktwin.Error` for invalid arguments, FileNotFoundError or another OSError if
     the file cannot be read.
     """
+    if isinstance(device, _oaktwin.DepthSensor):
+        device, sensor, options = settings_of(device, sensor, options)
     report = _oaktwin.accuracy(
         device,
         sensor=sensor,

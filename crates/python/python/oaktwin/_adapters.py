@@ -64,6 +64,32 @@ def to_ros(camera: Camera) -> dict[str, Any]:
     }
 
 
+def from_isaac(cfg: Any, size: Any) -> Camera:
+    """`Camera.from_isaac`."""
+
+    def field(of: Any, name: str) -> Any:
+        return of.get(name) if isinstance(of, Mapping) else getattr(of, name, None)
+
+    lens = cfg
+    for part in ("spawn", "pattern_cfg"):
+        lens = lens if field(cfg, part) is None else field(cfg, part)
+    if field(lens, "focal_length") is None or field(lens, "horizontal_aperture") is None:
+        kind = type(lens).__name__
+        raise Error(f"cfg: {kind} has no focal_length and horizontal_aperture; pass a CameraCfg or PinholeCameraCfg of Isaac Lab")
+    offsets = [field(lens, f"{side}_aperture_offset") or 0.0 for side in ("horizontal", "vertical")]
+    if any(offsets):
+        raise Error("cfg: has an aperture offset, whose meaning depends on the renderer; pass one without, or Camera(size, K=matrix)")
+    if size is None:
+        size = [field(of, name) for of in (cfg, lens) for name in ("width", "height") if field(of, name) is not None]
+    if len(size) != 2:
+        raise Error("size: the configuration has no width and height; pass (width, height) of its images")
+    width, height = (int(side) for side in size)
+    horizontal, vertical = float(field(lens, "horizontal_aperture")), field(lens, "vertical_aperture")
+    fx = width * float(field(lens, "focal_length")) / horizontal
+    fy = fx if vertical is None else height * float(field(lens, "focal_length")) / float(vertical)
+    return Camera((width, height), K=np.array([[fx, 0, (width - 1) / 2], [0, fy, (height - 1) / 2], [0, 0, 1]]))
+
+
 def from_open3d(intrinsic: Any) -> Camera:
     """`Camera.from_open3d`."""
     if not hasattr(intrinsic, "intrinsic_matrix"):

@@ -80,14 +80,14 @@ class Camera:
         midway between left and right), metres.
         """
     def resized(
-        self, width: int | Sequence[int], height: int | None = None, *, keep_aspect_ratio: bool = True, keep_center: bool = False
+        self, width: int | Sequence[int], height: int | None = None, *, keep_aspect_ratio: bool = True, rule: Literal["center", "depthai"] = "center"
     ) -> Camera:
-        """Returns the camera at another image size, as DepthAI computes it.
+        """Returns the camera at another image size.
 
         width, height: px, or the pair (width, height).
         keep_aspect_ratio: whether to scale the image to cover the size and crop it; otherwise each axis is scaled separately.
-        keep_center: whether a principal point in the centre stays there, as for images resized by cv2.resize. DepthAI scales it
-            without regard to the half pixel between the border and the first pixel's centre (default).
+        rule: "center" (default): a principal point in the centre stays there, as in simulators and for images resized by cv2.resize.
+            "depthai": as DepthAI computes it, without regard to the half pixel between the border and the first pixel's centre.
 
         Raises oaktwin.Error for an image without pixels.
         """
@@ -146,6 +146,14 @@ class Camera:
         """The fields of a sensor_msgs/CameraInfo: `CameraInfo(**camera.to_ros())`.
 
         Raises oaktwin.Error for a lens that ROS does not have.
+        """
+    @staticmethod
+    def from_isaac(cfg: object, *, size: Sequence[int] | None = None) -> Camera:
+        """Returns the camera of a configuration of Isaac Lab: a CameraCfg, a TiledCameraCfg or a RayCasterCameraCfg, whose principal point is
+        in the centre.
+
+        cfg: the configuration, or a PinholeCameraCfg or PinholePatternCfg with `size`.
+        size: (width, height) of the images; by default the configuration's.
         """
     @staticmethod
     def from_open3d(intrinsic: object) -> Camera:

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from . import _oaktwin
 from ._html import table
+from ._settings import settings_of
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -90,7 +91,7 @@ class Coverage:
 
 def coverage(
     scene: _oaktwin.Scene,
-    devices: _oaktwin.Device | Sequence[_oaktwin.Device],
+    devices: _oaktwin.Device | _oaktwin.DepthSensor | Sequence[_oaktwin.Device | _oaktwin.DepthSensor],
     poses: npt.ArrayLike,
     *,
     region: str | Sequence[str] | None = None,
@@ -100,6 +101,7 @@ def coverage(
     sensor: str | None = None,
     size: tuple[int, int] | None = None,
     samples: int = 10_000,
+    tolerance_mm: float | None = None,
     points: bool = False,
     projector: float | None = None,
     ambient: float = 1.0,
@@ -110,7 +112,8 @@ def coverage(
     rest is lost. Every device is a candidate at every pose.
 
     scene: the scene; the program opens it with micro_texture=True, without which stereo cameras measure little of plain surfaces.
-    devices: a device, or several.
+    devices: a device, or several; or instead of a device a `DepthSensor` with its engine, filters and parameters, which `options`
+        override.
     poses: world_from_body, (4, 4), or (N, 4, 4) for several poses, metres; x forward, y left, z up. See
         `Scene.look_at` with a device; a `CameraPose` is rejected.
     region: the path of a prim, or several: the region is the meshes at and below it; by default the whole scene.
@@ -121,33 +124,35 @@ def coverage(
     sensor: "stereo", "tof" or the name of a prim; by default each device's own depth sensor.
     size: (width, height) of the sensor's images in px, resized by DepthAI's rule; by default its own.
     samples: the number of points that are distributed evenly over the surface, 1 to 1000000.
+    tolerance_mm: the largest error of a point that counts as measured; by default any.
     points: whether the result has the outcomes at each point.
     projector: the intensity of the dot projector of a model that has one, from 0 (off) to 1; by default 1.
     ambient, imager: as for `Scene.render_pair`; `imager` is for the engine "stereo-matching".
-    options: the options of `DepthSensor` from `engine` on; the engine may also be "stereo-matching", which renders and matches
-        an image pair.
+    options: the options of `DepthSensor` from `engine` on. An engine that matches pairs gets rendered image pairs.
 
     A point is seen if nothing lies between it and the camera, and measured if its pixel has a value. All faces count, also those
     that no camera can see.
 
     Ctrl-C interrupts the measurement. Raises `oaktwin.Error` for invalid arguments, unknown prims and regions without surface.
     """
-    several = [devices] if isinstance(devices, _oaktwin.Device) else list(devices)
+    several = [devices] if isinstance(devices, (_oaktwin.Device, _oaktwin.DepthSensor)) else list(devices)
+    chosen: list[tuple[_oaktwin.Device, str | None, _SensorOptions]] = [
+        settings_of(one, sensor, options) if isinstance(one, _oaktwin.DepthSensor) else (one, sensor, options) for one in several
+    ]
     report, outcomes = _oaktwin.coverage(
         scene,
-        several,
+        chosen,
         poses,
         region=region,
         region_box=region_box,
         height=height,
         tilt_deg=tilt_deg,
-        sensor=sensor,
         size=size,
         samples=samples,
+        tolerance_mm=tolerance_mm,
         points=points,
         projector=projector,
         ambient=ambient,
         imager=imager,
-        **options,
     )
     return Coverage(report, outcomes)

@@ -4,10 +4,57 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from os import PathLike
+from typing import TYPE_CHECKING, Any
 
 from ._oaktwin import Recipe
 
-__all__ = ["Recipe", "generate"]
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    from ._cameras import Camera
+    from ._poses import CameraPose
+
+    _Layers = dict[str, Any]
+else:
+    _Layers = dict
+
+__all__ = ["Recipe", "Sample", "generate"]
+
+
+class Sample(_Layers):
+    """A frame of a data set in memory, `recipe[number]`: a dictionary of arrays by the names of Replicator's annotators, such as
+    `sample["distance_to_image_plane"]`, those that the formats of the recipe have. With several cameras, the names begin with the camera's:
+    `sample["Camera_left/rgb"]`. Values are those of the files, to the byte.
+
+    layers: the arrays by name.
+    frame: the number of the frame.
+    cameras: the Cameras by name; the only one is "camera".
+    world_from_camera: their poses, (4, 4), metres; the axes are OpenCV's.
+    measured_cameras: the Cameras that measured depth is an image of.
+    objects: a dictionary for each object, with "path", "name", "label" and "world_from_object", (4, 4), if a format of the recipe has poses.
+
+    `Recipe` is a data set as PyTorch expects it: `torch.utils.data.DataLoader(recipe, num_workers=4)`.
+    """
+
+    def __init__(
+        self,
+        layers: dict[str, Any],
+        frame: int,
+        cameras: dict[str, Camera],
+        world_from_camera: dict[str, CameraPose],
+        measured_cameras: dict[str, Camera],
+        objects: list[dict[str, str | npt.NDArray[np.float64]]],
+    ) -> None:
+        super().__init__(layers)
+        self.frame = frame
+        self.cameras = cameras
+        self.world_from_camera = world_from_camera
+        self.measured_cameras = measured_cameras
+        self.objects = objects
+
+    def __repr__(self) -> str:
+        return f"<oaktwin.Sample {self.frame}: {', '.join(self)}>"
 
 
 def generate(

@@ -108,12 +108,13 @@ class Device:
         Raises oaktwin.Error for a part that the device does not have.
         """
     def rectification(
-        self, *, intrinsics: _Intrinsics = "zero-disparity"
+        self, *, intrinsics: _Intrinsics | None = None
     ) -> Rectification:
         """The rectification of the stereo pair at the size of its images, as cv2.stereoRectify computes it.
 
-        intrinsics: the intrinsics of the rectified images: "zero-disparity" (default, OpenCV's default), "free-disparity" (OpenCV without
-            CALIB_ZERO_DISPARITY), "left-camera" (DepthAI's host and RVC4), "right-camera" (RVC2).
+        intrinsics: the intrinsics of the rectified images: "right-camera" (RVC2), "left-camera" (RVC4 and DepthAI's host), "zero-disparity"
+            (OpenCV's default) or "free-disparity" (OpenCV without CALIB_ZERO_DISPARITY); by default those of the device's processor, and
+            OpenCV's for devices of other makers.
 
         Raises oaktwin.Error for a device without a stereo pair, or cameras that cannot be rectified.
         """

@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import io
+from collections.abc import Mapping, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from . import _oaktwin
 from ._html import table
 from ._plot import finished, new_axes
 
 if TYPE_CHECKING:
+    import numpy.typing as npt
     from matplotlib.axes import Axes
     from typing_extensions import Unpack
 
     from ._types import _Json, _SensorOptions
+
+    _Images = npt.NDArray[Any] | Sequence[npt.NDArray[Any]]
 
 
 class Fit:
@@ -82,9 +88,25 @@ class Fit:
         return f"<oaktwin.Fit {self.report['model']} {self.report['engine']}: {values or 'no parameter found'}>"
 
 
+def _npy(distance: float, images: _Images) -> bytes:
+    """The images of a target as an NPY file."""
+    try:
+        array = np.stack([np.asarray(one) for one in images])
+    except (TypeError, ValueError) as error:
+        raise _oaktwin.Error(f"recordings: {distance} m: {error}; pass images of one size, (N, H, W)") from error
+    if array.ndim == 2:
+        array = array[None]
+    if array.dtype not in (np.float32, np.float64, np.uint16) or array.ndim != 3:
+        kind = f"{array.dtype} of shape {array.shape}"
+        raise _oaktwin.Error(f"recordings: {distance} m: is {kind}; pass float32 metres or uint16 of (N, H, W)")
+    file = io.BytesIO()
+    np.save(file, np.ascontiguousarray(array, np.uint16 if array.dtype == np.uint16 else np.float32))
+    return file.getvalue()
+
+
 def fit(
     device: _oaktwin.Device,
-    recordings: str | PathLike[str] | Sequence[str | PathLike[str]],
+    recordings: str | PathLike[str] | Sequence[str | PathLike[str]] | Mapping[float, _Images],
     *,
     sensor: str | None = None,
     region: float = 0.05,
@@ -99,7 +121,9 @@ def fit(
 
     recordings: folders of depth images of a flat target perpendicular to the camera, each with a table distances.csv with the
         columns file and distance_m; a folder in the layout of Replicator's BasicWriter with distance_to_image_plane and
-        depth_sensor_distance; or a CSV file of errors with the columns distance_m and depth_error_percent.
+        depth_sensor_distance; or a CSV file of errors with the columns distance_m and depth_error_percent. Or a mapping from true
+        distances in metres to the images of the target there, such as {1.0: images, 2.0: images}: (N, H, W) or a list of (H, W),
+        float32 metres or uint16 in units of `depth_scale`, in chronological order.
     sensor: "stereo", "tof" or the name of a prim; by default the engine's, or the device's own.
     region: the side of the evaluated region as a share of the image's side, above 0, up to 1.
     depth_scale: the metres per unit of integer images.
@@ -113,10 +137,14 @@ def fit(
     Ctrl-C interrupts the fit. Issues an `oaktwin.FindingWarning` for oddities of the recordings. Raises FileNotFoundError for
     recordings that do not exist, `oaktwin.Error` for others that cannot be read and for invalid arguments.
     """
-    paths = [recordings] if isinstance(recordings, (str, PathLike)) else list(recordings)
+    read: Sequence[str | PathLike[str]] | Sequence[tuple[float, bytes]]
+    if isinstance(recordings, Mapping):
+        read = [(float(distance), _npy(distance, images)) for distance, images in recordings.items()]
+    else:
+        read = [recordings] if isinstance(recordings, (str, PathLike)) else list(recordings)
     report, toml = _oaktwin.fit(
         device,
-        paths,
+        read,
         sensor=sensor,
         region=region,
         depth_scale=depth_scale,

@@ -15,8 +15,9 @@ from ._devices import (
     simulate_imu as simulate_imu,
 )
 from ._findings import Error as Error, Finding as Finding, FindingWarning as FindingWarning, _finding as _finding
+from ._images import Filter as Filter, align as align
 from ._scenes import Mesh as Mesh, Recipe as Recipe, Recording as Recording, Scene as Scene, annotators as annotators
-from ._sensors import DepthSensor as DepthSensor, Filter as Filter, StereoMatcher as StereoMatcher, align as align
+from ._sensors import DepthSensor as DepthSensor, StereoMatcher as StereoMatcher
 from ._types import _Array, _Json, _SensorOptions
 
 __all__ = [
@@ -72,26 +73,27 @@ def accuracy(
     """Wraps the report of `oaktwin accuracy --json` as a dictionary, for `oaktwin.accuracy`."""
 def coverage(
     scene: Scene,
-    devices: Sequence[Device],
+    devices: Sequence[tuple[Device, str | None, _SensorOptions]],
     world_from_body: npt.ArrayLike,
     *,
     region: str | Sequence[str] | None = None,
     region_box: npt.ArrayLike | None = None,
     height: Sequence[float] | str | None = None,
     tilt_deg: Sequence[float] | str | None = None,
-    sensor: str | None = None,
     size: tuple[int, int] | None = None,
     samples: int | None = None,
+    tolerance_mm: float | None = None,
     points: bool = False,
     projector: float | None = None,
     ambient: float = 1.0,
     imager: Mapping[str, float | str | bool] | None = None,
-    **options: Unpack[_SensorOptions],
 ) -> tuple[_Json, _Json | None]:
-    """Wraps the report of `oaktwin coverage --json` as a dictionary, and the outcomes by point, for `oaktwin.coverage`."""
+    """Wraps the report of `oaktwin coverage --json` as a dictionary, and the outcomes by point, for `oaktwin.coverage`. Each device has the
+    name of its sensor and its options.
+    """
 def fit(
     device: Device,
-    recordings: Sequence[str | PathLike[str]],
+    recordings: Sequence[str | PathLike[str]] | Sequence[tuple[float, bytes]],
     *,
     sensor: str | None = None,
     region: float = ...,

@@ -1,13 +1,14 @@
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from types import TracebackType
-from typing import final, overload
+from typing import SupportsIndex, final, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from ._cameras import Camera
+from ._datasets import Sample
 from ._devices import Device
 from ._findings import Finding
 from ._poses import BodyPose, CameraPose, Poses
@@ -341,6 +342,12 @@ class Recipe:
     @property
     def frames(self) -> int:
         """The number of frames."""
+    def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, index: SupportsIndex, /) -> Sample: ...
+    @overload
+    def __getitem__(self, index: slice, /) -> list[Sample]: ...
+    def __iter__(self) -> Iterator[Sample]: ...
     def explain(self, frame: int) -> _Json:
         """Returns all random choices of a frame: the scene, the objects with their poses, the lights, the camera.
 

@@ -1,5 +1,5 @@
-"""Depth sensors, filters and matchers."""
+"""Depth sensors and matchers."""
 
-from ._oaktwin import DepthSensor, Filter, StereoMatcher, align
+from ._oaktwin import DepthSensor, StereoMatcher
 
-__all__ = ["DepthSensor", "Filter", "StereoMatcher", "align"]
+__all__ = ["DepthSensor", "StereoMatcher"]

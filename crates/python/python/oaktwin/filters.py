@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from ._sensors import Filter
+from ._images import Filter
 
 if TYPE_CHECKING:
     from ._types import _Array, _Measured

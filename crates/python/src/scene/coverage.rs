@@ -16,16 +16,16 @@ use pyo3::types::{PyDict, PyString};
 use super::Scene;
 use crate::arguments::{Size, optional, vector};
 use crate::device::Device;
+use crate::engine::{PythonEngine, serve_all};
 use crate::error::{error, wrong};
 use crate::finding;
 use crate::json;
 use crate::pair::PairSettings;
 use crate::pose::Of;
 use crate::settings::{mistyped, sensor_options, strings};
-use crate::threads;
 
 /// The arguments besides the options of the sensor.
-const ARGUMENTS: [&str; 11] = [
+const ARGUMENTS: [&str; 12] = [
     "region",
     "region_box",
     "height",
@@ -33,40 +33,43 @@ const ARGUMENTS: [&str; 11] = [
     "sensor",
     "size",
     "samples",
+    "tolerance_mm",
     "points",
     "projector",
     "ambient",
     "imager",
 ];
 
-/// Wraps the report of `oaktwin coverage --json` as a dictionary, and the outcomes by point, for `oaktwin.coverage`.
+/// Wraps the report of `oaktwin coverage --json` as a dictionary, and the outcomes by point, for `oaktwin.coverage`. Each device has the
+/// name of its sensor and its options.
 #[pyfunction]
-#[pyo3(signature = (scene, devices, world_from_body, *, region = None, region_box = None, height = None, tilt_deg = None, sensor = None,
-    size = None, samples = None, points = false, projector = None, ambient = 1.0, imager = None, **options))]
+#[pyo3(signature = (scene, devices, world_from_body, *, region = None, region_box = None, height = None, tilt_deg = None, size = None,
+    samples = None, tolerance_mm = None, points = false, projector = None, ambient = 1.0, imager = None))]
 #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub(crate) fn coverage<'py>(
     py: Python<'py>,
     scene: &Scene,
-    devices: Vec<PyRef<'py, Device>>,
+    devices: Vec<(PyRef<'py, Device>, Option<String>, Bound<'py, PyDict>)>,
     world_from_body: &Bound<'py, PyAny>,
     region: Option<&Bound<'py, PyAny>>,
     region_box: Option<&Bound<'py, PyAny>>,
     height: Option<&Bound<'py, PyAny>>,
     tilt_deg: Option<&Bound<'py, PyAny>>,
-    sensor: Option<String>,
     size: Option<Size>,
     #[pyo3(from_py_with = optional::samples)] samples: Option<u32>,
+    tolerance_mm: Option<f64>,
     points: bool,
     projector: Option<f64>,
     ambient: f64,
     imager: Option<&Bound<'py, PyAny>>,
-    options: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<(Bound<'py, PyAny>, Option<Bound<'py, PyDict>>)> {
     let region = self::region(region, region_box)?;
-    let engine = sensor_options("coverage", &ARGUMENTS, options, |_| true)?;
     let mut rigs = Vec::new();
-    for device in &devices {
+    let mut engines = Vec::new();
+    for (device, sensor, options) in &devices {
+        let engine = sensor_options("coverage", &ARGUMENTS, Some(options), |_| true)?;
+        engines.extend(PythonEngine::in_options(&engine));
         let pair = PairSettings {
             sensor: None,
             size: size.map(|Size(width, height)| (width, height)),
@@ -105,10 +108,10 @@ pub(crate) fn coverage<'py>(
     let candidates = candidates(&rigs, &placements);
     let options = Options {
         samples: samples.unwrap_or(Options::default().samples),
+        tolerance_mm,
         keeps_points: points,
-        ..Options::default()
     };
-    let measured = threads::interruptible(py, |stop| {
+    let measured = serve_all(py, &engines, |stop| {
         let watch = |_| {
             if stop.load(Ordering::Relaxed) {
                 ControlFlow::Break(())

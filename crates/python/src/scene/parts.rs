@@ -25,8 +25,8 @@ pub(super) type Reduced<'py> = (Bound<'py, PyAny>, Bound<'py, PyTuple>, State<'p
 type State<'py> = (Bound<'py, PyDict>, u64);
 
 /// A renderer with the poses of its instances, which are the parts of the scene.
-pub(super) struct Stage {
-    pub(super) renderer: Renderer,
+pub(crate) struct Stage {
+    pub(crate) renderer: Renderer,
     /// The pose and the rest of the transform of each instance with a given pose, by its index; see
     /// [`Instance::pose_and_rest`], which returns the others'.
     placed: BTreeMap<usize, (RigidTransform, DAffine3)>,
@@ -219,7 +219,7 @@ impl Scene {
     }
 
     /// The stage for reading. The interpreter is released while another thread moves parts.
-    pub(super) fn read(&self, py: Python<'_>) -> RwLockReadGuard<'_, Stage> {
+    pub(crate) fn read(&self, py: Python<'_>) -> RwLockReadGuard<'_, Stage> {
         loop {
             match self.stage.try_read() {
                 Ok(stage) => return stage,

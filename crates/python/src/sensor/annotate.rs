@@ -1,10 +1,7 @@
 //! Isaac Sim's annotators of the depth sensor as NumPy arrays.
 
-use numpy::{Element, PyArray1, PyArrayMethods};
-use std::sync::{Arc, PoisonError};
-
 use oaktwin::camera::ImageSize;
-use oaktwin::image::annotation::{Annotation, Annotator, Frame, Reasons};
+use oaktwin::image::annotation::{Annotation, Annotator, Frame};
 use oaktwin::image::{Image, ZDepth};
 use oaktwin::render::{annotator, sense_frame};
 use pyo3::prelude::*;
@@ -12,9 +9,10 @@ use pyo3::types::PyDict;
 
 use super::DepthSensor;
 use crate::arguments::{Annotators, FrameNumber};
+use crate::engine::away;
 use crate::error::{error, wrong};
-use crate::images::{Depth, Pictures, array};
-use crate::threads;
+use crate::images::{Depth, Pictures};
+use crate::layers::{names, sensor_array};
 
 impl DepthSensor {
     /// The outputs of annotators for one image.
@@ -29,6 +27,7 @@ impl DepthSensor {
         let asked = annotators.0.iter().map(|name| sensor_annotator(name));
         let asked = asked.collect::<PyResult<Vec<_>>>()?;
         let (depth, shape) = Depth::read("depth", depth)?;
+        self.check_measures_depth()?;
         if shape.batch.is_some() {
             return Err(wrong("depth", "is a batch", "give one image (H, W)"));
         }
@@ -45,14 +44,12 @@ impl DepthSensor {
             ..Frame::default()
         };
         let frame = self.frame(frame);
-        py.detach(|| {
-            let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
-            let eye = self.look(&mut eye, shape.size)?;
-            let sensor = Arc::make_mut(&mut eye.sensor);
-            let missing =
-                threads::install(|| sense_frame(sensor, &eye.camera, frame, None, &asked, &mut seen));
+        away(py, self.engine.as_ref(), || {
+            let missing = self.measure(shape.size, |sensor, camera| {
+                sense_frame(sensor, camera, frame, None, &asked, &mut seen)
+            });
             // What is missing is reported below.
-            missing.map(drop).map_err(error)
+            missing?.map(drop).map_err(error)
         })?;
         let distance = seen.depth_sensor_distance.as_ref();
         let is_lost = distance.is_some_and(|z| z.0.pixels().iter().all(|metres| *metres == 0.0));
@@ -75,15 +72,6 @@ fn not_made(annotator: Annotator) -> PyErr {
     wrong(annotator.name(), "is not made of what was given", remedy)
 }
 
-/// The names of the codes of reasons.
-fn names<'py>(py: Python<'py>, reasons: &Reasons) -> PyResult<Bound<'py, PyDict>> {
-    let names = PyDict::new(py);
-    for (code, label) in &reasons.legend {
-        names.set_item(code, &label.name)?;
-    }
-    Ok(names)
-}
-
 /// Returns the depth sensor annotator with a name.
 fn sensor_annotator(name: &str) -> PyResult<Annotator> {
     let found = annotator(name).map_err(error)?;
@@ -92,23 +80,4 @@ fn sensor_annotator(name: &str) -> PyResult<Annotator> {
     }
     let remedy = "render the scene with it";
     Err(wrong(name, "is not an annotator of a depth sensor", remedy))
-}
-
-/// Converts an annotation of a depth sensor to an array.
-fn sensor_array(py: Python<'_>, annotation: Annotation) -> PyResult<Option<Bound<'_, PyAny>>> {
-    match annotation {
-        Annotation::ZDepth(image) => array(py, image.0).map(Some),
-        Annotation::Scalar(image) => array(py, image).map(Some),
-        Annotation::Levels(image) => array(py, image).map(Some),
-        Annotation::Reasons(reasons) => array(py, reasons.codes).map(Some),
-        Annotation::PixelPoints(image) => vectors(py, image).map(Some),
-        Annotation::Color(image) | Annotation::PixelColors(image) => vectors(py, image).map(Some),
-        _ => Ok(None),
-    }
-}
-
-fn vectors<T: Element>(py: Python<'_>, image: Image<[T; 4]>) -> PyResult<Bound<'_, PyAny>> {
-    let dims = [image.height() as usize, image.width() as usize, 4];
-    let values = image.into_pixels().into_flattened();
-    Ok(PyArray1::from_vec(py, values).reshape(dims)?.into_any())
 }

@@ -4,12 +4,15 @@ use std::sync::{Arc, PoisonError};
 use oaktwin::camera::{self, ImageSize, RigidTransform};
 use oaktwin::catalog::{Twin, TwinCamera, TwinDepthSensor};
 use oaktwin::diagnostic;
+use oaktwin::render::Clip;
 use oaktwin::sense::{self, FieldOfView};
-use oaktwin::sensor::{self, Sensor, SensorOptions};
+use oaktwin::sensor::{self, EngineInput, Sensor, SensorOptions};
 use pyo3::prelude::*;
 
 use super::DepthSensor;
+use crate::camera::Camera;
 use crate::error::{error, wrong};
+use crate::threads;
 
 /// The sensor and the camera for images of one size.
 #[derive(Clone)]
@@ -102,9 +105,63 @@ impl DepthSensor {
         Ok(eye)
     }
 
+    /// Measures with the sensor for an image size, which may remember what it measured. Called with the interpreter released.
+    ///
+    /// The sensor is locked while it measures, unless an engine in Python does: the engine may ask the sensor for its properties.
+    pub(super) fn measure<T: Send>(
+        &self,
+        size: ImageSize,
+        work: impl FnOnce(&mut Sensor, &camera::Camera) -> T + Send,
+    ) -> PyResult<T> {
+        let lock = || self.eye.lock().unwrap_or_else(PoisonError::into_inner);
+        if self.engine.is_none() {
+            // Locked before entering the pool, so that the pool's threads never wait for the lock.
+            let mut eye = lock();
+            let eye = self.look(&mut eye, size)?;
+            let sensor = Arc::make_mut(&mut eye.sensor);
+            return threads::install(|| work(sensor, &eye.camera));
+        }
+        let mut own = self.look(&mut lock(), size)?.clone();
+        let sensor = Arc::make_mut(&mut own.sensor);
+        let measured = threads::install(|| work(sensor, &own.camera))?;
+        let mut eye = lock();
+        if eye.camera.intrinsics.size == size {
+            eye.sensor = own.sensor;
+        }
+        Ok(measured)
+    }
+
+    /// The camera of the outputs, for the most recent image size.
+    pub(super) fn output_camera(&self, py: Python<'_>) -> PyResult<Camera> {
+        let eye = self.now(py, None)?;
+        let output = eye.sensor.output_camera(&eye.camera);
+        let (near_m, far_m) = self.source.depth.spec.clipping_range_m;
+        let mut own = Camera::rectified(
+            output.camera,
+            self.body_from_images()? * output.input_from_output(),
+        );
+        own.clip = match &self.camera {
+            Some(camera) => camera.clip,
+            None => Clip { near_m, far_m },
+        };
+        Ok(own)
+    }
+
+    /// An engine that matches pairs measures no depth images.
+    pub(super) fn check_measures_depth(&self) -> PyResult<()> {
+        let engine = self.source.options.engine.as_deref();
+        let Some(engine) = engine.filter(|kind| kind.input == EngineInput::Pair) else {
+            return Ok(());
+        };
+        let is = format!("{engine} matches image pairs and measures no depth images");
+        let remedy = "use shoot(scene, pose), or StereoMatcher";
+        Err(wrong("engine", is, remedy))
+    }
+
     /// Starts a new sequence, with another seed if one is given.
     pub(super) fn restart(&self, seed: Option<u64>) -> PyResult<()> {
         self.memory.reset(None);
+        self.shooting.reset();
         let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
         match seed {
             Some(seed) => {

@@ -3,6 +3,7 @@ mod eye;
 mod image_camera;
 mod memory;
 mod sense;
+mod shoot;
 mod units;
 
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -10,9 +11,8 @@ use std::sync::{Arc, Mutex};
 
 use oaktwin::align::{self, AlignTo};
 use oaktwin::camera::ImageSize;
-use oaktwin::render::Clip;
 use oaktwin::sense::{self as sensing, FieldOfView};
-use oaktwin::sensor::{EngineInput, SensorOptions, depth_sensor};
+use oaktwin::sensor::{SensorOptions, depth_sensor};
 use oaktwin::usd::asset::LensChoice;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -20,6 +20,7 @@ use pyo3::types::PyDict;
 use eye::{Eye, Source};
 use image_camera::field_of_view;
 use memory::Memory;
+use shoot::{Light, Shooting};
 use units::Units;
 
 use crate::align::aligned;
@@ -27,10 +28,12 @@ use crate::arguments::{Annotators, FrameNumber, Size};
 use crate::camera::Camera;
 use crate::choice::named;
 use crate::device::Device;
+use crate::engine::PythonEngine;
 use crate::error::{error, wrong};
 use crate::finding::{self, Finding, Notices};
 use crate::images::{Depth, Out, Pictures};
 use crate::parameters::by_name;
+use crate::scene::Scene;
 use crate::settings::{fresh_seed, item_numbers, keywords, sensor_options, whole};
 
 #[doc = concat!(
@@ -95,6 +98,9 @@ pub(crate) struct DepthSensor {
     memory: Memory,
     notices: Notices,
     units: Units,
+    /// The engine, if it is written in Python.
+    engine: Option<Arc<PythonEngine>>,
+    shooting: Shooting,
 }
 
 /// The arguments besides the options of the sensor.
@@ -126,14 +132,6 @@ impl DepthSensor {
         let twin = &device.twin;
         let depth = depth_sensor(twin, sensor).map_err(error)?.clone();
         let camera = camera.map(|camera| camera.get().clone());
-        if let Some(engine) = options
-            .engine
-            .as_ref()
-            .filter(|kind| kind.input == EngineInput::Pair)
-        {
-            let is = format!("{engine} requires a stereo pair, not depth");
-            return Err(wrong("engine", is, "use StereoMatcher, or stereo-noise"));
-        }
         let source = Source {
             twin: Arc::clone(twin),
             depth,
@@ -145,6 +143,8 @@ impl DepthSensor {
         notices.notice(py, hfov_deg.and_then(sensing::check_hfov))?;
         Ok(Self {
             device: whole.clone().unbind(),
+            engine: PythonEngine::in_options(&source.options),
+            shooting: Shooting::default(),
             // Reports invalid settings immediately.
             eye: Mutex::new(source.eye(None)?),
             source,
@@ -196,6 +196,7 @@ impl DepthSensor {
         out: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let (depth, shape) = Depth::read("depth", depth)?;
+        self.check_measures_depth()?;
         let pictures = rgb.map(|rgb| Pictures::read(rgb, shape)).transpose()?;
         let sensor = self.of_size(py, shape.size)?;
         let (width, height) = sensor.filters().size(shape.size.width, shape.size.height);
@@ -254,6 +255,46 @@ impl DepthSensor {
         frame: Option<FrameNumber>,
     ) -> PyResult<Bound<'py, PyDict>> {
         self.annotated(py, depth, rgb, &annotators, frame)
+    }
+
+    /// Renders a scene with the device at a pose, and measures it: exact depth and colours for engines that measure depth, the device's
+    /// stereo pair for engines that match pairs.
+    ///
+    /// scene: the scene.
+    /// world_from_body: the pose of the device's body, (4, 4), metres; x forward, y left, z up. See `Scene.look_at` with a device; a
+    ///     `CameraPose` is rejected.
+    /// size: (width, height) of the images in px, resized by DepthAI's rule; by default the sensor's own.
+    /// projector: the intensity of a Pro's infrared dot projector, from 0 (default, off) to 1.
+    /// ambient: the scale of the scene's lights; 0 is darkness.
+    /// imager: a mapping of image sensor parameters by name, as in `Scene.render_pair`, for engines that match pairs.
+    /// frame: as in a call.
+    ///
+    /// Returns a `Shot`, which has its images as attributes and, as a dictionary, by Replicator's names. A temporal filter remembers the
+    /// shots of one size and light.
+    ///
+    /// Issues an oaktwin.FindingWarning for missing or unsupported contents. Raises oaktwin.Error for an invalid pose, a sensor with
+    /// fx, hfov_deg or camera, which has images of its own, and images that do not fit in memory.
+    #[pyo3(signature = (scene, world_from_body, *, size = None, projector = 0.0, ambient = 1.0, imager = None, frame = None))]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
+    fn shoot<'py>(
+        &self,
+        py: Python<'py>,
+        scene: &Scene,
+        world_from_body: &Bound<'py, PyAny>,
+        size: Option<Size>,
+        projector: f64,
+        ambient: f64,
+        imager: Option<&Bound<'py, PyAny>>,
+        frame: Option<FrameNumber>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.shot(
+            py,
+            scene,
+            world_from_body,
+            size,
+            &Light::new(projector, ambient, imager),
+            frame,
+        )
     }
 
     /// Starts a new sequence: temporal filters forget earlier images. The numbering of frames continues, so that no noise repeats.
@@ -340,32 +381,24 @@ impl DepthSensor {
     /// sees, which is to the left of the images' camera by the baseline.
     #[getter]
     fn camera(&self, py: Python<'_>) -> PyResult<Camera> {
-        let eye = self.now(py, None)?;
-        let output = eye.sensor.output_camera(&eye.camera);
-        let (near_m, far_m) = self.source.depth.spec.clipping_range_m;
-        let mut own = Camera::rectified(
-            output.camera,
-            self.body_from_images()? * output.input_from_output(),
-        );
-        own.clip = match &self.camera {
-            Some(camera) => camera.clip,
-            None => Clip { near_m, far_m },
-        };
-        Ok(own)
+        self.output_camera(py)
     }
 
-    /// The engine: "stereo-noise", "time-of-flight" or "single-view".
+    /// The name of the engine: "stereo-noise", "stereo-matching", "time-of-flight", "single-view", or that of an engine written in Python.
     #[getter]
     fn engine(&self, py: Python<'_>) -> PyResult<String> {
         Ok(self.now(py, None)?.sensor.engine().kind().name.to_string())
     }
 
-    /// The engine's parameters by name, with values of their types, for the most recent image size.
+    /// The engine's parameters by name, with values of their types, for the most recent image size; none of an engine written in Python.
     #[getter]
     fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let sensor = self.now(py, None)?.sensor;
         let engine = sensor.engine();
         let values = engine.parameters().into_iter().chain(engine.assumptions());
+        if self.engine.is_some() {
+            return Ok(PyDict::new(py));
+        }
         by_name(py, &engine.kind().name, values)
     }
 

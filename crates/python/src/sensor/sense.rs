@@ -1,4 +1,4 @@
-use std::sync::{Arc, PoisonError};
+use std::sync::Arc;
 
 use oaktwin::camera::ImageSize;
 use oaktwin::image::ImageView;
@@ -9,6 +9,7 @@ use rayon::prelude::*;
 use super::DepthSensor;
 use super::memory::Images;
 use super::units::Items;
+use crate::engine::away;
 use crate::error::{error, wrong};
 use crate::images::{DepthSlice, OutSlice, Shape, part};
 use crate::threads;
@@ -49,7 +50,7 @@ impl DepthSensor {
             });
             return measured?.map_err(error);
         }
-        py.detach(|| {
+        away(py, self.engine.as_ref(), || {
             let metres = depth.metres();
             let view = ImageView::new(width, height, &metres[..])
                 .ok_or_else(|| wrong("depth", "is smaller than its shape", "give whole arrays"))?;
@@ -61,11 +62,7 @@ impl DepthSensor {
             let capture = if sensor.remembers() {
                 // The memory would be copied if the sensor were shared.
                 drop(sensor);
-                // A sensor with memory keeps the lock while it runs. It is taken before entering the pool, so that the
-                // pool's threads never wait for it.
-                let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
-                let sensor = Arc::make_mut(&mut self.look(&mut eye, size)?.sensor);
-                threads::install(|| sensor.capture(shot, &[]))?
+                self.measure(size, |sensor, _| sensor.capture(shot, &[]))?
             } else {
                 let mut sensor = Arc::unwrap_or_clone(sensor);
                 threads::install(|| sensor.capture(shot, &[]))?
@@ -105,8 +102,8 @@ impl DepthSensor {
                     "give fewer than 2^32 at once",
                 )
             })?;
-            if items.remember() {
-                py.detach(|| {
+            if items.remember() || self.engine.is_some() {
+                away(py, self.engine.as_ref(), || {
                     let metres = depth.metres();
                     let images = Images {
                         metres: &metres,

@@ -1,0 +1,25 @@
+"""The settings of a depth sensor for functions that measure with it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from . import _oaktwin
+
+if TYPE_CHECKING:
+    from ._types import _SensorOptions
+
+
+def settings_of(
+    sensor: _oaktwin.DepthSensor, name: str | None, options: _SensorOptions
+) -> tuple[_oaktwin.Device, str | None, _SensorOptions]:
+    """The device, the name and the options of a sensor, which other options override."""
+    (device,), own = sensor.__getnewargs_ex__()
+    settings: dict[str, Any] = dict(own)
+    for foreign in ("fx", "hfov_deg", "camera"):
+        if settings.pop(foreign, None) is not None:
+            raise _oaktwin.Error(f"sensor: has {foreign}, for images of another camera; use a sensor without it")
+    settings.pop("name", None)
+    own_name = settings.pop("sensor", None)
+    merged: _SensorOptions = {**settings, **options}  # type: ignore[typeddict-item]
+    return device, own_name if name is None else name, merged
