@@ -158,7 +158,7 @@ def lit(sums, luma, depth, p, side, factor):
     f = np.float32
     if p.dotContrast == 0 and p.ambient >= 0.5:
         return sums
-    pattern = 0.3 * 0.046 / np.sqrt(1 + (p.focalLength / 1600) ** 3)
+    pattern = 0.53 * 0.046 / np.sqrt(1 + (p.focalLength / 1600) ** 3)
     contrast = 0.0
     if p.dotContrast > 0:
         contrast = 1e9 if p.ambient == 0 else min(p.dotContrast / p.ambient, 1e9)
@@ -184,7 +184,7 @@ def confidence(rgb, window, depth, p):
     wanted = 4 * width / p.width
     lag = max(rounded(wanted), 1)
     factor = np.sqrt(wanted / lag)
-    side = max(window, min(3, p.window))
+    side = max(window, min(5, p.window))
     apart = min(lag, width - 1)
     before = apart // 2
     difference = np.abs(luma[:, apart:] - luma[:, : width - apart])
@@ -195,7 +195,7 @@ def confidence(rgb, window, depth, p):
     half = side // 2
     padded = np.pad(difference, ((half, side - 1 - half),) * 2, mode="edge")
     sums = lit(window_sums(padded, side), luma, depth, p, side, factor)
-    return np.minimum(128 * sums * factor / side**2, 255)
+    return np.minimum(72 * sums * factor / side**2, 255)
 
 
 def disparity(depth, p, seed, camera, frame=0, item=0, rgb=None):

@@ -26,7 +26,7 @@ pyo3::create_exception!(
 );
 
 /// The arguments whose names differ from the program's options.
-const ARGUMENTS: [(&str, &str); 11] = [
+const ARGUMENTS: [(&str, &str); 12] = [
     ("align", "to"),
     ("align-size", "size"),
     ("filter", "filters"),

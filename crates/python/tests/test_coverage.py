@@ -88,7 +88,7 @@ def test_a_tolerance(plate, device):
     eye = np.eye(4)
     free = oaktwin.coverage(plate, device, eye, samples=200, points=True, **SMALL)
     strict = oaktwin.coverage(plate, device, eye, samples=200, tolerance_mm=1, **SMALL)
-    errors = free.points["error"][0]
+    errors = free.points["error_m"][0]
     expected = np.mean(np.abs(errors[~np.isnan(errors)]) <= 1e-3) * np.mean(~np.isnan(errors))
     assert strict.candidates[0]["measured"] == pytest.approx(expected)
     assert strict.candidates[0]["lost"]["inaccurate"] > 0

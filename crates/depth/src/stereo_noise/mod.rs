@@ -38,8 +38,8 @@
 //!   the accuracy that the vendor publishes; σ = 0.05 px over 7×7; no widening, no dropout; the threshold of 1 px at
 //!   edges; rounding to the nearest millimetre.
 //! * Confidence, 0 to 255 (255 = highest, as in `DepthAI` 3; older versions count down from 255): the mean absolute
-//!   difference between the luma of pixels 4 matcher pixels apart, over the matching window, times 128. An estimate: the
-//!   device's own is not published. The default threshold of 55 requires 0.43 grey levels. A colour image does not
+//!   difference between the luma of pixels 4 matcher pixels apart, over the matching window, times 72. An estimate: the
+//!   device's own is not published. The default threshold of 55 requires 0.76 grey levels. A colour image does not
 //!   show a dot projector's pattern; [`Parameters::dot_contrast`] adds its texture, which fades with the square of the distance. In
 //!   little light ([`Parameters::ambient`]), noise hides texture.
 //! * In extended mode the device matches near objects in images of half the size; here they have the same resolution.

@@ -2,8 +2,8 @@
 //!
 //! An estimate, as the device's own measure is not published: the mean absolute difference between the luma (0 to 255) of
 //! pixels that are [`LAG_PX`] matcher pixels apart along the row, or of neighbours where that is larger, over the matching window, times
-//! [`GAIN`], at most 255. Only texture along the row distinguishes disparities; neighbours count for patterns that repeat over the distance. `DepthAI`'s default threshold of 55 requires 0.43 grey levels: a plain face is
-//! dropped, brick and wood are kept.
+//! [`GAIN`], at most 255. Only texture along the row distinguishes disparities; neighbours count for patterns that repeat over the distance. `DepthAI`'s default threshold of 55 requires 0.76 grey levels: most of a plain face
+//! is dropped, brick, wood and plaster are kept.
 //!
 //! The distance is in matcher pixels, so that an image of any width has the same confidence, down to one pixel of the image for the
 //! whole distance. Where the distance is not a whole number of image pixels, the difference is scaled by the square root of the
@@ -26,14 +26,15 @@ use super::window::{WindowSum, field_width};
 use crate::imager;
 
 /// Confidence per grey level.
-pub(super) const GAIN: u32 = 128;
+pub(super) const GAIN: u32 = 72;
 
-/// The distance along the row over which luma is compared, matcher px. With it, a rendered room has as much texture in images 320 as 1280 px
-/// wide, and as few pixels without texture as a matcher finds there (2 and 1.5 %; over a distance of 1 px, 5 %).
+/// The distance along the row over which luma is compared, matcher px. With it and [`GAIN`], a rendered room has about as much texture in
+/// images 320 as 1280 px wide, about as few pixels without texture as a matcher finds there (2.4 and 1.6 %; over a distance of 1 px and
+/// with a gain of 128, 4.8 %), and a plain cupboard beside it loses most of its depth, as it does to the matcher (77 and 91 %).
 pub(super) const LAG_PX: f64 = 4.0;
 
 /// The side of the smallest window in image pixels, unless the matcher's own is smaller: fewer pixels are mostly noise.
-const MIN_SIDE: usize = 3;
+const MIN_SIDE: usize = 5;
 
 /// How confidence is measured in images of one width.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -225,8 +226,8 @@ impl Light {
 }
 
 /// The share of the texture of dots that counts: they are sparse, and the windows between them have none. With it, a grey wall is measured
-/// about as far as [`crate::stereo_matching`] measures it with rendered dots: 2.5 m in a bright room, 5 m in a tenth of the light.
-const DOTS_SEEN: f64 = 0.3;
+/// about as far as [`crate::stereo_matching`] measures it with rendered dots: 2 m in a bright room, 5 m in a tenth of the light.
+const DOTS_SEEN: f64 = 0.53;
 
 /// The mean absolute difference over [`LAG_PX`], relative to the peak of a dot, of the pattern of an ams Belago 1.1
 /// ([`crate::dots`]) near the axis, at a focal length in matcher pixels: a fit to the pattern within 8 % from 300 to 2400 px.

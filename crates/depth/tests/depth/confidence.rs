@@ -84,7 +84,7 @@ fn stereo_noise_reports_the_texture_that_its_threshold_tests() {
             .flat_map(|dy| (-3..=3).map(move |dx| (dx, dy)))
             .map(|(dx, dy)| difference(x + dx, y + dy))
             .sum();
-        assert_eq!(i64::from(*level), (sum * 128 / 49).min(255), "{x} {y}");
+        assert_eq!(i64::from(*level), (sum * 72 / 49).min(255), "{x} {y}");
     }
     assert!(levels.pixels().contains(&0) && levels.pixels().contains(&255));
     let thresholds = ["1", "55", "56", "200", "255"];

@@ -31,9 +31,9 @@ fn shares(dot_contrast: f64, ambient: f64, level: u8, confidence_threshold: u8) 
 fn plain_walls_are_measured_as_far_as_dots_are_bright() {
     let none = [0.0; 4];
     assert_eq!(shares(0.0, 1.0, 128, 55), none);
-    // 2 m: 128 grey levels × (√(1 + 3/4) − 1) × 0.3 × 0.046 = 0.57 grey levels, a confidence of 70 after rounding down.
-    assert_eq!(shares(3.0, 1.0, 128, 70), [1.0, 1.0, 0.0, 0.0]);
-    assert_eq!(shares(3.0, 1.0, 128, 74), [1.0, 0.0, 0.0, 0.0]);
+    // 2 m: 128 grey levels × (√(1 + 3/4) − 1) × 0.53 × 0.046 = 1.01 grey levels, a confidence of 72.
+    assert_eq!(shares(3.0, 1.0, 128, 72), [1.0, 1.0, 0.0, 0.0]);
+    assert_eq!(shares(3.0, 1.0, 128, 73), [1.0, 0.0, 0.0, 0.0]);
     // A darker wall reflects less, and a black one nothing.
     assert_eq!(shares(3.0, 1.0, 80, 55), [1.0, 0.0, 0.0, 0.0]);
     assert_eq!(shares(1e6, 1.0, 0, 55), none);
@@ -62,12 +62,12 @@ fn noise_hides_texture_in_little_light() {
         *sensor(p).confidence(&shot).unwrap().get(32, 8).unwrap()
     };
     // Every difference over 4 px is 2 grey levels.
-    assert_eq!([1.0, 0.5, 100.0].map(level), [255, 255, 255]);
+    assert_eq!([1.0, 0.5, 100.0].map(level), [144, 144, 144]);
     let electrons = 6300.0 * (101.0 / 255.0f64).powi(2);
     for ambient in [0.2, 0.1, 0.01, 0.001] {
         let share = 2.0 * ambient;
         let clearness = share * ((electrons + 6.25) / (share * electrons + 6.25)).sqrt();
-        let expected = (256.0 * clearness).min(255.0);
+        let expected = 144.0 * clearness;
         assert!((f64::from(level(ambient)) - expected).abs() < 3.0, "{ambient}");
     }
     assert_eq!(level(0.0), 0);
@@ -102,7 +102,7 @@ fn images_of_any_width_have_the_same_texture() {
     assert!((0.05..0.95).contains(&full), "{full}");
     for width in [2560, 960, 640, 480, 320] {
         let narrow = share(width);
-        assert!((narrow - full).abs() < 0.03, "{width}: {narrow} {full}");
+        assert!((narrow - full).abs() < 0.05, "{width}: {narrow} {full}");
     }
 }
 

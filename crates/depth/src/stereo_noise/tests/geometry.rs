@@ -259,10 +259,10 @@ fn little_texture_is_lost() {
         assert!(row[2..127].iter().all(|&kept| kept) && !row[133..].contains(&true));
     }
     assert!(row(&kept(0, &rgb), 5)[2..].iter().all(|&kept| kept));
-    // One grey level is a confidence of 128: a picture of steps of 1 grey level.
+    // One grey level is a confidence of 72: a picture of steps of 1 grey level.
     let steps = rgb.map(|&[level, ..]| [level / 40 + 60; 4]);
-    assert_eq!(row(&kept(128, &steps), 20)[2..125], [true; 123]);
-    assert_eq!(row(&kept(129, &steps), 20)[2..125], [false; 123]);
+    assert_eq!(row(&kept(72, &steps), 20)[2..125], [true; 123]);
+    assert_eq!(row(&kept(73, &steps), 20)[2..125], [false; 123]);
     // Without a picture nothing is.
     assert!(sense(exact(), &depth).0.pixels()[2..256].iter().all(|&z| z > 0.0));
 }
