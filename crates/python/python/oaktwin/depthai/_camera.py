@@ -75,8 +75,8 @@ class CameraNode(VirtualNode):
                 self._wants_still |= exposure.apply(control)
             if not exposure.is_streaming:
                 continue
-            shutter, seconds = exposure.shutter, schedule.time(frame)
-            self._mean: float | None = None
+            seconds = schedule.time(frame)
+            shutter = self.twin.shutter(self.socket, seconds, frame)
             for index, request in enumerate(self.requests):
                 # An output with a lower rate gets the frames at which its own count advances.
                 count = int(frame * request.fps / fps + 1e-9)
@@ -84,12 +84,11 @@ class CameraNode(VirtualNode):
                     continue
                 sent[index] = count
                 message = self._message(request, seconds, frame, shutter)
+                message.setSourceSize(*request.size)
                 message.setTransformation(described[index])
                 self._stamp(message, seconds, frame, shutter, request.fps)
                 request.output.send(message)
             self._wants_still = False
-            if self._mean is not None:
-                exposure.follow(self._mean)
 
     def _message(self, request: Request, seconds: float, frame: int, shutter: Shutter) -> dai.ImgFrame:
         if self.is_of_pair and not request.undistort:
@@ -109,7 +108,6 @@ class CameraNode(VirtualNode):
         # Every pair is rendered at its requested size; what is only scaled or cropped in another way, from the full image.
         size = request.size if request.resize == Resize.CROP else self.lens.size
         grey: Image = self.twin.shots.pair(seconds, frame, size, shutter)[self.role]
-        self._mean = float(grey.mean()) / 255
         if request.resize == Resize.CROP:
             return grey
         inner = inner_view(self.lens, request)
@@ -253,7 +251,7 @@ class Camera(CameraNode):
         if width <= 0 or height <= 0:
             raise RuntimeError(f"Camera: the size {width}x{height} has no pixels")
         is_grey = self.is_of_pair
-        kind = type if type is not None else Type.GRAY8 if is_grey and self.twin.is_rvc4 else Type.NV12
+        kind = type if type is not None else Type.GRAY8 if is_grey else Type.NV12
         if kind not in CAMERA_TYPES:
             raise RuntimeError(f"Camera: the type {kind.name} is not one that a camera sends")
         if kind in (Type.NV12, Type.YUV420p) and (width % 2 or height % 2):

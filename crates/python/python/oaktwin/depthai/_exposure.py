@@ -67,6 +67,8 @@ class Exposure:
         self.shutter = Shutter(WHITE_US)
         self.is_automatic = True
         self.is_streaming = True
+        # The exposures of the latest frames, by their times in seconds.
+        self.decided: dict[float, Shutter] = {}
         self._is_locked = False
         self._compensation = 0
         self._longest_us, self._highest_iso = LONGEST_US, HIGHEST_ISO
@@ -99,6 +101,14 @@ class Exposure:
                 warn_once(f"Camera: the control of {what} is not simulated and has no effect")
         return bool(control.getCommand(Command.STILL_CAPTURE))
 
+    def neutral(self, ambient: float) -> Shutter:
+        """The exposure that shows a scene as it is rendered, whatever the scale of its lights; limited as automatic exposure is."""
+        return self._limited(2.0 ** (self._compensation / 3) / max(ambient, 1e-6))
+
+    def _limited(self, light: float) -> Shutter:
+        time_us = float(np.clip(light * WHITE_US, SHORTEST_US, self._longest_us))
+        return Shutter(time_us, float(np.clip(light * WHITE_US / time_us * UNIT_ISO, UNIT_ISO, self._highest_iso)))
+
     def follow(self, mean: float) -> None:
         """Sets the exposure of the next frame by the mean of an image, from 0 to 1, whose values grow linearly with light."""
         with self._lock:
@@ -106,10 +116,7 @@ class Exposure:
                 return
             target = exposure_target() * 2.0 ** (self._compensation / 3)
             # A saturated image says only that there is too much light.
-            light = self.shutter.light * float(np.clip(target / max(mean, 1e-3), 0.25, 4.0))
-            time_us = float(np.clip(light * WHITE_US, SHORTEST_US, self._longest_us))
-            iso = float(np.clip(light * WHITE_US / time_us * UNIT_ISO, UNIT_ISO, self._highest_iso))
-            self.shutter = Shutter(time_us, iso)
+            self.shutter = self._limited(self.shutter.light * float(np.clip(target / max(mean, 1e-3), 0.25, 4.0)))
 
 
 @functools.cache

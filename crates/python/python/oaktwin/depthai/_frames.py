@@ -98,3 +98,11 @@ def resample(image: Image, width: int, height: int) -> Image:
     upper = image[top][:, left] * (1 - across) + image[top][:, right] * across
     lower = image[bottom][:, left] * (1 - across) + image[bottom][:, right] * across
     return np.asarray(np.round(upper * (1 - down) + lower * down)).astype(image.dtype)
+
+
+def grey_of(frame: dai.ImgFrame) -> Image:
+    """The grey image (H, W) uint8 of a message, colours as luma."""
+    if frame.getType() in (Type.GRAY8, Type.RAW8):
+        return np.asarray(frame.getFrame())
+    image = np.asarray(frame.getCvFrame())
+    return image if image.ndim == 2 else luma(image[..., ::-1])

@@ -11,8 +11,11 @@ from . import _device
 from ._camera import Camera
 from ._capability import Capability
 from ._device import DeviceStandIn
+from ._imu import IMU
 from ._node import VirtualNode
 from ._pipeline import VirtualPipeline
+from ._stereo import StereoDepth
+from ._tof import ToF, ToFBase
 from ._twin import Twin
 
 _lock = threading.RLock()
@@ -21,7 +24,7 @@ _before: list[tuple[Any, str, Any]] = []
 
 def _node_classes() -> dict[str, type]:
     """The stand-ins by the names of the nodes."""
-    return {"Camera": Camera}
+    return {kind.__name__: kind for kind in (Camera, IMU, StereoDepth, ToF, ToFBase)}
 
 
 def plug(twin: Twin) -> None:

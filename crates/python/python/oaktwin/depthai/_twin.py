@@ -15,13 +15,17 @@ from .._cameras import Camera
 from .._devices import Device
 from .._findings import Error
 from ._clock import Clock
-from ._exposure import Exposure
+from ._exposure import Exposure, Shutter
 from ._shots import Shots
 from ._world import World
 
 Engine = Literal["stereo-matching", "stereo-noise"]
 ENGINES = ("stereo-matching", "stereo-noise")
 Socket = dai.CameraBoardSocket
+# The images by which automatic exposure settles: (width, height) in px, and how many.
+_SETTLING_SIZE, _SETTLING_STEPS = (80, 50), 6
+# The frames whose exposures are remembered, for the other camera of the pair.
+_DECIDED = 64
 # Where the cameras of a device are connected, by their roles.
 _SOCKETS = {"rgb": Socket.CAM_A, "left": Socket.CAM_B, "right": Socket.CAM_C}
 
@@ -67,7 +71,7 @@ class Twin:
         self.cameras = self._cameras()
         self.shots = Shots(self.device, self.world, self.settings.seed, self.settings.ambient, self.light)
         self._exposures: dict[Socket, Exposure] = {}
-        self._lock = threading.Lock()
+        self._lock, self._settling = threading.Lock(), threading.Lock()
 
     def _cameras(self) -> dict[Socket, tuple[str, Camera]]:
         """The role and the camera of each socket that is occupied."""
@@ -127,6 +131,32 @@ class Twin:
             socket = self.stereo_sockets[0]
         with self._lock:
             return self._exposures.setdefault(socket, Exposure())
+
+    def shutter(self, socket: Socket, seconds: float, frame: int) -> Shutter:
+        """The exposure of a frame, which both cameras of the stereo pair share.
+
+        Automatic exposure of the pair looks at a small image at the same time, so that it does not depend on what a program requests; that
+        of other cameras keeps the exposure of the renderer.
+        """
+        exposure = self.exposure(socket)
+        is_of_pair = bool(self.stereo_sockets and socket in self.stereo_sockets)
+        with self._settling:
+            if seconds in exposure.decided:
+                return exposure.decided[seconds]
+            if not exposure.is_automatic:
+                shutter = exposure.shutter
+            elif is_of_pair:
+                # A device that has run for a while has settled.
+                for _ in range(1 if exposure.decided else _SETTLING_STEPS):
+                    images = self.shots.pair(seconds, frame, _SETTLING_SIZE, exposure.shutter)
+                    exposure.follow(float(images["left"].mean()) / 255)
+                shutter = exposure.shutter
+            else:
+                shutter = exposure.neutral(self.settings.ambient)
+            exposure.decided[seconds] = shutter
+            while len(exposure.decided) > _DECIDED:
+                exposure.decided.pop(next(iter(exposure.decided)))
+            return shutter
 
     def calibration(self) -> dai.CalibrationHandler:
         """The calibration of the device, as DepthAI's own class."""
