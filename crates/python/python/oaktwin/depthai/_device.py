@@ -238,7 +238,7 @@ class DeviceStandIn(metaclass=_DeviceKind):
 
     def isPipelineRunning(self) -> bool:
         """Whether one of its pipelines runs."""
-        return any(pipeline.isRunning() for pipeline in self.twin.pipelines)
+        return bool(self.twin.running())
 
     def getLogLevel(self) -> dai.LogLevel:
         """The level of messages, WARN."""

@@ -10,21 +10,35 @@ import depthai as dai
 from . import _device
 from ._camera import Camera
 from ._capability import Capability
+from ._depth_group import Depth, build_rgbd
 from ._device import DeviceStandIn
+from ._image_nodes import EdgeDetector, FeatureTracker, Gate, VideoEncoder
 from ._imu import IMU
+from ._legacy_cameras import ColorCamera, MonoCamera
 from ._node import VirtualNode
 from ._pipeline import VirtualPipeline
+from ._script import Script
 from ._stereo import StereoDepth
 from ._tof import ToF, ToFBase
 from ._twin import Twin
 
+_NODES = (
+    Camera,
+    ColorCamera,
+    Depth,
+    EdgeDetector,
+    FeatureTracker,
+    Gate,
+    IMU,
+    MonoCamera,
+    Script,
+    StereoDepth,
+    ToF,
+    ToFBase,
+    VideoEncoder,
+)
 _lock = threading.RLock()
 _before: list[tuple[Any, str, Any]] = []
-
-
-def _node_classes() -> dict[str, type]:
-    """The stand-ins by the names of the nodes."""
-    return {kind.__name__: kind for kind in (Camera, IMU, StereoDepth, ToF, ToFBase)}
 
 
 def plug(twin: Twin) -> None:
@@ -50,8 +64,9 @@ def _replace() -> None:
     _set(dai, "Device", DeviceStandIn)
     _set(dai, "Pipeline", VirtualPipeline)
     _set(dai, "ImgFrameCapability", Capability)
-    for name, stand_in in _node_classes().items():
-        _set(dai.node, name, stand_in)
+    for stand_in in _NODES:
+        _set(dai.node, stand_in.__name__, stand_in)
+    _set(dai.node.RGBD, "build", build_rgbd)
     _set(dai.Node.Output, "createOutputQueue", _create_queue)
 
 

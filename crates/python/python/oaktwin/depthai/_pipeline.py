@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import weakref
 from typing import TYPE_CHECKING, Any
 
@@ -9,7 +10,7 @@ import depthai as dai
 
 from .._findings import Error
 from ._library import warn_once
-from ._node import VirtualNode, creating_for
+from ._node import Closed, VirtualNode, creating_for
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -49,7 +50,7 @@ class VirtualPipeline(RealPipeline):
         self._device = DeviceStandIn.for_pipeline() if device is None and createImplicitDevice else device
         self._nodes: list[Any] = []
         if self._device is not None:
-            self._device.twin.pipelines.append(weakref.proxy(self))
+            self._device.twin.pipelines.append(weakref.ref(self))
 
     @property
     def twin(self) -> Twin:
@@ -71,7 +72,7 @@ class VirtualPipeline(RealPipeline):
                 node = super().create(kind, *arguments, **named)
         else:
             try:
-                node = super().create(kind, *arguments, **named)
+                node = super().create(self._guarded(kind), *arguments, **named)
             except RuntimeError as error:
                 if "host only" not in str(error):
                     raise
@@ -80,6 +81,14 @@ class VirtualPipeline(RealPipeline):
             node.setRunOnHost(True)
         self._nodes.append(node)
         return node
+
+    def _guarded(self, kind: Any) -> Any:
+        """A program's own host node, whose exceptions are reported instead of ending the process."""
+        is_own = isinstance(kind, type) and issubclass(kind, (dai.node.HostNode, dai.node.ThreadedHostNode))
+        if self._device is None or not is_own or kind.__module__.startswith("depthai"):
+            return kind
+        names = [name for name in ("process", "run") if any(name in base.__dict__ for base in kind.__mro__ if _is_python(base))]
+        return type(kind.__name__, (kind,), {"__module__": kind.__module__, **{name: _guard(kind, name, self.twin) for name in names}})
 
     def start(self) -> None:
         """Starts all nodes on the host."""
@@ -139,3 +148,23 @@ class VirtualPipeline(RealPipeline):
     def __enter__(self) -> Self:
         super().__enter__()  # type: ignore[misc]
         return self
+
+
+def _is_python(kind: type) -> bool:
+    return not kind.__module__.startswith(("depthai", "pybind11", "builtins"))
+
+
+def _guard(kind: type, name: str, twin: Twin) -> Any:
+    method = getattr(kind, name)
+
+    @functools.wraps(method)
+    def guarded(self: Any, *arguments: Any, **named: Any) -> Any:
+        try:
+            return method(self, *arguments, **named)
+        except Closed:
+            return None
+        except BaseException as error:
+            twin.fail(error, kind.__name__)
+            return None
+
+    return guarded

@@ -177,6 +177,10 @@ class Twin:
 
     def stop(self) -> None:
         """Stops all pipelines of the device."""
-        for pipeline in list(self.pipelines):
-            if pipeline.isRunning():
-                pipeline.stop()
+        for pipeline in self.running():
+            pipeline.stop()
+
+    def running(self) -> list[Any]:
+        """The pipelines that run."""
+        present = (reference() for reference in list(self.pipelines))
+        return [pipeline for pipeline in present if pipeline is not None and pipeline.isRunning()]
