@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 Socket = dai.CameraBoardSocket
 Align = Config.AlgorithmControl.DepthAlign
+# The name of the camera of the images to which depth is aligned.
+_ALIGNED = "StereoDepth.inputAlignTo"
 Metres = npt.NDArray[np.float32]
 _RealStereo = dai.node.StereoDepth
 
@@ -66,6 +68,7 @@ class StereoDepth(VirtualNode):
         self._keeps_aspect = True
         self._rectifies = True
         self._rectify: Any = None
+        self._aligned: dai.ImgFrame | None = None
 
     def build(self, *arguments: Any, **named: Any) -> Self:
         """Links the outputs of two cameras, or creates the cameras."""
@@ -168,7 +171,6 @@ class StereoDepth(VirtualNode):
         """Measures pairs until the pipeline stops."""
         config = self.initialConfig
         engine = self._engine(config)
-        aligned: dai.ImgFrame | None = None
         wants_align = self.is_linked(self.inputAlignTo)
         while self.runs():
             left, right = self._synchronized()
@@ -176,10 +178,11 @@ class StereoDepth(VirtualNode):
                 config = message
                 engine = self._engine(config)
             if wants_align:
-                aligned = self.inputAlignTo.get() if aligned is None or self.twin.clock.fast else self.inputAlignTo.tryGet() or aligned
+                is_first = self._aligned is None or self.twin.clock.fast
+                self._aligned = self.inputAlignTo.get() if is_first else self.inputAlignTo.tryGet() or self._aligned
             self._pass_on(left, right, config)
             if any(map(self.is_wanted, (self.depth, self.disparity, self.confidenceMap, self.rectifiedLeft, self.rectifiedRight))):
-                self._send(engine.measure(left, right), left, right, config, aligned)
+                self._send(engine.measure(left, right), left, right, config)
 
     def is_linked(self, port: dai.Node.Input) -> bool:
         """Whether an output is linked to an input of this node."""
@@ -207,8 +210,8 @@ class StereoDepth(VirtualNode):
         if self.is_wanted(self.outConfig):
             self.outConfig.send(config)
 
-    def _send(self, measured: Measured, left: dai.ImgFrame, right: dai.ImgFrame, config: Config, aligned: dai.ImgFrame | None) -> None:
-        target = self._target(measured.camera, aligned)
+    def _send(self, measured: Measured, left: dai.ImgFrame, right: dai.ImgFrame, config: Config) -> None:
+        target = self._target(measured.camera)
         z: Any = "geometric" if self.twin.is_rvc4 else "measured"
 
         def placed(image: Metres) -> Metres:
@@ -241,18 +244,24 @@ class StereoDepth(VirtualNode):
     def _deliver(self, output: dai.Node.Output, frame: dai.ImgFrame, camera: Lens, source: dai.ImgFrame) -> None:
         socket, origin = self.twin.origin
         frame.setSourceSize(camera.width, camera.height)
-        frame.setTransformation(transformation(camera, origin, socket))
+        aligned, number = self._aligned, int(Socket.CAM_B if self._align_to is None else self._align_to)
+        if aligned is not None and camera.name == _ALIGNED and camera.size == (aligned.getWidth(), aligned.getHeight()):
+            # Nodes compare it with that of the other image to the last digit.
+            frame.setTransformation(aligned.getTransformation())
+            number = aligned.getInstanceNum()
+        else:
+            frame.setTransformation(transformation(camera, origin, socket))
         frame.setSequenceNum(source.getSequenceNum())
         frame.setTimestamp(source.getTimestamp())
         frame.setTimestampDevice(source.getTimestampDevice())
-        frame.setInstanceNum(int(Socket.CAM_B if self._align_to is None else self._align_to))
+        frame.setInstanceNum(number)
         frame.cam = source.cam
         output.send(frame)
 
-    def _target(self, own: Lens, aligned: dai.ImgFrame | None) -> Lens | None:
+    def _target(self, own: Lens) -> Lens | None:
         """The camera to which depth is aligned, or None for its own."""
-        if aligned is not None:
-            camera = camera_of(aligned, self.twin.origin[1], "StereoDepth.inputAlignTo")
+        if self._aligned is not None:
+            camera = camera_of(self._aligned, self.twin.origin[1], _ALIGNED)
         elif self._align_to is not None:
             camera = self.twin.camera(self._align_to)[1]
         else:
