@@ -35,6 +35,9 @@ class Request:
     fps: float = _DEFAULT_FPS
     undistort: bool = False
     is_still: bool = False
+    # Whether a narrower image is cut out of the sensor's. Otherwise DepthAI's rule applies, by which an image of 4:3 shows more than the
+    # calibrated part of a sensor that is higher.
+    is_cut: bool = False
 
 
 class CameraNode(VirtualNode):
@@ -66,6 +69,8 @@ class CameraNode(VirtualNode):
         fps = max(request.fps for request in self.requests)
         schedule = self.twin.clock.schedule(fps)
         origin_socket, origin = self.twin.origin
+        for one in self.requests:
+            one.is_cut = self.is_of_pair
         described = [transformation(self.view(one), origin, origin_socket) for one in self.requests]
         frame = -1
         sent = [-1] * len(self.requests)
@@ -105,11 +110,13 @@ class CameraNode(VirtualNode):
 
     def _grey(self, request: Request, seconds: float, frame: int, shutter: Shutter) -> Image:
         """The image of a camera of the stereo pair, whose imager also shows the dots of the projector."""
-        # Every pair is rendered at its requested size; what is only scaled or cropped in another way, from the full image.
-        size = request.size if request.resize == Resize.CROP else self.lens.size
+        # Every pair is rendered at the size that is cropped; what is scaled in another way, from the full image.
+        is_cropped = request.resize == Resize.CROP
+        size = cover_size(self.lens, request.size) if is_cropped else self.lens.size
         grey: Image = self.twin.shots.pair(seconds, frame, size, shutter)[self.role]
-        if request.resize == Resize.CROP:
-            return grey
+        if is_cropped:
+            (width, height), (left, top) = request.size, corner(size, request.size)
+            return grey[top : top + height, left : left + width]
         inner = inner_view(self.lens, request)
         return letterboxed(resample(grey, inner.width, inner.height), request)
 
@@ -135,10 +142,24 @@ def view_of(lens: Lens, request: Request) -> Lens:
     return _rebuilt(inner, request.size, matrix)
 
 
+def cover_size(lens: Lens, size: tuple[int, int]) -> tuple[int, int]:
+    """The size of the whole image, scaled so that it covers an output of this size."""
+    scale = max(size[0] / lens.width, size[1] / lens.height)
+    return max(round(lens.width * scale), size[0]), max(round(lens.height * scale), size[1])
+
+
+def corner(whole: tuple[int, int], part: tuple[int, int]) -> tuple[int, int]:
+    """The upper left corner of a part in the middle of an image."""
+    return (whole[0] - part[0]) // 2, (whole[1] - part[1]) // 2
+
+
 def inner_view(lens: Lens, request: Request) -> Lens:
     """The camera of the part of an output's image that shows the scene: all but the bars of a letterbox."""
     width, height = request.size
-    if request.resize == Resize.CROP:
+    if request.resize == Resize.CROP and request.is_cut:
+        size = cover_size(lens, request.size)
+        view = lens.resized(*size, keep_aspect_ratio=False).cropped(*corner(size, request.size), width, height)
+    elif request.resize == Resize.CROP:
         view = lens.resized(width, height)
     elif request.resize == Resize.STRETCH:
         view = lens.resized(width, height, keep_aspect_ratio=False)

@@ -15,7 +15,7 @@ from ._node import VirtualNode
 from ._world import rotation_vector
 
 Sensor = dai.IMUSensor
-_ACCELERATION = {Sensor.ACCELEROMETER, Sensor.ACCELEROMETER_RAW, Sensor.ACCELEROMETER_UNCALIBRATED, Sensor.ACCELEROMETER_CALIBRATED}
+_ACCELERATION = {Sensor.ACCELEROMETER_RAW, Sensor.ACCELEROMETER_UNCALIBRATED, Sensor.ACCELEROMETER_CALIBRATED}
 _ROTATION = {Sensor.GYROSCOPE_RAW, Sensor.GYROSCOPE_UNCALIBRATED, Sensor.GYROSCOPE_CALIBRATED}
 _ORIENTATION = {Sensor.ROTATION_VECTOR, Sensor.GAME_ROTATION_VECTOR}
 # Samples are made for so many seconds at once, from poses this far apart.

@@ -172,8 +172,14 @@ class StereoDepth(VirtualNode):
         config = self.initialConfig
         engine = self._engine(config)
         wants_align = self.is_linked(self.inputAlignTo)
+        checked: set[tuple[int, int]] = set()
         while self.runs():
             left, right = self._synchronized()
+            size = left.getWidth(), left.getHeight()
+            if size not in checked:
+                checked.add(size)
+                self._check(left, "left")
+                self._check(right, "right")
             while (message := self.inputConfig.tryGet()) is not None:
                 config = message
                 engine = self._engine(config)
@@ -188,6 +194,18 @@ class StereoDepth(VirtualNode):
         """Whether an output is linked to an input of this node."""
         links = self.getParentPipeline().getConnections()
         return any(one.inputId == self.id and one.inputName == port.getName() for one in links)
+
+    def _check(self, image: dai.ImgFrame, role: str) -> None:
+        """Raises an error for an image that the calibration does not describe, whose depth would be wrong."""
+        own = self.twin.device.cameras[role].resized(image.getWidth(), image.getHeight())
+        described = image.getTransformation()
+        if not described.isValid():
+            warn_once("StereoDepth: an image has no transformation; it is taken as one of the whole sensor")
+        elif np.abs(np.asarray(described.getIntrinsicMatrix()) - own.K).max() > 1e-2:
+            raise Error(
+                f"StereoDepth: the {role} image of {own.width}x{own.height} is not the sensor's image, scaled as a whole; "
+                "request outputs with the proportions of the sensor, such as 640x400, with the resize mode CROP"
+            )
 
     def _engine(self, config: Config) -> Matching | FromDepth:
         if self.twin.settings.engine == "stereo-noise":
