@@ -145,7 +145,8 @@ def test_a_units_calibration_is_the_devices():
         build.expected = np.array(expected), handler.getDistortionCoefficients(CAM_B)
         return [queue]
 
-    _, (frame,) = measured(build, model=str(path))
+    # This unit's baseline is far from the design of its board.
+    _, (frame,) = measured(build, model=oaktwin.Device.from_calibration(path, force=True))
     described = frame.getTransformation()
     assert np.allclose(described.getIntrinsicMatrix(), build.expected[0], atol=1e-2)
     assert np.allclose(described.getDistortionCoefficients(), build.expected[1], atol=1e-5)

@@ -6,11 +6,18 @@ import threading
 import time
 from collections.abc import Callable
 from datetime import timedelta
+from typing import Any
 
 import depthai as dai
 
 # Seconds between two looks at whether a pipeline still runs.
 _STEP = 0.02
+
+
+def _host_now() -> timedelta:
+    clock: Any = dai.Clock
+    now: timedelta = clock.now()
+    return now
 
 
 class Clock:
@@ -31,7 +38,7 @@ class Clock:
         with self._lock:
             if self._start is None:
                 self._start = time.monotonic()
-                self._host_start = timedelta(0) if self.fast else dai.Clock.now()
+                self._host_start = timedelta(0) if self.fast else _host_now()
 
     def now(self) -> float:
         """The present time in seconds, 0 before the start."""

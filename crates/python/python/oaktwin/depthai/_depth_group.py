@@ -11,7 +11,8 @@ from . import _device
 from ._camera import Camera
 from ._frames import Type
 from ._node import VirtualNode, creating_for
-from ._stereo import Preset, StereoDepth
+from ._stereo import StereoDepth
+from ._stereo_config import Preset
 from ._tof import ToF
 
 if TYPE_CHECKING:
@@ -29,7 +30,8 @@ class Depth(VirtualNode):
 
     def __init__(self) -> None:
         super().__init__()
-        self._algorithm, self._fps, self._size = Algorithm.AUTO, None, (640, 400)
+        self._algorithm, self._size = Algorithm.AUTO, (640, 400)
+        self._fps: float | None = None
         self._preset = Preset.DEFAULT
         self._inner: Any = None
         self._align_to: dai.Node.Output | None = None

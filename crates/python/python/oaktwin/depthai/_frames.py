@@ -36,7 +36,7 @@ def transformation(camera: Camera, origin: Camera, socket: dai.CameraBoardSocket
 
 def camera_of(frame: dai.ImgFrame, origin: Camera, name: str = "frame") -> Camera:
     """The camera of an image: what its transformation says. The inverse of `transformation`."""
-    is_described = frame.getTransformation()
+    is_described: Any = frame.getTransformation()
     if not is_described.isValid():
         raise Error(f"{name}: the image has no transformation; align to the output of a camera")
     matrix = np.asarray(is_described.getIntrinsicMatrix(), np.float64)
@@ -83,8 +83,9 @@ def depth_frame(millimetres: npt.NDArray[np.uint16]) -> dai.ImgFrame:
 
 def luma(rgb: Image) -> Image:
     """The luma (BT.601) of an sRGB image, (H, W) uint8."""
-    weights = rgb[..., 0] * np.uint32(77) + rgb[..., 1] * np.uint32(150) + rgb[..., 2] * np.uint32(29)
-    return ((weights + 128) >> 8).astype(np.uint8)
+    weights: Any = rgb[..., 0] * np.uint32(77) + rgb[..., 1] * np.uint32(150) + rgb[..., 2] * np.uint32(29)
+    shifted: Image = np.right_shift(weights + np.uint32(128), 8).astype(np.uint8)
+    return shifted
 
 
 def resample(image: Image, width: int, height: int) -> Image:

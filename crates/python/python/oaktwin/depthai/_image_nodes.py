@@ -36,7 +36,8 @@ class Gate(VirtualNode):
 
     def __init__(self) -> None:
         super().__init__()
-        self.input, self.output = self.createInput(name="input"), self.createOutput(name="output")
+        self.input: Any = self.createInput(name="input")
+        self.output = self.createOutput(name="output")
         self.inputControl = self.message_input("inputControl", _Kind.GateControl)
         self.initialConfig = dai.GateControl()
 
@@ -134,17 +135,17 @@ class VideoEncoder(VirtualNode):
             if not done:
                 raise Error("VideoEncoder: OpenCV could not encode the image")
             if self.is_wanted(self.out):
-                self.out.send(self._encoded(image, data))
+                self.out.send(self._encoded(image, bytes(data)))
             if self.is_wanted(self.bitstream):
                 stream = dai.ImgFrame()
                 stream.setMetadata(image)
                 stream.setType(dai.ImgFrame.Type.BITSTREAM)
-                stream.setData(np.ascontiguousarray(data).ravel())
+                stream.setData(bytes(data))
                 self.bitstream.send(stream)
 
     def _encoded(self, image: dai.ImgFrame, data: Any) -> dai.EncodedFrame:
         frame = _Encoded()
-        frame.setData(np.ascontiguousarray(data).ravel())
+        frame.setData(data)
         frame.frameSize = len(data)
         frame.setSize(image.getWidth(), image.getHeight())
         frame.setProfile(_Encoded.Profile.JPEG)

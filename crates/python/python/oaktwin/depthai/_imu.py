@@ -129,7 +129,8 @@ class _Samples:
         if window != self._window:
             self._data, self._window = self._simulate(window), window
         values: npt.NDArray[np.float64] = self._data[kind]
-        return values[min(offset, len(values) - 1)]
+        sample: npt.NDArray[np.float64] = values[min(offset, len(values) - 1)]
+        return sample
 
     def _simulate(self, window: int) -> Any:
         """The samples of one window. Each window has noise of its own, so that a bias is a new one after it."""
@@ -140,7 +141,7 @@ class _Samples:
         seed = self.twin.settings.seed + window
         data = simulate_imu(self.twin.device, times + _POSE_STEP_S, poses, rate=self.rate, seed=seed, up=up)
         skipped = round(_POSE_STEP_S * self.rate)
-        return {kind: data[kind][skipped:] for kind in ("linear_acceleration", "angular_velocity")}  # type: ignore[literal-required]
+        return {kind: data[kind][skipped:] for kind in ("linear_acceleration", "angular_velocity")}
 
     def _orientation(self, seconds: float) -> dai.IMUReportRotationVectorWAcc:
         """The true orientation of the sensor in the world, as a quaternion."""

@@ -118,7 +118,9 @@ class ColorCamera(_LegacyCamera):
         super().__init__()
         self.preview, self.video, self.isp = self.image_output("preview"), self.image_output("video"), self.image_output("isp")
         self.still, self.raw = self.image_output("still"), self.image_output("raw")
-        self._preview_size, self._video_size, self._still_size = (300, 300), None, None
+        self._preview_size = (300, 300)
+        self._video_size: tuple[int, int] | None = None
+        self._still_size: tuple[int, int] | None = None
         self._scale = (1.0, 1.0)
         self._keeps_aspect, self._is_interleaved, self._is_bgr = True, False, True
 
@@ -128,11 +130,11 @@ class ColorCamera(_LegacyCamera):
 
     def setVideoSize(self, *size: Any) -> None:
         """The size of video images, px."""
-        self._video_size: Any = _pair(size)
+        self._video_size = _pair(size)
 
     def setStillSize(self, *size: Any) -> None:
         """The size of still images, px."""
-        self._still_size: Any = _pair(size)
+        self._still_size = _pair(size)
 
     def setIspScale(self, *scale: Any) -> None:
         """The scale of isp images as a fraction, or as one for each axis."""

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 _creating = threading.local()
 IMAGES = [dai.Node.DatatypeHierarchy(dai.DatatypeEnum.ImgFrame, False)]
-Closed = dai.MessageQueue.QueueException
+Closed: Any = dai.MessageQueue.QueueException
 
 
 @contextmanager
@@ -49,11 +49,11 @@ class VirtualNode(dai.node.ThreadedHostNode):
         links = self.getParentPipeline().getConnections()
         return name in self.queued_outputs or any(one.outputId == self.id and one.outputName == name for one in links)
 
-    def image_input(self, name: str, *, blocking: bool = True, size: int = 4) -> dai.Node.Input:
+    def image_input(self, name: str, *, blocking: bool = True, size: int = 4) -> Any:
         """An input for images, like the device node's."""
         return self.createInput(name=name, blocking=blocking or self.twin.clock.fast, queueSize=size, types=IMAGES)
 
-    def message_input(self, name: str, kind: dai.DatatypeEnum) -> dai.Node.Input:
+    def message_input(self, name: str, kind: dai.DatatypeEnum) -> Any:
         """An input for configurations, which are read without waiting."""
         return self.createInput(name=name, blocking=False, queueSize=4, types=[dai.Node.DatatypeHierarchy(kind, False)])
 

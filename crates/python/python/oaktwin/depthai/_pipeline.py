@@ -59,7 +59,7 @@ class VirtualPipeline(RealPipeline):
             raise RuntimeError("Pipeline is host only, cannot create device node")
         return self._device.twin
 
-    def create(self, kind: Any, *arguments: Any, **named: Any) -> Any:
+    def create(self, kind: Any, *arguments: Any, **named: Any) -> Any:  # type: ignore[override]
         """Creates a node; those that run on either side run on the host."""
         from ._device import DeviceStandIn
 
@@ -146,7 +146,7 @@ class VirtualPipeline(RealPipeline):
         raise Error("Pipeline: holistic recording is not simulated; record with the nodes RecordVideo and RecordMetadataOnly")
 
     def __enter__(self) -> Self:
-        super().__enter__()  # type: ignore[misc]
+        super().__enter__()
         return self
 
 

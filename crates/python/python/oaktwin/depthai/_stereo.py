@@ -73,8 +73,8 @@ class StereoDepth(VirtualNode):
     def build(self, *arguments: Any, **named: Any) -> Self:
         """Links the outputs of two cameras, or creates the cameras."""
         if isinstance(arguments[0] if arguments else None, bool) or "autoCreateCameras" in named:
-            names = ("autoCreateCameras", "presetMode", "size", "fps")
-            return self._build_cameras(**{**dict(zip(names, arguments)), **named})
+            forms = ("autoCreateCameras", "presetMode", "size", "fps")
+            return self._build_cameras(**{**dict(zip(forms, arguments)), **named})
         names = ("left", "right", "presetMode")
         given = {**dict(zip(names, arguments)), **named}
         given["left"].link(self.left)
@@ -198,7 +198,7 @@ class StereoDepth(VirtualNode):
     def _check(self, image: dai.ImgFrame, role: str) -> None:
         """Raises an error for an image that the calibration does not describe, whose depth would be wrong."""
         own = self.twin.device.cameras[role].resized(image.getWidth(), image.getHeight())
-        described = image.getTransformation()
+        described: Any = image.getTransformation()
         if not described.isValid():
             warn_once("StereoDepth: an image has no transformation; it is taken as one of the whole sensor")
         elif np.abs(np.asarray(described.getIntrinsicMatrix()) - own.K).max() > 1e-2:

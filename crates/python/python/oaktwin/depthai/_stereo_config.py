@@ -113,8 +113,8 @@ def filters_of(config: Config) -> list[str]:
         one = post.spatialFilter
         texts["spatial"] = f"spatial:alpha={one.alpha:g},delta={one.delta},radius={one.holeFillingRadius},iterations={one.numIterations}"
     if post.temporalFilter.enable:
-        one = post.temporalFilter
-        texts["temporal"] = f"temporal:alpha={one.alpha:g},delta={one.delta},persistency={one.persistencyMode.name}"
+        kept = post.temporalFilter
+        texts["temporal"] = f"temporal:alpha={kept.alpha:g},delta={kept.delta},persistency={kept.persistencyMode.name}"
     filters = []
     brightness = post.brightnessFilter
     if brightness.minBrightness > 0 or brightness.maxBrightness < 256:

@@ -95,7 +95,7 @@ class Twin:
     @property
     def is_rvc4(self) -> bool:
         """Whether the processor of the device is that of the OAK 4."""
-        return self.report["generation"] == "RVC4"
+        return bool(self.report["generation"] == "RVC4")
 
     @property
     def platform(self) -> Literal["rvc2", "rvc4"]:
