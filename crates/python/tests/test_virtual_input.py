@@ -97,7 +97,7 @@ def test_sizes_and_types_that_a_camera_does_not_send(pipeline):
         camera.build(CAM_B)
 
 
-@pytest.mark.parametrize("name", ["NeuralNetwork", "DetectionNetwork", "NeuralDepth", "Thermal", "UVC", "SPIOut", "SystemLogger"])
+@pytest.mark.parametrize("name", ["NeuralNetwork", "DetectionNetwork", "NeuralDepth", "Thermal", "UVC", "SPIOut", "SystemLogger", "BasaltVIO", "RTABMapVIO", "DynamicCalibration", "AutoCalibration", "Warp"])
 def test_nodes_that_cannot_be_simulated(pipeline, name):
     with pytest.raises(oaktwin.Error, match=f"{name}: this node cannot be simulated: "):
         pipeline.create(getattr(dai.node, name))

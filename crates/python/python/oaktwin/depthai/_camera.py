@@ -72,6 +72,7 @@ class CameraNode(VirtualNode):
         for one in self.requests:
             one.is_cut = self.is_of_pair
         described = [transformation(self.view(one), origin, origin_socket) for one in self.requests]
+        needed = [self._shows_its_image(one.output) for one in self.requests]
         frame = -1
         sent = [-1] * len(self.requests)
         while (taken := schedule.next(frame, self.runs)) is not None:
@@ -81,19 +82,27 @@ class CameraNode(VirtualNode):
             if not exposure.is_streaming:
                 continue
             seconds = schedule.time(frame)
-            shutter = self.twin.shutter(self.socket, seconds, frame)
+            shutter = self.twin.shutter(self.socket, seconds, frame) if any(needed) else exposure.shutter
             for index, request in enumerate(self.requests):
                 # An output with a lower rate gets the frames at which its own count advances.
                 count = int(frame * request.fps / fps + 1e-9)
                 if count == sent[index] or (request.is_still and not self._wants_still):
                     continue
                 sent[index] = count
-                message = self._message(request, seconds, frame, shutter)
+                message = self._message(request, seconds, frame, shutter) if needed[index] else _without_image(request)
                 message.setSourceSize(*request.size)
                 message.setTransformation(described[index])
                 self._stamp(message, seconds, frame, shutter, request.fps)
                 request.output.send(message)
             self._wants_still = False
+
+    def _shows_its_image(self, output: dai.Node.Output) -> bool:
+        """Whether anything looks at the images of an output: not if only StereoDepth receives them, which measures exact depth."""
+        if self.twin.settings.engine != "stereo-noise" or output.getName() in self.queued_outputs:
+            return True
+        pipeline = self.getParentPipeline()
+        links = [one for one in pipeline.getConnections() if one.outputId == self.id and one.outputName == output.getName()]
+        return any(getattr(pipeline.getNode(one.inputId), "needs_images", True) for one in links)
 
     def _message(self, request: Request, seconds: float, frame: int, shutter: Shutter) -> dai.ImgFrame:
         if self.is_of_pair and not request.undistort:
@@ -128,6 +137,14 @@ class CameraNode(VirtualNode):
         message.cam.fps = fps
         message.cam.wbColorTemp = 5000
         message.cam.lensPosition = 0
+
+
+def _without_image(request: Request) -> dai.ImgFrame:
+    """A message that says when and with which camera an image was taken."""
+    message = dai.ImgFrame()
+    message.setSize(*request.size)
+    message.setType(request.kind)
+    return message
 
 
 def view_of(lens: Lens, request: Request) -> Lens:

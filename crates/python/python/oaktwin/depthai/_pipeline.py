@@ -22,7 +22,13 @@ RealPipeline = dai.Pipeline
 # Why nodes of the device cannot run here, and what helps.
 _NETWORK = "it runs a neural network on the device's processor; test the rest of the program without this node"
 _HARDWARE = "it needs hardware that is not simulated; leave it out"
+_CALIBRATION = "DepthAI's own code reads the calibration from hardware there; record images, and run it on them elsewhere"
 _REASONS = {
+    "BasaltVIO": _CALIBRATION,
+    "RTABMapVIO": _CALIBRATION,
+    "RTABMapSLAM": _CALIBRATION,
+    "DynamicCalibration": _CALIBRATION,
+    "Warp": "warping on the device is not simulated; use ImageManip",
     "NeuralNetwork": _NETWORK,
     "DetectionNetwork": _NETWORK,
     "SpatialDetectionNetwork": _NETWORK,

@@ -293,6 +293,12 @@ class StereoDepth(VirtualNode):
         return camera
 
     @property
+    def needs_images(self) -> bool:
+        """Whether it looks at the images that it receives, or passes them on."""
+        outputs = self.syncedLeft, self.syncedRight, self.rectifiedLeft, self.rectifiedRight
+        return self.twin.settings.engine != "stereo-noise" or any(map(self.is_wanted, outputs))
+
+    @property
     def baseline(self) -> float:
         """The baseline of the rectified pair, metres."""
         return float(self.twin.device.rectification().baseline)
