@@ -320,6 +320,37 @@ def edge_detector(pipeline):
     assert image.shape == (100, 160) and image.std() > 10
 
 
+def video_encoder(pipeline):
+    cv2 = pytest.importorskip("cv2")
+    output = pipeline.create(dai.node.Camera).build(CAM_A).requestOutput((160, 100))
+    node = pipeline.create(dai.node.VideoEncoder).build(output, frameRate=30, profile=dai.VideoEncoderProperties.Profile.MJPEG)
+    queues = output.createOutputQueue(), node.out.createOutputQueue(), node.bitstream.createOutputQueue()
+    pipeline.start()
+    image, encoded, stream = (first(queue) for queue in queues)
+    assert encoded.getProfile() == dai.EncodedFrame.Profile.JPEG and encoded.getWidth() == 160
+    decoded = cv2.imdecode(np.asarray(encoded.getData()), cv2.IMREAD_COLOR).astype(int)
+    assert np.abs(decoded - image.getCvFrame()).mean() < 15
+    assert np.array_equal(encoded.getData(), stream.getData()) and stream.getType() == Type.BITSTREAM
+
+
+def feature_tracker(pipeline):
+    pytest.importorskip("cv2")
+    node = pipeline.create(dai.node.FeatureTracker)
+    pipeline.create(dai.node.Camera).build(CAM_B).requestOutput(SIZE).link(node.inputImage)
+    queue = node.outputFeatures.createOutputQueue()
+    pipeline.start()
+    features = first(queue, 3).trackedFeatures
+    # Nothing moves, so most features are kept.
+    assert len(features) > 50 and np.mean([feature.age >= 2 for feature in features]) > 0.8
+
+
+def undistorted_camera(pipeline):
+    camera = pipeline.create(dai.node.Camera).build(CAM_B)
+    queue = camera.requestOutput((160, 100), enableUndistortion=True).createOutputQueue()
+    pipeline.start()
+    assert not np.any(first(queue).getTransformation().getDistortionCoefficients())
+
+
 def legacy_cameras(pipeline):
     colour, mono = pipeline.create(dai.node.ColorCamera), pipeline.create(dai.node.MonoCamera)
     colour.setPreviewSize(120, 80)
@@ -373,7 +404,7 @@ PROGRAMS = [
     camera_output, camera_types, camera_all, camera_resize_modes, camera_full_resolution, camera_two_rates, manual_exposure,
     initial_exposure, stereo, stereo_autocreate, stereo_presets, stereo_aligned_to_colour, stereo_aligned_to_socket,
     stereo_runtime_config, rgbd_autocreate, depth_node, imu, image_manip, sync, host_node, threaded_host_node, script, gate,
-    edge_detector, legacy_cameras, calibration, device_information, dot_projector, benchmark,
+    edge_detector, video_encoder, feature_tracker, undistorted_camera, legacy_cameras, calibration, device_information, dot_projector, benchmark,
 ]  # fmt: skip
 
 
