@@ -485,6 +485,18 @@ def test_two_devices_at_once():
                 camera_output(pipeline)
 
 
+def test_a_device_is_free_again_after_its_pipeline():
+    with virtual_device(MODEL, scene=textured_scene(), fast=True):
+        for _ in range(2):
+            with dai.Pipeline() as pipeline:
+                assert not dai.Device.getAllAvailableDevices()
+                camera_output(pipeline)
+            with dai.Device() as device:
+                assert not device.isClosed()
+            with dai.Pipeline(dai.Device()) as pipeline:
+                camera_all(pipeline)
+
+
 def test_threads_end():
     before = threading.active_count()
     for _ in range(3):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -43,8 +44,8 @@ class DeviceStandIn(metaclass=_DeviceKind):
 
     def __init__(self, nameOrDeviceInfo: Any = None, *_: Any, **__: Any) -> None:
         self.twin = _find(nameOrDeviceInfo)
-        self.twin.is_open = True
         self._is_closed = False
+        self.twin.holder = weakref.ref(self)
 
     @classmethod
     def for_pipeline(cls) -> DeviceStandIn:
@@ -230,7 +231,6 @@ class DeviceStandIn(metaclass=_DeviceKind):
         if not self._is_closed:
             self._is_closed = True
             self.twin.stop()
-            self.twin.is_open = False
 
     def isClosed(self) -> bool:
         """Whether it was closed."""

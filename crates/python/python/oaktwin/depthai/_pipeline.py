@@ -53,7 +53,8 @@ class VirtualPipeline(RealPipeline):
         if device is not None and not isinstance(device, DeviceStandIn):
             raise TypeError("Pipeline(): the device is not one of dai.Device()")
         # A pipeline without a device may have host nodes only, as in DepthAI.
-        self._device = DeviceStandIn.for_pipeline() if device is None and createImplicitDevice else device
+        self._owns_device = device is None and createImplicitDevice
+        self._device = DeviceStandIn.for_pipeline() if self._owns_device else device
         self._nodes: list[Any] = []
         if self._device is not None:
             self._device.twin.pipelines.append(weakref.ref(self))
@@ -154,6 +155,11 @@ class VirtualPipeline(RealPipeline):
     def __enter__(self) -> Self:
         super().__enter__()
         return self
+
+    def __exit__(self, *reason: Any) -> None:
+        super().__exit__(*reason)
+        if self._owns_device and self._device is not None:
+            self._device.close()
 
 
 def _is_python(kind: type) -> bool:

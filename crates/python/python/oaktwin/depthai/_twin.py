@@ -60,7 +60,8 @@ class Twin:
     light: Light = field(default_factory=Light)
     errors: list[BaseException] = field(default_factory=list)
     pipelines: list[Any] = field(default_factory=list)
-    is_open: bool = False
+    # A weak reference to the dai.Device that uses it.
+    holder: Any = None
 
     def __post_init__(self) -> None:
         if self.settings.engine not in ENGINES:
@@ -81,6 +82,12 @@ class Twin:
             socket = _SOCKETS.get(role, Socket.CAM_A)
             found[socket] = (role, camera)
         return dict(sorted(found.items(), key=lambda item: int(item[0])))
+
+    @property
+    def is_open(self) -> bool:
+        """Whether a program uses it: whether its dai.Device exists and is not closed."""
+        device = self.holder() if self.holder is not None else None
+        return device is not None and not device.isClosed()
 
     @property
     def name(self) -> str:
