@@ -1,0 +1,61 @@
+"""Runs DepthAI's own examples on a virtual device: `python depthai_examples.py EXAMPLES --scene room.usd`, and prints a table for the manual.
+
+EXAMPLES is the folder examples/python of a checkout of luxonis/depthai-core. Needs oaktwin, depthai and OpenCV 4.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+NETWORKS = ("runs a neural network", "getModelFromZoo", "NNArchive", "NNModelDescription", "blobconverter", "Failed to download")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description="Run DepthAI's examples on a virtual device.")
+    parser.add_argument("examples", type=Path, help="examples/python of a checkout of luxonis/depthai-core")
+    parser.add_argument("--scene", required=True, help="the scene that they see")
+    parser.add_argument("--model", default="OAK-D-Pro-PoE", help="the model (default: %(default)s)")
+    parser.add_argument("--seconds", type=float, default=20.0, help="the time of each (default: %(default)s)")
+    options = parser.parse_args()
+    counts: dict[str, int] = {}
+    print("| example | result |\n|---|---|")
+    for script in sorted(options.examples.rglob("*.py")):
+        result = run(script, options)
+        kind = result.partition(":")[0]
+        counts[kind] = counts.get(kind, 0) + 1
+        print(f"| `{script.relative_to(options.examples)}` | {result} |", flush=True)
+    print("\n" + ", ".join(f"{kind}: {count}" for kind, count in sorted(counts.items())))
+
+
+def run(script: Path, options: argparse.Namespace) -> str:
+    """Runs one example and says what became of it."""
+    place = ["--look-at", "0", "0", "1.15", "1", "0", "1.03"]
+    command = [sys.executable, "-m", "oaktwin.depthai", "--model", options.model, "--scene", str(Path(options.scene).resolve()), *place]
+    command += ["--headless", "3", "--seconds", str(options.seconds), "--", script.name]
+    try:
+        done = subprocess.run(
+            command,
+            cwd=script.parent,
+            env={**os.environ, "DEPTHAI_TELEMETRY": "0"},
+            capture_output=True,
+            text=True,
+            errors="replace",
+            timeout=options.seconds + 60,
+        )
+    except subprocess.TimeoutExpired:
+        return "why not: it does not end"
+    if done.returncode == 0:
+        return "runs"
+    if any(sign in done.stderr + done.stdout for sign in NETWORKS):
+        return "needs a network"
+    lines = [line.strip() for line in done.stderr.splitlines() if line.strip()]
+    reason = lines[-1] if lines else f"exit code {done.returncode}"
+    return "why not: " + reason.replace("|", "/")[:160]
+
+
+if __name__ == "__main__":
+    main()
