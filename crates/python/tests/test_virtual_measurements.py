@@ -39,7 +39,7 @@ def test_point_cloud():
         return stereo.depth.createOutputQueue(), node.outputPointCloud.createOutputQueue()
 
     device, (depth, cloud) = measured(build)
-    camera = device.twin.depth_camera("stereo").resized(*SIZE)
+    camera = device.twin.depth_camera("stereo").resized(*SIZE, rule="depthai")
     # The node's points are in the frame of the colour camera, to which the extrinsics of all images lead.
     colour_from_depth = np.linalg.inv(device.twin.cameras["rgb"].body_from_camera) @ camera.body_from_camera
     own = 1000 * (camera.unproject(depth.getFrame()) @ colour_from_depth[:3, :3].T + colour_from_depth[:3, 3])
@@ -56,7 +56,7 @@ def test_rgbd():
         return stereo.depth.createOutputQueue(), node.pcl.createOutputQueue()
 
     device, (depth, cloud) = measured(build)
-    camera = device.twin.cameras["rgb"].resized(320, 180)
+    camera = device.twin.cameras["rgb"].resized(320, 180, rule="depthai")
     points, _ = cloud.getPointsRGB()
     own = 1000 * camera.unproject(depth.getFrame())
     valid = depth.getFrame() > 0
@@ -90,7 +90,7 @@ def test_image_align():
         return stereo.depth.createOutputQueue(), node.outputAligned.createOutputQueue()
 
     device, (depth, aligned) = measured(build, engine="stereo-noise")
-    own_camera, target = device.twin.depth_camera("stereo").resized(*SIZE), device.twin.cameras["rgb"].resized(320, 180)
+    own_camera, target = device.twin.depth_camera("stereo").resized(*SIZE, rule="depthai"), device.twin.cameras["rgb"].resized(320, 180, rule="depthai")
     own = oaktwin.align(depth.getFrame(), own_camera, target).astype(int)
     theirs = aligned.getFrame().astype(int)
     both = (own > 0) & (theirs > 0)

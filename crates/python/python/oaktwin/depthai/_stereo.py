@@ -11,7 +11,8 @@ import numpy.typing as npt
 
 from .._cameras import Camera as Lens
 from .._findings import Error
-from .._sensors import DepthSensor, StereoMatcher, align
+from .._images import align
+from .._sensors import DepthSensor, StereoMatcher
 from ._camera import Camera
 from ._frames import camera_of, depth_frame, grey_frame, grey_of, transformation
 from ._library import warn_once
