@@ -183,7 +183,8 @@ def confidence(rgb, window, depth, p):
     width = luma.shape[1]
     wanted = 4 * width / p.width
     lag = max(rounded(wanted), 1)
-    factor = np.sqrt(wanted / lag)
+    detail = min(width / p.width, 1)
+    factor = np.sqrt(wanted / lag) / (np.sqrt(detail) * np.sqrt(np.sqrt(detail)))
     side = max(window, min(5, p.window))
     apart = min(lag, width - 1)
     before = apart // 2

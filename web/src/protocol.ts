@@ -113,6 +113,10 @@ export interface Parameter {
   unit: string | null;
   minimum: number | null;
   maximum: number | null;
+  /** The range that devices or experiments usually have, for a slider; null if it is the whole range. */
+  typical: [number, number] | null;
+  /** The step from the minimum to the next valid number; null if every number is valid. */
+  step: number | null;
   /** The values of a `string` parameter, if they are enumerated. */
   choices: string[] | null;
   /** The default as text. The effective default of a model may differ: {@link FrameHeader.parameters}. */

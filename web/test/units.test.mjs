@@ -67,7 +67,7 @@ test("filters are read and written as text", () => {
 });
 
 test("parameters are checked before they are sent", () => {
-  const number = { type: "number", unit: "px", minimum: 0, maximum: 10, choices: null };
+  const number = { type: "number", unit: "px", minimum: 0, maximum: 10, typical: null, step: null, choices: null };
   assert.deepEqual(check(number, " 2,5 "), { text: "2.5" });
   assert.deepEqual(check(number, "11"), { problem: "Enter 0 to 10 px." });
   assert.deepEqual(check({ ...number, type: "integer" }, "2.5"), { problem: "Enter a whole number." });
@@ -76,6 +76,11 @@ test("parameters are checked before they are sent", () => {
   const { from, to } = slider({ ...number, maximum: 100000 }, 0.1);
   assert.ok(from === 0 && to === 0.4, "a slider covers the useful part of a wide range");
   assert.equal(slider({ ...number, minimum: null, maximum: null }, 0), null);
+  const odd = { ...number, type: "integer", minimum: 1, maximum: 63, typical: [1, 15], step: 2 };
+  assert.deepEqual(slider(odd, 7), { from: 1, to: 15, step: 2 });
+  assert.deepEqual(check(odd, "8"), { problem: "Enter 1, 3, … 63 px." });
+  assert.deepEqual(check(odd, "9"), { text: "9" });
+  assert.deepEqual(slider(odd, 21), { from: 1, to: 21, step: 2 }, "a default outside the usual range is reached");
 });
 
 test("a gesture is one step of undo", () => {

@@ -111,6 +111,9 @@ struct Parameter {
     unit: Option<&'static str>,
     minimum: Option<f64>,
     maximum: Option<f64>,
+    /// The range of a slider.
+    typical: Option<(f64, f64)>,
+    step: Option<f64>,
     choices: Option<&'static [&'static str]>,
     default: String,
     documentation: &'static str,
@@ -306,11 +309,31 @@ impl Parameter {
             unit: (!about.unit.is_empty()).then_some(about.unit),
             minimum: finite(about.min),
             maximum: finite(about.max),
+            typical: about.typical,
+            step: (about.step > 0.0).then_some(about.step),
             choices,
             default: listing.default.clone(),
             documentation: about.doc,
             source: about.source.to_string(),
             is_estimate: about.source == Source::Estimate,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sliders_stay_in_the_valid_range_and_on_its_steps() {
+        let engines = ENGINES.iter().map(|kind| &*kind.name);
+        for listing in engines.chain(["filters", "drift"]).flat_map(listings) {
+            let about = &listing.about;
+            let Some((from, to)) = about.typical else {
+                continue;
+            };
+            assert!(from < to && about.accepts(from), "{}: {from}", about.name);
+            assert!(about.accepts(to), "{}: {to}", about.name);
         }
     }
 }

@@ -66,7 +66,7 @@ function Control({ parameter, shown, fallback, problem, reach, onText }: {
   const limits = slider(parameter, Number(fallback), reach);
   const step = limits?.step ?? (parameter.type === "integer" ? 1 : 0.01);
   const nudge = (direction: number) => {
-    const by = parameter.type === "integer" ? Math.sign(direction) : direction * step;
+    const by = parameter.type === "integer" ? Math.sign(direction) * step : direction * step;
     onText(String(Number((Number(shown) + by).toPrecision(9))));
   };
   return (

@@ -86,6 +86,8 @@ pub struct About {
     pub max: f64,
     /// The step from the smallest number to the next; 0 if every number in the range is valid.
     pub step: f64,
+    /// The smallest and the largest number that devices or experiments usually have: front ends offer them first.
+    pub typical: Option<(f64, f64)>,
     /// The platform without which the parameter has no effect.
     pub platform: Option<Platform>,
     /// The source of the default.
@@ -107,6 +109,7 @@ impl About {
             min: f64::MIN,
             max: f64::MAX,
             step: 0.0,
+            typical: None,
             platform: None,
             source: Source::DepthAi,
             doc: "",
@@ -142,6 +145,15 @@ impl About {
     #[must_use]
     pub const fn step(self, step: f64) -> Self {
         Self { step, ..self }
+    }
+
+    /// The same with the range that devices or experiments usually have.
+    #[must_use]
+    pub const fn typical(self, range: RangeInclusive<f64>) -> Self {
+        Self {
+            typical: Some((*range.start(), *range.end())),
+            ..self
+        }
     }
 
     /// The same for a parameter of one platform.

@@ -44,27 +44,27 @@ parameters! {
     /// 5.1.
     pub struct Attributes("single-view", platform) {
         /// The distance between the imagers; its sign is the side of the second one.
-        baseline_mm: f64 = 55.0 => ("baselineMM".unit("mm").range(BASELINE_MM).source(Source::Nvidia)),
+        baseline_mm: f64 = 55.0 => ("baselineMM".unit("mm").range(BASELINE_MM).typical(1.0..=300.0).source(Source::Nvidia)),
         /// The focal length. It is for a sensor that is `sensorSizePixel` wide.
-        focal_length_px: f64 = 897.0 => ("focalLengthPixel".unit("px").range(LENGTH_PX).source(Source::Nvidia)),
+        focal_length_px: f64 = 897.0 => ("focalLengthPixel".unit("px").range(LENGTH_PX).typical(200.0..=2000.0).source(Source::Nvidia)),
         /// The width of the sensor.
-        sensor_size_px: f64 = 1280.0 => ("sensorSizePixel".unit("px").range(LENGTH_PX).source(Source::Nvidia)),
+        sensor_size_px: f64 = 1280.0 => ("sensorSizePixel".unit("px").range(LENGTH_PX).typical(320.0..=3840.0).source(Source::Nvidia)),
         /// The largest disparity. It is in pixels of the rendered image.
-        max_disparity_px: f64 = 110.0 => ("maxDisparityPixel".unit("px").range(LENGTH_PX).source(Source::Nvidia)),
+        max_disparity_px: f64 = 110.0 => ("maxDisparityPixel".unit("px").range(LENGTH_PX).typical(1.0..=256.0).source(Source::Nvidia)),
         /// The minimum depth.
         min_distance_m: f64 = 0.5
-            => ("minDistance".unit("m").range(0.0..=f64::MAX).source(Source::Nvidia)),
+            => ("minDistance".unit("m").range(0.0..=f64::MAX).typical(0.0..=5.0).source(Source::Nvidia)),
         /// The maximum depth.
-        max_distance_m: f64 = 1e7 => ("maxDistance".unit("m").source(Source::Nvidia)),
+        max_distance_m: f64 = 1e7 => ("maxDistance".unit("m").typical(1.0..=30.0).source(Source::Nvidia)),
         /// The quantization step of disparity. It is in pixels of the rendered image; 0 disables both the step and the jitter.
         noise_mean_px: f64 = 0.25
-            => ("noiseMean".unit("px").range(NOISE_PX).source(Source::Nvidia)),
+            => ("noiseMean".unit("px").range(NOISE_PX).typical(0.0..=2.0).source(Source::Nvidia)),
         /// The standard deviation of disparity. It is in pixels of the rendered image.
         noise_sigma_px: f64 = 0.25
-            => ("noiseSigma".unit("px").range(NOISE_PX).source(Source::Nvidia)),
+            => ("noiseSigma".unit("px").range(NOISE_PX).typical(0.0..=2.0).source(Source::Nvidia)),
         /// The side of the squares of pixels that share their noise.
         noise_downscale_factor_px: f64 = 1.0
-            => ("noiseDownscaleFactorPixel".unit("px").range(1.0..=1e6).source(Source::Nvidia)),
+            => ("noiseDownscaleFactorPixel".unit("px").range(1.0..=1e6).typical(1.0..=16.0).source(Source::Nvidia)),
         /// The threshold of confidence: lower values drop more smooth surface, 1 keeps all. The default of Isaac Sim 6 is 0.7.
         confidence_threshold: f64 = 0.95
             => ("confidenceThreshold".range(0.0..=1.0).source(Source::Nvidia)),

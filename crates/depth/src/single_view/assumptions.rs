@@ -185,10 +185,10 @@ parameters! {
         /// default of 255/8, luma that rises by one 8-bit level per pixel has full confidence. In the vendor's images, a step
         /// of one level is measured along edges at the sheet's threshold of 0.8, and also at its corners at Isaac Sim's
         /// 0.95, which requires 17 to 36.
-        sobel_gain: f64 = 255.0 / 8.0 => ("sobel-gain".range(1e-3..=1e6).own("the vendor's images")),
+        sobel_gain: f64 = 255.0 / 8.0 => ("sobel-gain".range(1e-3..=1e6).typical(1.0..=128.0).own("the vendor's images")),
         /// The standard deviation of noise that is added to luma before Sobel, in 8-bit levels. 1 fills smooth faces, as in
         /// an image with the grain of a path tracer; the vendor's images have none.
-        grain_levels: f64 = 0.0 => ("grain".unit("8-bit levels").range(0.0..=255.0).own("the vendor's images")),
+        grain_levels: f64 = 0.0 => ("grain".unit("8-bit levels").range(0.0..=255.0).typical(0.0..=8.0).own("the vendor's images")),
         /// The weights of red, green and blue in luma, of non-linear sRGB values.
         luma: Luma = Luma::default() => ("luma".own("NVIDIA's wording and the vendor's images")),
         /// The rounding of luma before Sobel.

@@ -59,12 +59,12 @@ parameters! {
         /// The geometry of the rectified pair.
         stereo: StereoGeometry = StereoGeometry { focal_length_px: 800.0, baseline_m: 0.075 } => {
             /// The focal length of the rectified images, in matcher pixels.
-            .focal_length_px: f64 => ("focalLength".unit("px").range(1.0..=1e5).from_camera()),
+            .focal_length_px: f64 => ("focalLength".unit("px").range(1.0..=1e5).typical(200.0..=2000.0).from_camera()),
             /// The distance between the optical centres.
-            .baseline_m: f64 => ("baseline".unit("m").range(1e-4..=2.0).from_camera()),
+            .baseline_m: f64 => ("baseline".unit("m").range(1e-4..=2.0).typical(0.02..=0.3).from_camera()),
         },
         /// The width of the images that the focal length is for; it is scaled for a pair of another width.
-        width_px: u32 = 1280 => ("width".unit("px").range(1.0..=16384.0).from_camera()),
+        width_px: u32 = 1280 => ("width".unit("px").range(1.0..=16384.0).typical(320.0..=1920.0).from_camera()),
         /// The step of disparity.
         subpixel: Subpixel = Subpixel::default() => {
             /// Whether disparity has fractional bits.
@@ -80,15 +80,15 @@ parameters! {
         /// Whether images of half the size are matched too, for near surfaces.
         extended_disparity: bool = false => ("extendedDisparity"),
         /// The first disparity of the search range.
-        disparity_shift_px: u32 = 0 => ("disparityShift".unit("px").range(0.0..=1024.0)),
+        disparity_shift_px: u32 = 0 => ("disparityShift".unit("px").range(0.0..=1024.0).typical(0.0..=128.0)),
         /// Whether the left-right check is enabled.
         left_right_check: bool = true => ("leftRightCheck"),
         /// The largest difference between both directions of matching that the left-right check accepts.
-        left_right_check_threshold_px: u32 = 10 => ("leftRightCheckThreshold".unit("px").range(0.0..=128.0)),
+        left_right_check_threshold_px: u32 = 10 => ("leftRightCheckThreshold".unit("px").range(0.0..=128.0).typical(0.0..=20.0)),
         /// The minimum confidence, as in `DepthAI` 3; 0 keeps all.
         confidence_threshold: u8 = 55 => ("confidenceThreshold".range(0.0..=255.0)),
         /// The number of columns at the left border that are lost.
-        invalid_edge_px: u32 = 0 => ("numInvalidateEdgePixels".unit("px").range(0.0..=16384.0)),
+        invalid_edge_px: u32 = 0 => ("numInvalidateEdgePixels".unit("px").range(0.0..=16384.0).typical(0.0..=64.0)),
         /// The window of the census transform.
         kernel_size: CensusKernel = CensusKernel::Auto => ("kernelSize"),
         /// The pixels of the window that are compared, row by row without the centre, the first in the highest bit. 0 is
@@ -97,7 +97,7 @@ parameters! {
         /// Whether pixels are compared with the mean of the window instead of its centre.
         mean_mode: bool = true => ("enableMeanMode"),
         /// The minimum excess of a brighter pixel, in 8-bit grey levels.
-        census_threshold: u32 = 0 => ("censusTransform.threshold".unit("grey levels").range(0.0..=255.0)),
+        census_threshold: u32 = 0 => ("censusTransform.threshold".unit("grey levels").range(0.0..=255.0).typical(0.0..=32.0)),
         /// An offset to that threshold, in 8-bit grey levels.
         noise_threshold_offset: i32 = i32::from(platform == Platform::Rvc4)
             => ("noiseThresholdOffset".unit("grey levels").range(0.0..=127.0)),
@@ -124,7 +124,7 @@ parameters! {
         /// wrong than with OpenCV.
         block_rows_px: u32 = 0 => ("blockRows".unit("px").range(0.0..=7.0).own("rendered pairs")),
         /// The divisor of the summed costs.
-        division_factor: u8 = 1 => ("divisionFactor".range(1.0..=255.0)),
+        division_factor: u8 = 1 => ("divisionFactor".range(1.0..=255.0).typical(1.0..=8.0)),
         /// The platform whose penalties and steps are used; parameters of the other one have no effect.
         platform: Platform = platform => ("platform".from_camera()),
         /// The penalty along rows for a step of one disparity.
@@ -143,22 +143,22 @@ parameters! {
             /// Whether P1 depends on the image.
             .adaptive: bool => ("p1Config.enableAdaptive".on(Platform::Rvc4)),
             /// P1 where it does not depend on the image.
-            .default: u32 => ("p1Config.defaultValue".range(0.0..=7680.0).on(Platform::Rvc4)),
+            .default: u32 => ("p1Config.defaultValue".range(0.0..=7680.0).typical(0.0..=255.0).on(Platform::Rvc4)),
             /// P1 where neighbours differ by more than `edgeThreshold`.
-            .edge: u32 => ("p1Config.edgeValue".range(0.0..=7680.0).on(Platform::Rvc4)),
+            .edge: u32 => ("p1Config.edgeValue".range(0.0..=7680.0).typical(0.0..=255.0).on(Platform::Rvc4)),
             /// P1 where neighbours differ by less than `smoothThreshold`.
-            .smooth: u32 => ("p1Config.smoothValue".range(0.0..=7680.0).on(Platform::Rvc4)),
+            .smooth: u32 => ("p1Config.smoothValue".range(0.0..=7680.0).typical(0.0..=255.0).on(Platform::Rvc4)),
         },
         /// The penalty for a larger step.
         p2: AdaptivePenalty = AdaptivePenalty { adaptive: true, default: 33, edge: 22, smooth: 63 } => {
             /// Whether P2 depends on the image.
             .adaptive: bool => ("p2Config.enableAdaptive".on(Platform::Rvc4)),
             /// P2 where it does not depend on the image.
-            .default: u32 => ("p2Config.defaultValue".range(0.0..=7680.0).on(Platform::Rvc4)),
+            .default: u32 => ("p2Config.defaultValue".range(0.0..=7680.0).typical(0.0..=255.0).on(Platform::Rvc4)),
             /// P2 where neighbours differ by more than `edgeThreshold`.
-            .edge: u32 => ("p2Config.edgeValue".range(0.0..=7680.0).on(Platform::Rvc4)),
+            .edge: u32 => ("p2Config.edgeValue".range(0.0..=7680.0).typical(0.0..=255.0).on(Platform::Rvc4)),
             /// P2 where neighbours differ by less than `smoothThreshold`.
-            .smooth: u32 => ("p2Config.smoothValue".range(0.0..=7680.0).on(Platform::Rvc4)),
+            .smooth: u32 => ("p2Config.smoothValue".range(0.0..=7680.0).typical(0.0..=255.0).on(Platform::Rvc4)),
         },
         /// The difference of neighbours above which they are an edge, in 8-bit grey levels.
         edge_threshold: u32 = 15

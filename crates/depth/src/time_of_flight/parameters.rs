@@ -6,9 +6,9 @@ parameters! {
     /// The measurement and the errors of a time-of-flight camera.
     pub struct Parameters("time-of-flight", platform) {
         /// The focal length of images of the given width.
-        focal_length_px: f64 = 457.0 => ("focalLength".unit("px").range(1.0..=1e5).from_camera()),
+        focal_length_px: f64 = 457.0 => ("focalLength".unit("px").range(1.0..=1e5).typical(200.0..=1000.0).from_camera()),
         /// The width of the sensor's images. Images of another width show the same view in other pixels.
-        width_px: u32 = 640 => ("width".unit("px").range(1.0..=16384.0).from_camera()),
+        width_px: u32 = 640 => ("width".unit("px").range(1.0..=16384.0).typical(160.0..=1280.0).from_camera()),
         /// The point where the optical axis meets an image of that width; the first pixel's centre is at 0.5. `center` is
         /// the middle of each image.
         principal_point_px: Option<[f64; 2]> = None
@@ -24,7 +24,7 @@ parameters! {
         /// The largest disagreement of the two frequencies. `DepthAI` does not document the unit: millimetres are an
         /// estimate, by which its presets of 50 to 130 lie within the largest possible disagreement, 187 mm.
         phase_unwrap_error_threshold: u16 = 100
-            => ("phaseUnwrapErrorThreshold".unit("mm").range(0.0..=65535.0)),
+            => ("phaseUnwrapErrorThreshold".unit("mm").range(0.0..=65535.0).typical(0.0..=500.0)),
         /// Whether each frequency is measured twice, the second time with shuffled phases, and averaged: less noise, more
         /// motion blur.
         enable_phase_shuffle_temporal_filter: bool = true => ("enablePhaseShuffleTemporalFilter"),
@@ -38,43 +38,43 @@ parameters! {
         /// The amplitude w of the correlation's harmonics relative to its own. The phase error is −atan(w·sin 4φ), the
         /// amplitude changes by the factor 1 + w·cos 4φ. 0.071 describes a triangle wave, 1/9 − 1/25: an estimate for
         /// square-wave modulation.
-        wiggling: f64 = 0.071 => ("wiggling".range(0.0..=0.5).estimate()),
+        wiggling: f64 = 0.071 => ("wiggling".range(0.0..=0.5).typical(0.0..=0.2).estimate()),
         /// The phase error that remains after the correction, as `wiggling`.
-        wiggling_residual: f64 = 0.003 => ("wigglingResidual".range(0.0..=0.5).estimate()),
+        wiggling_residual: f64 = 0.003 => ("wigglingResidual".range(0.0..=0.5).typical(0.0..=0.02).estimate()),
         /// Whether the constant errors of pixels are corrected.
         enable_fppn_correction: bool = true => ("enableFPPNCorrection"),
         /// The standard deviation of the constant errors of pixels where they are not corrected.
-        fixed_pattern_m: f64 = 0.01 => ("fixedPattern".unit("m").range(0.0..=1.0).estimate()),
+        fixed_pattern_m: f64 = 0.01 => ("fixedPattern".unit("m").range(0.0..=1.0).typical(0.0..=0.05).estimate()),
         /// The constant error of the unit. A positive bias makes depth too large.
-        bias_m: f64 = 0.0 => ("bias".unit("m").range(-1.0..=1.0).estimate()),
+        bias_m: f64 = 0.0 => ("bias".unit("m").range(-1.0..=1.0).typical(-0.1..=0.1).estimate()),
         /// The electrons that the camera's light adds to a sample of a white surface at 1 m that faces the camera. The
         /// signal falls with the cosine of the angle of incidence and the square of the distance.
-        signal_e: f64 = 3000.0 => ("signal".unit("electrons").range(0.0..=1e6).estimate()),
+        signal_e: f64 = 3000.0 => ("signal".unit("electrons").range(0.0..=1e6).typical(0.0..=20000.0).estimate()),
         /// The demodulation contrast.
         contrast: f64 = 0.8 => ("contrast".range(0.0..=1.0).estimate()),
         /// The electrons that ambient light on a white surface adds to a sample at any distance; `indoor` is 50 and
         /// `outdoor` 500.
-        ambient_e: f64 = INDOOR_E => ("ambient" as Ambient.unit("electrons").range(0.0..=1e6).estimate()),
+        ambient_e: f64 = INDOOR_E => ("ambient" as Ambient.unit("electrons").range(0.0..=1e6).typical(0.0..=1000.0).estimate()),
         /// The standard deviation of the read noise of a sample.
-        read_noise_e: f64 = 5.0 => ("readNoise".unit("electrons").range(0.0..=1e4).estimate()),
+        read_noise_e: f64 = 5.0 => ("readNoise".unit("electrons").range(0.0..=1e4).typical(0.0..=50.0).estimate()),
         /// The electrons that a sample can hold; a pixel with more is lost. With the default a white wall is lost below
         /// 0.2 m.
-        full_well_e: f64 = 135_000.0 => ("fullWell".unit("electrons").range(1.0..=1e9).estimate()),
+        full_well_e: f64 = 135_000.0 => ("fullWell".unit("electrons").range(1.0..=1e9).typical(1e4..=5e5).estimate()),
         /// The reflectance of all surfaces at 940 nm where there is no colour image.
         albedo: f64 = 0.5 => ("albedo".range(0.0..=1.0).estimate()),
         /// The weight of the neighbour on each side in a pixel. 1/8 is a pixel's whole area under linear interpolation.
         pixel_mixing: f64 = 0.125 => ("pixelMixing".range(0.0..=0.25).estimate()),
         /// The scale of multipath interference: 0 disables it, 1 is physical; larger values compensate for paths that the model leaves out.
-        multipath: f64 = 0.0 => ("multipath".range(0.0..=10.0).estimate()),
+        multipath: f64 = 0.0 => ("multipath".range(0.0..=10.0).typical(0.0..=2.0).estimate()),
         /// The velocity of all surfaces away from the camera, where the input has none for each pixel.
         radial_velocity_m_s: f64 = 0.0
-            => ("radialVelocity".unit("m/s").range(-100.0..=100.0).own("a still scene")),
+            => ("radialVelocity".unit("m/s").range(-100.0..=100.0).typical(-3.0..=3.0).own("a still scene")),
         /// The time from one measurement to the next; a frame takes two.
-        measurement_interval_s: f64 = 1.0 / 60.0 => ("measurementInterval".unit("s").range(0.0..=1.0)),
+        measurement_interval_s: f64 = 1.0 / 60.0 => ("measurementInterval".unit("s").range(0.0..=1.0).typical(0.0..=0.1)),
         /// The minimum amplitude; a pixel with less is lost. The default is twice the noise of darkness.
-        min_amplitude_e: f64 = 5.0 => ("minAmplitude".unit("electrons").range(0.0..=65535.0).estimate()),
+        min_amplitude_e: f64 = 5.0 => ("minAmplitude".unit("electrons").range(0.0..=65535.0).typical(0.0..=100.0).estimate()),
         /// The minimum confidence of `DepthAI`'s depth confidence filter.
-        confidence_threshold: f32 = 0.1 => ("confidenceThreshold".range(0.0..=1e7)),
+        confidence_threshold: f32 = 0.1 => ("confidenceThreshold".range(0.0..=1e7).typical(0.0..=1.0)),
     }
     check frequencies_in_order
 }

@@ -1,5 +1,7 @@
 """The measured cloud of a wall in Open3D."""
 
+from typing import Any
+
 import numpy as np
 import open3d
 
@@ -12,7 +14,8 @@ sensor = oaktwin.DepthSensor(device, seed=1)
 shot = sensor.shoot(scene, pose)
 
 intrinsic = open3d.camera.PinholeCameraIntrinsic(**shot.camera.to_open3d())
-image = open3d.geometry.Image(shot.depth)
+depth: Any = shot.depth  # Open3D declares no arrays.
+image = open3d.geometry.Image(depth)
 cloud = open3d.geometry.PointCloud.create_from_depth_image(
     image, intrinsic, np.linalg.inv(shot.world_from_camera), depth_scale=1.0, depth_trunc=20.0
 )

@@ -74,17 +74,22 @@ fn noise_hides_texture_in_little_light() {
 }
 
 #[test]
+#[expect(clippy::cast_sign_loss, reason = "grey levels")]
 fn images_of_any_width_have_the_same_texture() {
-    // A surface as rough at every scale, and rougher from top to bottom, seen by cameras with different numbers of pixels.
+    // A surface with fine and coarse texture, more of it from top to bottom, seen by cameras whose pixels average it.
     let share = |width: u32| {
         let height = width / 4;
-        let light = |x: u32, y: u32| {
-            let [x, y] = [x, y].map(|i| 1280.0 * (f64::from(i) + 0.5) / f64::from(width));
-            let waves = (0..6).map(|octave| {
+        let at = |x: f64, y: f64| {
+            let waves = (0..7).map(|octave| {
                 let length = 200.0 / f64::from(1 << octave);
-                length.sqrt() * (std::f64::consts::TAU * x / length + f64::from(octave) + y / 50.0).sin()
+                (std::f64::consts::TAU * x / length + f64::from(octave) + y / 50.0).sin()
             });
-            (128.0 + 0.4 * y / 320.0 * waves.sum::<f64>()).round() as u8
+            128.0 + 2.0 * y / 320.0 * waves.sum::<f64>()
+        };
+        let light = |x: u32, y: u32| {
+            let side = 1280.0 / f64::from(width);
+            let places = (0..4).map(|i| side * (f64::from(x) + (f64::from(i) + 0.5) / 4.0));
+            (places.map(|x| at(x, side * (f64::from(y) + 0.5))).sum::<f64>() / 4.0).round() as u8
         };
         let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [light(x, y); 4]));
         let rgb = Image::new(width, height, pixels.collect()).unwrap();
@@ -102,7 +107,7 @@ fn images_of_any_width_have_the_same_texture() {
     assert!((0.05..0.95).contains(&full), "{full}");
     for width in [2560, 960, 640, 480, 320] {
         let narrow = share(width);
-        assert!((narrow - full).abs() < 0.05, "{width}: {narrow} {full}");
+        assert!((narrow - full).abs() < 0.07, "{width}: {narrow} {full}");
     }
 }
 
