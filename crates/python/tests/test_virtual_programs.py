@@ -203,6 +203,18 @@ def depth_node(pipeline):
     assert [first(queue).getType() for queue in queues] == [Type.RAW16, Type.RAW8]
 
 
+def depth_node_without_configuration(pipeline):
+    node = pipeline.create(dai.node.Depth).build(dai.node.Depth.Algorithm.AUTO, None, (320, 200))
+    queue = node.depth.createOutputQueue()
+    pipeline.build()
+    assert node.getResolvedAlgorithm() == dai.node.Depth.Algorithm.STEREO
+    assert node.getResolvedConfig() == node.getRequestedConfig() == dai.node.StereoDepth.PresetMode.DEFAULT
+    pipeline.start()
+    frame = first(queue)
+    # The preset halves the size of the images.
+    assert (frame.getWidth(), frame.getHeight()) == (160, 100)
+
+
 def imu(pipeline):
     node = pipeline.create(dai.node.IMU)
     node.enableIMUSensor(dai.IMUSensor.ACCELEROMETER_RAW, 400)
@@ -295,6 +307,45 @@ while True:
     queue = node.outputs["odd"].createOutputQueue()
     pipeline.start()
     assert [queue.get().getSequenceNum() for _ in range(2)] == [1, 3]
+
+
+def indented_script(pipeline):
+    node = pipeline.create(dai.node.Script)
+    node.setScript("""
+        count = 0
+        while node.mainLoop():
+            with node.outputBlockEvent():
+                message = Buffer()
+                message.setSequenceNum(count)
+                node.io["numbers"].send(message)
+            count += 1
+            with node.inputBlockEvent():
+                node.inputs["next"].get()
+    """)
+    numbers, following = node.outputs["numbers"].createOutputQueue(), node.inputs["next"].createInputQueue()
+    pipeline.start()
+    assert numbers.get().getSequenceNum() == 0
+    following.send(dai.Buffer())
+    assert numbers.get().getSequenceNum() == 1
+
+
+def processing_in_the_main_thread(pipeline):
+    class Threads(dai.node.HostNode):
+        def build(self, source):
+            self.link_args(source)
+            self.sendProcessingToPipeline(True)
+            self.seen = []
+            return self
+
+        def process(self, frame):
+            self.seen.append(threading.current_thread())
+            if len(self.seen) == 3:
+                self.stopPipeline()
+
+    output = pipeline.create(dai.node.Camera).build(CAM_B).requestOutput((80, 50))
+    node = pipeline.create(Threads).build(output)
+    pipeline.run()
+    assert len(node.seen) >= 3 and set(node.seen) == {threading.current_thread()}
 
 
 def gate(pipeline):
@@ -403,8 +454,9 @@ def benchmark(pipeline):
 PROGRAMS = [
     camera_output, camera_types, camera_all, camera_resize_modes, camera_full_resolution, camera_two_rates, manual_exposure,
     initial_exposure, stereo, stereo_autocreate, stereo_presets, stereo_aligned_to_colour, stereo_aligned_to_socket,
-    stereo_runtime_config, rgbd_autocreate, depth_node, imu, image_manip, sync, host_node, threaded_host_node, script, gate,
-    edge_detector, video_encoder, feature_tracker, undistorted_camera, legacy_cameras, calibration, device_information, dot_projector, benchmark,
+    stereo_runtime_config, rgbd_autocreate, depth_node, depth_node_without_configuration, imu, image_manip, sync, host_node,
+    threaded_host_node, script, indented_script, processing_in_the_main_thread, gate, edge_detector, video_encoder,
+    feature_tracker, undistorted_camera, legacy_cameras, calibration, device_information, dot_projector, benchmark,
 ]  # fmt: skip
 
 
@@ -495,6 +547,19 @@ def test_a_device_is_free_again_after_its_pipeline():
                 assert not device.isClosed()
             with dai.Pipeline(dai.Device()) as pipeline:
                 camera_all(pipeline)
+
+
+def test_a_program_may_end_without_closing_its_pipeline():
+    def program():
+        pipeline = dai.Pipeline()
+        queue = pipeline.create(dai.node.Camera).build(CAM_B).requestOutput((80, 50)).createOutputQueue()
+        pipeline.start()
+        return queue.get()
+
+    with virtual_device(MODEL, scene=textured_scene()):
+        assert program().getWidth() == 80
+        # The pipeline is gone, and so is its hold on the device.
+        assert len(dai.Device.getAllAvailableDevices()) == 1
 
 
 def test_threads_end():

@@ -36,10 +36,13 @@ class Depth(VirtualNode):
         self._inner: Any = None
         self._align_to: dai.Node.Output | None = None
 
-    def build(self, algorithm: Any = None, config: Any = None, fps: float | None = None, size: tuple[int, int] | None = None) -> Self:
+    def build(self, algorithm: Any = None, config: Any = None, fps: Any = None, size: tuple[int, int] | None = None) -> Self:
         """Chooses the algorithm, its preset, the rate and the size."""
         if isinstance(algorithm, (int, float)) and not isinstance(algorithm, Algorithm):
             algorithm, fps = None, float(algorithm)
+        if isinstance(fps, tuple):
+            # The form without a configuration: the algorithm, the rate and the size.
+            fps, size = None, fps
         if isinstance(config, (int, float)) and not isinstance(config, type(Preset.DEFAULT)):
             config, fps = None, float(config)
         if algorithm is not None:
@@ -69,6 +72,18 @@ class Depth(VirtualNode):
     def getRequestedAlgorithm(self) -> Any:
         """The algorithm that was chosen."""
         return self._algorithm
+
+    def getRequestedConfig(self) -> Any:
+        """The preset that was chosen."""
+        return self._preset
+
+    def getResolvedAlgorithm(self) -> Any:
+        """The algorithm that measures."""
+        return Algorithm.TOF if isinstance(self._node(), ToF) else Algorithm.STEREO
+
+    def getResolvedConfig(self) -> Any:
+        """The preset of the stereo pair, or None by time of flight."""
+        return None if isinstance(self._node(), ToF) else self._preset
 
     @property
     def depth(self) -> Any:

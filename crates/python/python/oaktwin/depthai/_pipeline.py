@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from ._twin import Twin
 
 RealPipeline = dai.Pipeline
+# Seconds after which `run` notices that the pipeline has stopped, if no host node sends it anything.
+_TASK_PATIENCE_S = 0.1
 # Why nodes of the device cannot run here, and what helps.
 _NETWORK = "it runs a neural network on the device's processor; test the rest of the program without this node"
 _HARDWARE = "it needs hardware that is not simulated; leave it out"
@@ -43,6 +45,8 @@ _REASONS = {
 
 class VirtualPipeline(RealPipeline):
     """A pipeline whose device nodes are simulated by a twin, and whose other nodes run on the host."""
+
+    _is_started = False
 
     def __init__(self, device: DeviceStandIn | bool | None = None, createImplicitDevice: bool = True) -> None:
         super().__init__(createImplicitDevice=False)
@@ -107,12 +111,21 @@ class VirtualPipeline(RealPipeline):
                     port.setBlocking(True)
         if self._device is not None:
             self._device.twin.clock.start()
+        self._is_started = True
         super().start()
 
     def run(self) -> None:
-        """Starts the pipeline and waits until it stops."""
+        """Starts the pipeline, and runs in this thread what host nodes send to it, until it stops."""
         self.start()
+        while self.isRunning():
+            self.processTasks(waitForTasks=True, timeoutSeconds=_TASK_PATIENCE_S)
         self.wait()
+
+    def __del__(self) -> None:
+        # DepthAI's destructor waits for nodes that are written in Python without letting them run.
+        if self._is_started:
+            self.stop()
+            self.wait()
 
     def getDefaultDevice(self) -> Any:
         """The device of the pipeline."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import sys
 from os import PathLike
 from pathlib import Path
@@ -30,6 +31,9 @@ class _Node:
     def __init__(self, script: Script) -> None:
         self._script = script
         self.inputs, self.outputs = script.inputs, script.outputs
+        # DepthAI's own, which measure where a node spends its time.
+        self.mainLoop = script.mainLoop
+        self.inputBlockEvent, self.outputBlockEvent, self.blockEvent = script.inputBlockEvent, script.outputBlockEvent, script.blockEvent
 
     @property
     def io(self) -> dict[str, Any]:
@@ -55,7 +59,8 @@ class Script(VirtualNode):
 
     def setScript(self, script: str, name: str = "<script>") -> None:
         """The text of the script."""
-        self._text, self._name = script, name or "<script>"
+        # DepthAI removes the indentation that all lines share, too.
+        self._text, self._name = inspect.cleandoc(script), name or "<script>"
 
     def setScriptPath(self, path: str | PathLike[str], name: str = "") -> None:
         """The file of the script."""
