@@ -137,41 +137,43 @@ impl Report<'_> {
             "median_absolute_error_percent",
             "p95_absolute_error_m",
         ];
+        let mut table = csv::Writer::from_writer(Vec::new());
         let names = fixed.map(str::to_owned).into_iter();
-        let names = names.chain(reasons.iter().map(|name| format!("pixels_{name}")));
-        let mut text = names.collect::<Vec<_>>().join(",") + "\n";
+        // Writing to memory does not fail.
+        let _ = table.write_record(names.chain(reasons.iter().map(|name| format!("pixels_{name}"))));
         for row in &self.oaks {
-            let number = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
-            let known = &row.statistics;
-            let [x, y, z] = row.pose.position;
-            let [qx, qy, qz, qw] = row.pose.quaternion;
-            let mut cells: Vec<String> = [self.scene, row.model, row.sensor, row.engine].map(quoted).into();
-            cells.extend([x, y, z, qx, qy, qz, qw].map(|value| value.to_string()));
-            cells.extend(row.size.map(|pixels| pixels.to_string()));
-            cells.extend(self.rectangle.map(|edge| edge.to_string()));
-            cells.push(known.pixels.to_string());
-            cells.extend(
-                [
-                    Some(known.fill_rate),
-                    known.median_error_m,
-                    known.median_absolute_error_m,
-                    known.median_absolute_error_percent,
-                    known.p95_absolute_error_m,
-                ]
-                .map(number),
-            );
-            let count = |name: &&String| row.lost.get(*name).copied().unwrap_or(0).to_string();
-            cells.extend(reasons.iter().map(count));
-            text += &(cells.join(",") + "\n");
+            let _ = table.write_record(row.cells(self, &reasons));
         }
-        text
+        let bytes = table.into_inner().unwrap_or_default();
+        String::from_utf8_lossy(&bytes).into_owned()
     }
 }
 
-/// A cell with the quotation marks that its text requires.
-fn quoted(text: &str) -> String {
-    match text.contains([',', '"', '\n', '\r']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text.to_owned(),
+impl Row<'_> {
+    /// The cells of a row of the table.
+    fn cells(&self, report: &Report<'_>, reasons: &BTreeSet<&String>) -> Vec<String> {
+        let number = |value: f64| value.to_string();
+        let maybe = |value: Option<f64>| value.map(number).unwrap_or_default();
+        let known = &self.statistics;
+        let mut cells = [report.scene, self.model, self.sensor, self.engine]
+            .map(str::to_owned)
+            .to_vec();
+        cells.extend(self.pose.position.map(number));
+        cells.extend(self.pose.quaternion.map(number));
+        cells.extend(self.size.map(|pixels| pixels.to_string()));
+        cells.extend(report.rectangle.map(number));
+        cells.extend([known.pixels.to_string(), number(known.fill_rate)]);
+        cells.extend(
+            [
+                known.median_error_m,
+                known.median_absolute_error_m,
+                known.median_absolute_error_percent,
+                known.p95_absolute_error_m,
+            ]
+            .map(maybe),
+        );
+        let count = |name: &&String| self.lost.get(*name).copied().unwrap_or(0).to_string();
+        cells.extend(reasons.iter().map(count));
+        cells
     }
 }

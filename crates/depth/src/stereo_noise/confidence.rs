@@ -22,8 +22,8 @@ pub(super) fn confidence(parameters: &Parameters, shot: &Shot<'_>) -> Option<Ima
     let (picture, depth) = (shot.rgb()?, shot.depth());
     let mut levels = Image::filled(picture.width(), picture.height(), 0);
     let scale = Scale::new(parameters, shot);
-    let measure = &scale.texture;
-    let side = measure.side;
+    let texture_scale = &scale.texture;
+    let side = texture_scale.side;
     let width = (picture.width() as usize).max(1);
     let level = Level::detect();
     levels
@@ -32,17 +32,17 @@ pub(super) fn confidence(parameters: &Parameters, shot: &Shot<'_>) -> Option<Ima
         .enumerate()
         .for_each_init(Scratch::default, |s, (index, band)| {
             let first = index * BAND;
-            s.texture.reset(width, measure);
+            s.texture.reset(width, texture_scale);
             s.sums.resize(width, 0);
             for row in first..first + side - 1 {
-                s.texture.slide(level, &picture, row, measure, &mut []);
+                s.texture.slide(level, &picture, row, texture_scale, &mut []);
             }
             for (y, out) in (first..).zip(band.chunks_exact_mut(width)) {
                 s.texture
-                    .slide(level, &picture, y + side - 1, measure, &mut s.sums);
+                    .slide(level, &picture, y + side - 1, texture_scale, &mut s.sums);
                 texture::light(level, scale.light.as_ref(), &picture, &depth, y, &mut s.sums);
                 for (out, sum) in out.iter_mut().zip(&s.sums) {
-                    *out = measure.confidence(*sum);
+                    *out = texture_scale.confidence(*sum);
                 }
             }
         });

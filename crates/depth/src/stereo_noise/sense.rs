@@ -332,14 +332,14 @@ impl Scratch {
     /// Drops pixels with too little texture.
     fn drop_plain(&mut self, job: &Job<'_>, first: usize) {
         let Some(picture) = &job.picture else { return };
-        let measure = &job.scale.texture;
-        let least = measure.least(job.sensor.parameters().confidence_threshold);
+        let texture_scale = &job.scale.texture;
+        let least = texture_scale.least(job.sensor.parameters().confidence_threshold);
         for (y, disparities) in (first..).zip(self.disparities.chunks_exact_mut(self.stride)) {
             self.texture.slide(
                 job.level,
                 picture,
-                y + measure.side - 1,
-                measure,
+                y + texture_scale.side - 1,
+                texture_scale,
                 &mut self.texture_sums,
             );
             texture::light(

@@ -12,7 +12,7 @@
 //!
 //! Little light makes noise, in which texture is lost: a difference counts by the signal-to-noise ratio of its pixel, relative to
 //! that in a bright room. The exposure becomes longer up to [`LONGEST`] times; then the electrons of a pixel
-//! decrease with the light. The noise is that of [`crate::imager`].
+//! decrease with the light. Shot and read noise are as in [`crate::imager`].
 //!
 //! The dots of a projector add to the sum of a window: on a surface of luma Y at depth z, the centre of a dot of contrast c to the ambient
 //! light is Y·(√(1 + c/z²) − 1) brighter, at most 255, with the square root as the response of a display, and the dots contribute
@@ -150,7 +150,8 @@ impl Texture {
     }
 }
 
-/// Changes the sums of the windows of row `y` to what the light leaves of the texture, and adds that of a projector's dots.
+/// Scales the sums of the windows of row `y` by the share of the texture that noise does not hide, and adds the texture of a projector's
+/// dots.
 pub(super) fn light(
     level: Level,
     light: Option<&Light>,

@@ -85,9 +85,7 @@ impl SensorImage {
     fn capture(renderer: &Renderer, candidate: &Candidate<'_>) -> Result<(Self, Vec<Finding>), RigError> {
         let pose = &candidate.world_from_body;
         // Each candidate has a new rig, so that its result does not depend on the others.
-        let (shots, mut findings) = candidate.rig.rig.clone().shoot(renderer, Some(pose), 0)?;
-        // Nobody has asked for the reasons, which some engines lack.
-        findings.retain(|finding| finding.code != "sensor-output-missing");
+        let (shots, findings) = candidate.rig.rig.clone().shoot(renderer, Some(pose), 0)?;
         let frame = shots
             .into_iter()
             .next()

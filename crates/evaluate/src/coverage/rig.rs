@@ -8,7 +8,7 @@ use oaktwin_pipeline::sensor::{Sensor, depth_sensor};
 
 use super::{CoverageError, Placement};
 
-/// What is made of each view.
+/// What is made of each view; some engines lack the reasons.
 const MADE: [Annotator; 3] = [
     Annotator::DistanceToImagePlane,
     Annotator::DepthSensorDistance,
@@ -40,6 +40,7 @@ impl MeasuringRig {
         let spec = RigSpec {
             cameras: vec![own.spec.prim.clone()],
             annotators: MADE.to_vec(),
+            are_outputs_optional: true,
             pair: PairOptions {
                 projector: projector.unwrap_or_else(|| default_projector(twin)),
                 ..spec.pair
@@ -57,6 +58,7 @@ impl MeasuringRig {
     pub fn of_stage(stage: &SceneFile, spec: &RigSpec) -> Result<(Vec<Self>, Vec<Finding>), CoverageError> {
         let spec = RigSpec {
             annotators: MADE.to_vec(),
+            are_outputs_optional: true,
             is_sensor_optional: true,
             ..spec.clone()
         };

@@ -25,7 +25,7 @@ __all__ = ["Recipe", "Sample", "generate"]
 class Sample(_Layers):
     """A frame of a data set in memory, `recipe[number]`: a dictionary of arrays by the names of Replicator's annotators, such as
     `sample["distance_to_image_plane"]`, those that the formats of the recipe have. With several cameras, the names begin with the camera's:
-    `sample["Camera_left/rgb"]`. Values are those of the files, to the byte.
+    `sample["Camera_left/rgb"]`. The values equal those in the files, to the byte.
 
     layers: the arrays by name.
     frame: the number of the frame.

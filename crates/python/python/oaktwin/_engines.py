@@ -113,7 +113,7 @@ class Adapter:
 
 
 def _name(engine: Any) -> str:
-    """The name for messages and reports: the attribute `name`, or that of the function or class."""
+    """The name for messages and reports: the attribute `name`, or the name of the function or class."""
     own = getattr(engine, "name", None)
     if isinstance(own, str) and own:
         return own

@@ -272,7 +272,7 @@ class DepthSensor:
         """
     @property
     def engine(self) -> str:
-        """The name of the engine: "stereo-noise", "stereo-matching", "time-of-flight", "single-view", or that of an engine written in Python."""
+        """The name of the engine: "stereo-noise", "stereo-matching", "time-of-flight", "single-view", or the name of an engine written in Python."""
     @property
     def parameters(self) -> dict[str, bool | int | float | str]:
         """The engine's parameters by name, with values of their types, for the most recent image size; none of an engine written in Python."""

@@ -384,7 +384,7 @@ impl DepthSensor {
         self.output_camera(py)
     }
 
-    /// The name of the engine: "stereo-noise", "stereo-matching", "time-of-flight", "single-view", or that of an engine written in Python.
+    /// The name of the engine: "stereo-noise", "stereo-matching", "time-of-flight", "single-view", or the name of an engine written in Python.
     #[getter]
     fn engine(&self, py: Python<'_>) -> PyResult<String> {
         Ok(self.now(py, None)?.sensor.engine().kind().name.to_string())

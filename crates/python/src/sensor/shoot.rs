@@ -85,9 +85,7 @@ impl DepthSensor {
             *kept = Some((spec, rig));
             shot
         })?;
-        let (shot, mut findings) = shot.map_err(error)?;
-        // Nobody has asked for what the engine does not make.
-        findings.retain(|finding| finding.code != "sensor-output-missing");
+        let (shot, findings) = shot.map_err(error)?;
         finding::warn(py, &findings)?;
         let (Some(image), Some(measured)) = (shot.view, shot.sensor_view) else {
             return Err(wrong("sensor", "measures no images", "choose another sensor"));
@@ -142,6 +140,7 @@ impl DepthSensor {
             cameras: vec![self.source.depth.spec.prim.clone()],
             size: size.map(|(width, height)| ImageSize::new(width, height)),
             annotators: MADE.to_vec(),
+            are_outputs_optional: true,
             pair: PairOptions {
                 lens: self.lens,
                 ..pair

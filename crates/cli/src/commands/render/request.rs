@@ -46,6 +46,7 @@ pub(super) fn spec(args: &RenderArgs) -> Result<RigSpec> {
         projection: args.projection,
         annotators: annotators(args)?,
         is_sensor_optional: everything(args),
+        are_outputs_optional: false,
         sensor,
         pair: args.pair.options(args.unit.lens)?,
         pair_use: match args.writes_pair {

@@ -121,6 +121,7 @@ impl Rig {
             pair: pair.map(Arc::new),
             pair_use: spec.pair_use,
             annotators: spec.annotators.clone(),
+            are_outputs_optional: spec.are_outputs_optional,
             backend: spec.backend,
         })
     }

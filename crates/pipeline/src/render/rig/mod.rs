@@ -42,6 +42,7 @@ pub struct Rig {
     pair: Option<Arc<PairCameras>>,
     pair_use: PairUse,
     annotators: Vec<Annotator>,
+    are_outputs_optional: bool,
     backend: Backend,
 }
 

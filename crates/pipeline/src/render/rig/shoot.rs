@@ -80,7 +80,9 @@ impl Rig {
                 annotators,
                 &mut frame,
             )?;
-            findings.extend(not_produced(&camera.path, sensor, &missing));
+            if !self.are_outputs_optional {
+                findings.extend(not_produced(&camera.path, sensor, &missing));
+            }
             sensor_view_of = Some(sensor_view(&sensor.output_camera(&view.camera), &described));
         }
         frame.rgb = frame.rgb.filter(|_| annotators.contains(&Annotator::Rgb));

@@ -25,6 +25,8 @@ pub struct RigSpec {
     pub annotators: Vec<Annotator>,
     /// Whether the outputs of depth sensors are left out where there is none; otherwise a rig without any is an error.
     pub is_sensor_optional: bool,
+    /// Whether outputs that an engine cannot make are left out without a warning.
+    pub are_outputs_optional: bool,
     /// The engine of the depth sensors and its settings. An OAK's sensor has the engine of its technology by default, a stage's has
     /// Isaac Sim's.
     pub sensor: SensorOptions,

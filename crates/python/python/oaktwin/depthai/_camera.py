@@ -140,7 +140,7 @@ class CameraNode(VirtualNode):
 
 
 def _without_image(request: Request) -> dai.ImgFrame:
-    """A message that says when and with which camera an image was taken."""
+    """The message of an output whose pixels nobody looks at: its size and type, without an image."""
     message = dai.ImgFrame()
     message.setSize(*request.size)
     message.setType(request.kind)

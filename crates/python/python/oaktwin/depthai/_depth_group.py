@@ -24,7 +24,7 @@ _real_build = dai.node.RGBD.build
 
 
 class Depth(VirtualNode):
-    """DepthAI's Depth, by the stereo pair or by time of flight. Its outputs are those of the node that it creates."""
+    """DepthAI's Depth, by the stereo pair or by time of flight. It has the outputs of the node that it creates."""
 
     Algorithm = Algorithm
 
