@@ -1,6 +1,9 @@
 //! A table with every kind of field.
 
-use oaktwin_base::parameter::{Group, Hexadecimal, Kind, ParameterError, Platform, choice, parameters};
+use oaktwin_base::parameter::{
+    Group, Hexadecimal, Kind, ParameterError, Platform, by_name, choice, parameters,
+};
+use serde::{Deserialize, Serialize};
 
 choice! {
     /// A colour.
@@ -135,4 +138,61 @@ fn lists_rows_with_defaults_of_the_platform() {
     assert_eq!(colour.about.kind, Kind::Choice(&["RED", "DEEP_BLUE"]));
     assert_eq!(list[5].about.platform, Some(Platform::Rvc4));
     assert_eq!(group.list(Platform::Rvc2)[6].default, "RED");
+}
+
+/// An example in a file.
+#[derive(Serialize, Deserialize)]
+#[serde(transparent)]
+struct File(#[serde(with = "by_name")] Example);
+
+fn read(text: &str) -> Result<Example, String> {
+    let file: Result<File, _> = serde_json::from_str(text);
+    file.map(|file| file.0).map_err(|error| error.to_string())
+}
+
+#[test]
+fn files_are_tables_from_names_to_values() {
+    let text = r#"{"length":0.7,"low":2,"mask":"0xFF","limits.strict":true,"colour":"deep-blue"}"#;
+    let example = read(text).unwrap();
+    assert_eq!((example.length_px, example.pair.low, example.mask), (0.7, 2, 255));
+    assert_eq!((example.limits.strict, example.colour), (true, Colour::DeepBlue));
+    let written = serde_json::to_string(&File(example)).unwrap();
+    assert_eq!(
+        written,
+        r#"{"length":0.7,"low":2,"high":2,"mask":"0xFF","limits.window":3,"limits.strict":true,"colour":"DEEP_BLUE","again":2}"#
+    );
+    assert_eq!(read(&written).unwrap(), example);
+    assert_eq!(read("{}").unwrap(), Example::defaults(Platform::default()));
+    assert_eq!(
+        serde_json::from_str::<Colour>("\"deep_BLUE\"").unwrap(),
+        Colour::DeepBlue
+    );
+}
+
+#[test]
+fn files_name_what_is_wrong() {
+    for (text, expected) in [
+        (
+            r#"{"lenth":1}"#,
+            "lenth: unknown parameter of example; did you mean 'length'?",
+        ),
+        (
+            r#"{"length":-1}"#,
+            "length: -1 is out of range; expected a number from 0.5 to 10 px",
+        ),
+        (
+            r#"{"colour":"read"}"#,
+            "colour: invalid value 'read'; expected RED or DEEP_BLUE",
+        ),
+        (r#"{"length":[1]}"#, "did not match any variant"),
+        (r#"{"low":9,"high":1}"#, ""),
+    ] {
+        let error = read(text).unwrap_err();
+        assert!(error.contains(expected), "{text}: {error}");
+    }
+    let error = serde_json::from_str::<Colour>("\"rad\"").unwrap_err().to_string();
+    assert!(
+        error.contains("invalid value 'rad'; did you mean 'RED'?"),
+        "{error}"
+    );
 }

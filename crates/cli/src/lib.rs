@@ -14,7 +14,7 @@ mod size;
 use std::ffi::OsString;
 
 use clap::{CommandFactory, FromArgMatches};
-use oaktwin::{diagnostic, memory};
+use oaktwin::{diagnostic, memory, panics};
 
 use args::{Cli, Command, numbers};
 use context::{Context, Exit, Result};
@@ -23,6 +23,7 @@ use context::{Context, Exit, Result};
 /// Returns the exit code: 0 (success), 1 (findings), 2 (error), or 128 plus the number of a signal: 130 after Ctrl-C.
 #[must_use]
 pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    panics::hide_contained();
     let cli = match parse(arguments) {
         Ok(cli) => cli,
         Err(message) => {

@@ -5,12 +5,12 @@
 //! channel (its issue 22592).
 
 use std::io::Cursor;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use ::exr::prelude::{
     AnyChannel, AnyChannels, Blocks, Compression, Encoding, FlatSamples, Image as ExrImage, Layer,
     LayerAttributes, LineOrder, MetaData, ReadChannels, ReadLayers, Vec2, WritableImage, read,
 };
+use oaktwin_base::panics;
 
 use crate::{CodecError, Image, limits};
 
@@ -158,8 +158,7 @@ pub(crate) fn broken(problem: String) -> CodecError {
 
 fn channels(bytes: &[u8]) -> Result<Channels, CodecError> {
     // A damaged file can fail the reader's assertions. Only the error survives the unwinding.
-    catch_unwind(AssertUnwindSafe(|| read_channels(bytes)))
-        .unwrap_or_else(|_| Err(broken("the decoder failed".into())))
+    panics::contain(|| read_channels(bytes)).unwrap_or_else(|_| Err(broken("the decoder failed".into())))
 }
 
 fn read_channels(bytes: &[u8]) -> Result<Channels, CodecError> {

@@ -35,7 +35,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Oddities of the input are returned as [findings](diagnostic::Finding), and are never printed. Same input and seed, same bytes, on any
+//! Oddities of the input are returned as [findings](diagnostic::Finding), and are never printed. A panic of another library on a corrupt file
+//! is returned as an error; a program that calls [`panics::hide_contained`] does not see it printed. Same input and seed, same bytes, on any
 //! number of threads and every processor.
 //!
 //! The features are `compressed-gltf` (Draco, Basis Universal), `generate` and `textures` (BMP, TGA, WebP, HDR), together `full`; by default, none is
@@ -44,7 +45,7 @@
 pub mod guide;
 pub mod prelude;
 
-pub use oaktwin_base::{diagnostic, parameter};
+pub use oaktwin_base::{diagnostic, panics, parameter};
 pub use oaktwin_calibration as calibration;
 pub use oaktwin_calibration::population;
 pub use oaktwin_camera as camera;

@@ -38,10 +38,12 @@ mod pose;
 mod projection;
 mod recording;
 mod rectification;
+mod rig;
 mod robot;
 mod scene;
 mod sensor;
 mod settings;
+mod shot;
 mod stereo;
 mod threads;
 
@@ -87,6 +89,8 @@ mod _oaktwin {
     #[pymodule_export]
     use super::rectification::Rectification;
     #[pymodule_export]
+    use super::rig::Rig;
+    #[pymodule_export]
     use super::scene::Scene;
     #[pymodule_export]
     use super::scene::annotators::annotators;
@@ -109,6 +113,7 @@ mod _oaktwin {
     /// Makes instances callable. A method named `__call__` would have neither a signature nor a docstring in Python.
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        oaktwin::panics::hide_contained();
         for class in ["DepthSensor", "Filter", "StereoMatcher"] {
             let class = module.getattr(class)?;
             class.setattr("__call__", class.getattr("_call")?)?;

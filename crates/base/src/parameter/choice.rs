@@ -1,3 +1,8 @@
+use std::borrow::Cow;
+
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
+
 use crate::diagnostic::{fold_name, suggest};
 
 use crate::parameter::ParameterError;
@@ -39,6 +44,18 @@ pub fn choose<C: Choice>(option: &str, name: &str) -> Result<C, ParameterError> 
     C::find(name).ok_or_else(|| {
         let remedy = suggest(name, C::NAMES.iter().copied());
         ParameterError::new(option, format!("invalid value '{name}'"), remedy)
+    })
+}
+
+/// Reads the name of a variant; [`choice!`](crate::choice!) implements `Deserialize` by it.
+///
+/// # Errors
+/// Returns an error that suggests the nearest names if there is no such variant.
+pub fn deserialize_choice<'de, C: Choice, D: Deserializer<'de>>(deserializer: D) -> Result<C, D::Error> {
+    let name = Cow::<'de, str>::deserialize(deserializer)?;
+    C::find(&name).ok_or_else(|| {
+        let remedy = suggest(&name, C::NAMES.iter().copied());
+        D::Error::custom(format_args!("invalid value '{name}'; {remedy}"))
     })
 }
 
@@ -103,6 +120,23 @@ macro_rules! choice {
             const NAMES: &'static [&'static str] = &[$($text),+];
             const ABOUT: &'static [&'static str] = &[$(concat!($($doc),+)),+];
             const ALIASES: &'static [(&'static str, Self)] = &[$($(($alias, Self::$variant),)*)+];
+        }
+
+        impl $crate::parameter::serde::Serialize for $name {
+            fn serialize<S: $crate::parameter::serde::Serializer>(
+                &self,
+                serializer: S,
+            ) -> ::std::result::Result<S::Ok, S::Error> {
+                serializer.serialize_str(self.name())
+            }
+        }
+
+        impl<'de> $crate::parameter::serde::Deserialize<'de> for $name {
+            fn deserialize<D: $crate::parameter::serde::Deserializer<'de>>(
+                deserializer: D,
+            ) -> ::std::result::Result<Self, D::Error> {
+                $crate::parameter::deserialize_choice(deserializer)
+            }
         }
     };
 }

@@ -6,20 +6,25 @@
 //! the same for an enumeration.
 
 mod about;
+pub mod by_name;
 mod choice;
 mod declare;
 mod error;
 mod group;
 pub mod nvidia;
 mod platform;
+mod scalar;
 mod table;
 mod value;
 
 pub use crate::{choice, parameters};
 pub use about::{About, Kind, Source};
-pub use choice::{Choice, choose};
+pub use choice::{Choice, choose, deserialize_choice};
 pub use error::ParameterError;
 pub use group::{Group, Listing};
 pub use platform::Platform;
+pub use scalar::Scalar;
+#[doc(hidden)]
+pub use serde;
 pub use table::{Row, Table, settings};
 pub use value::{Hexadecimal, Numbered, Plain, Value, View};

@@ -61,6 +61,31 @@ fn generates_explains_and_previews() {
     assert_eq!(schema["title"], "A recipe of oaktwin generate");
 }
 
+#[test]
+fn a_frame_is_what_render_makes_of_its_scene() {
+    let program = case("[80, 50]");
+    program.good(&words("generate recipe.toml -o set --save-scenes"));
+    let drawn = program.good(&words("generate recipe.toml --explain 0"));
+    let drawn: Value = serde_json::from_str(&drawn).unwrap();
+    let pose = &drawn["camera"]["world_from_body"];
+    let numbers = ["position", "orientation"].map(|part| pose[part].as_array().unwrap());
+    let pose: Vec<String> = numbers.into_iter().flatten().map(Value::to_string).collect();
+    let mut arguments = words(
+        "render set/scenes/000000.usda --model OAK-D-Pro-PoE --resolution 80x50 --projector 1 --micro-texture \
+         --annotators rgb,distance_to_image_plane,depth_sensor_distance -o render --pose",
+    );
+    arguments.extend(pose.iter().map(String::as_str));
+    program.good(&arguments);
+    for file in [
+        "rgb_0000.png",
+        "distance_to_image_plane_0000.npy",
+        "depth_sensor_distance_0000.npy",
+    ] {
+        let read = |folder: &str| fs::read(program.path(&format!("{folder}/{file}"))).unwrap();
+        assert!(read("set") == read("render"), "{file}");
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn a_killed_run_is_completed_to_the_same_bytes() {

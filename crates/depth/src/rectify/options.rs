@@ -2,6 +2,7 @@ use oaktwin_camera::{Camera, RectifiedIntrinsics};
 
 use crate::preset::Platform;
 use oaktwin_base::parameter::choice;
+use serde::{Deserialize, Serialize};
 
 choice! {
     /// The method that maps rectified pixels to raw ones.
@@ -18,7 +19,10 @@ choice! {
 }
 
 /// The value of rectified pixels outside the raw image: `rectifyEdgeFillColor`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+///
+/// In files, it is `DepthAI`'s number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "i16", into = "i16")]
 pub enum EdgeFill {
     /// A grey value; 0 is the device's default.
     Value(u8),
@@ -32,8 +36,32 @@ impl Default for EdgeFill {
     }
 }
 
+impl TryFrom<i16> for EdgeFill {
+    type Error = String;
+
+    fn try_from(number: i16) -> Result<Self, String> {
+        match (number, u8::try_from(number)) {
+            (-1, _) => Ok(Self::Replicate),
+            (_, Ok(value)) => Ok(Self::Value(value)),
+            _ => Err(format!(
+                "invalid fill '{number}'; expected a grey value from 0 to 255, or -1 for the nearest pixel"
+            )),
+        }
+    }
+}
+
+impl From<EdgeFill> for i16 {
+    fn from(fill: EdgeFill) -> Self {
+        match fill {
+            EdgeFill::Replicate => -1,
+            EdgeFill::Value(value) => value.into(),
+        }
+    }
+}
+
 /// The options of rectification. The defaults match RVC2.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct RectifyOptions {
     /// The method.
     pub method: Method,

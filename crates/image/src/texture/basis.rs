@@ -1,8 +1,7 @@
 //! Textures compressed by Basis Universal, in KTX2 or in their own container.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
-
 use basisu::{DecodeFlags, TargetFormat, Transcoder};
+use oaktwin_base::panics;
 
 use crate::{CodecError, Image, limits};
 
@@ -11,7 +10,7 @@ const KTX2: &[u8] = b"\xabKTX 20\xbb\r\n\x1a\n";
 /// Decodes the full-size image of a texture.
 pub(super) fn decode(bytes: &[u8]) -> Result<Image<[u8; 4]>, CodecError> {
     // A corrupt file may make the decoder panic.
-    catch_unwind(AssertUnwindSafe(|| decode_checked(bytes)))
+    panics::contain(|| decode_checked(bytes))
         .unwrap_or_else(|_| Err(damaged("its contents contradict each other")))
 }
 

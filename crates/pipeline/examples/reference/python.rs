@@ -33,6 +33,7 @@ pub(crate) fn files(root: &Path) -> io::Result<Vec<(PathBuf, String)>> {
         .collect();
     let package = root.join("crates/python");
     let parts = [
+        ("_rigs.pyi", "options of DepthSensor", parameters(&all, of_sensor)),
         ("_types.pyi", "names", names()),
         ("_types.pyi", "options", typed_dict(&all)),
         (

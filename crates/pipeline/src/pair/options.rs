@@ -1,18 +1,22 @@
+use oaktwin_base::parameter::by_name;
 use oaktwin_camera::{ImageSize, StereoDrift};
 use oaktwin_catalog::Role;
 use oaktwin_depth::ParameterError;
 use oaktwin_depth::imager::Parameters;
 use oaktwin_depth::rectify::RectifyOptions;
 use oaktwin_usd::asset::LensChoice;
+use serde::{Deserialize, Serialize};
 
 use crate::sensor::SensorOptions;
 
-/// The options of recording a pair.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The options of recording a pair. In files, the fields that other options of a rig determine are left out.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct PairOptions {
     /// The left and the right camera of the pair; by default those with the roles `left` and `right`.
     pub cameras: (Role, Role),
     /// The image sensors, with their blur in px of the cameras' own resolution. Both have the same exposure.
+    #[serde(with = "by_name")]
     pub imager: Parameters,
     /// The rectification; by default as on the device's processor.
     pub rectify: Option<RectifyOptions>,
@@ -25,13 +29,17 @@ pub struct PairOptions {
     /// The lens of the wide models' nominal cameras. A calibration's own lens takes precedence.
     pub lens: LensChoice,
     /// The size of the raw and rectified images, resized by `DepthAI`'s rule; by default the sensor's own.
+    #[serde(skip)]
     pub size: Option<ImageSize>,
     /// The bias of disparity from the device's calibration error, px of the cameras' own resolution: the right image is shifted left
     /// by it relative to its calibration.
+    #[serde(skip)]
     pub bias_px: f64,
     /// The change of the cameras since the calibration by which their images are rectified.
+    #[serde(skip)]
     pub drift: StereoDrift,
     /// The noise seed.
+    #[serde(skip)]
     pub seed: u64,
 }
 

@@ -36,6 +36,29 @@ pub fn annotator(name: &str) -> Result<Annotator, UnknownAnnotator> {
     })
 }
 
+/// Lists of annotators in files, as their names: `#[serde(with = "annotator_names")]`.
+pub(crate) mod annotator_names {
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    use super::{Annotator, annotator};
+
+    pub(crate) fn serialize<S: Serializer>(
+        annotators: &[Annotator],
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(annotators.iter().map(|annotator| annotator.name()))
+    }
+
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<Vec<Annotator>, D::Error> {
+        let names = Vec::<String>::deserialize(deserializer)?;
+        let annotators = names.iter().map(|name| annotator(name).map_err(D::Error::custom));
+        annotators.collect()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

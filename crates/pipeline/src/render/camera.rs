@@ -15,8 +15,8 @@ pub struct PlacedCamera {
     pub path: String,
     /// The folder if there are several cameras, from [`folder_names`](super::folder_names).
     pub folder: String,
-    /// The name of the camera's frame in ROS; by default the name of its folder.
-    pub frame: Option<String>,
+    /// What the camera is on its device: `rgb`, `left`, `right`, `tof`, `stereo_depth`, …; `None` for a camera of the scene.
+    pub role: Option<String>,
     /// The intrinsics and lens.
     pub camera: Camera,
     /// The clipping range.

@@ -8,7 +8,7 @@ use super::camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCame
 use super::folder_names;
 use crate::limits::check_size;
 use oaktwin_base::diagnostic::{Finding, Level, fold_name, nearest};
-use oaktwin_camera::{Camera, ImageSize, LensModel, RigidTransform, UsdOptics, frame_names};
+use oaktwin_camera::{Camera, ImageSize, LensModel, RigidTransform, UsdOptics};
 use oaktwin_catalog::{DepthKind, LensChoice, Origin, Twin, TwinCamera};
 use oaktwin_usd::asset::{AssetError, render_product_name};
 
@@ -30,7 +30,7 @@ pub struct OakOptions<'a> {
 /// A camera of the device, or the virtual one of a depth sensor.
 struct Candidate<'a> {
     prim: &'a str,
-    /// The role in the names of frames.
+    /// The role; of a depth sensor [`Twin::depth_role`].
     role: String,
     names: Vec<String>,
     is_depth: bool,
@@ -130,6 +130,7 @@ fn candidates(twin: &Twin) -> Vec<Candidate<'_>> {
             names: vec![
                 DEPTH.to_owned(),
                 kind.to_owned(),
+                twin.depth_role(sensor),
                 prim.clone(),
                 render_product_name(prim),
             ],
@@ -193,7 +194,7 @@ fn place(
     Ok(PlacedCamera {
         path,
         folder: String::new(),
-        frame: Some(frame_names::camera(frame_names::DEVICE, &candidate.role)),
+        role: Some(candidate.role.clone()),
         camera: Camera::new(intrinsics, own.lens),
         clip: Clip { near_m, far_m },
         mount_from_camera: candidate.camera.body_from_camera,

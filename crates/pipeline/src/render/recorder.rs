@@ -180,7 +180,7 @@ fn recorded(placed: &PlacedCamera, sensor: Option<&Sensor>) -> RecordedCamera {
     let is_carried = placed.mount_from_camera != RigidTransform::IDENTITY;
     RecordedCamera {
         name: placed.folder.clone(),
-        frame: placed.frame.clone(),
+        frame: (placed.role.as_deref()).map(|role| frame_names::camera(frame_names::DEVICE, role)),
         camera: placed.camera,
         measured,
         body: is_carried.then(|| Body {

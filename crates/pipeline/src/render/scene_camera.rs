@@ -255,7 +255,7 @@ fn place(
         PlacedCamera {
             path: path.to_owned(),
             folder: String::new(),
-            frame: None,
+            role: None,
             camera: seen,
             clip: range_m.map_or_else(Clip::default, |(near_m, far_m)| Clip { near_m, far_m }),
             mount_from_camera: RigidTransform::IDENTITY,

@@ -7,6 +7,7 @@ mod matching;
 mod median;
 mod option;
 mod options;
+mod options_file;
 mod parameter_file;
 mod parameters;
 mod preset;

@@ -26,6 +26,7 @@ from ._fit import Fit, fit
 from ._images import Filter, align
 from ._oaktwin import __version__, set_memory_limit
 from ._poses import BodyPose, CameraPose
+from ._rigs import Rig
 from ._scenes import Mesh, Recording, Scene, annotators
 from ._sensors import DepthSensor, StereoMatcher
 from ._shots import Shot
@@ -47,6 +48,7 @@ __all__ = [
     "Recipe",
     "Recording",
     "Rectification",
+    "Rig",
     "Sample",
     "Scene",
     "Shot",

@@ -16,6 +16,7 @@ from ._devices import (
 )
 from ._findings import Error as Error, Finding as Finding, FindingWarning as FindingWarning, _finding as _finding
 from ._images import Filter as Filter, align as align
+from ._rigs import Rig as Rig
 from ._scenes import Mesh as Mesh, Recipe as Recipe, Recording as Recording, Scene as Scene, annotators as annotators
 from ._sensors import DepthSensor as DepthSensor, StereoMatcher as StereoMatcher
 from ._types import _Array, _Json, _SensorOptions
@@ -32,6 +33,7 @@ __all__ = [
     "Recipe",
     "Recording",
     "Rectification",
+    "Rig",
     "Scene",
     "StereoMatcher",
     "__version__",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import TYPE_CHECKING, Any
 
 from . import _oaktwin
@@ -23,3 +24,19 @@ def settings_of(
     own_name = settings.pop("sensor", None)
     merged: _SensorOptions = {**settings, **options}  # type: ignore[typeddict-item]
     return device, own_name if name is None else name, merged
+
+
+def as_json(argument: str, value: Any) -> str:
+    """The text of dictionaries, lists, numbers and strings; NumPy's numbers and arrays, too."""
+
+    def plain(one: Any) -> Any:
+        if hasattr(one, "tolist"):
+            return one.tolist()
+        raise TypeError(f"{argument}: contains {type(one).__name__}; pass texts, numbers, lists and dictionaries")
+
+    if not hasattr(value, "items"):
+        raise TypeError(f"{argument}: expected a mapping, got {type(value).__name__}")
+    try:
+        return json.dumps(dict(value), default=plain, allow_nan=False)
+    except ValueError:
+        raise _oaktwin.Error(f"{argument}: contains NaN or infinity; pass finite numbers") from None

@@ -48,7 +48,7 @@ def _with_legend(make: Any, arguments: Any, state: Any, legend: dict[int, str]) 
 
 
 class Shot(_Layers):
-    """What a depth sensor measured of a scene, from `DepthSensor.shoot`: a dictionary of arrays by the names of Replicator's annotators,
+    """What a camera made of a scene, from `DepthSensor.shoot` or `Rig.shoot`: a dictionary of arrays by the names of Replicator's annotators,
     such as `shot["distance_to_image_plane"]`, with shorter names for the same arrays.
 
     layers: the arrays by name.
@@ -133,9 +133,14 @@ class Shot(_Layers):
         return ax
 
     def __repr__(self) -> str:
-        height, width = self.depth.shape
-        return f"<oaktwin.Shot {width}x{height}, frame {self.frame}: {np.mean(self.depth > 0):.1%} measured, {', '.join(self)}>"
+        width, height = self.camera.size
+        return f"<oaktwin.Shot {width}x{height}, {self._summary()}: {', '.join(self)}>"
+
+    def _summary(self) -> str:
+        if "depth_sensor_distance" not in self:
+            return f"frame {self.frame}"
+        return f"frame {self.frame}, {np.mean(self.depth > 0):.1%} measured"
 
     def _repr_html_(self) -> str:
         rows = [(name, str(one.dtype), str(one.shape)) for name, one in self.items() if isinstance(one, np.ndarray)]
-        return table(("array", "dtype", "shape"), rows, f"frame {self.frame}, {np.mean(self.depth > 0):.1%} measured")
+        return table(("array", "dtype", "shape"), rows, self._summary())

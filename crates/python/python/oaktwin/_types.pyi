@@ -80,6 +80,19 @@ class _SensorOptions(TypedDict, total=False):
     drift: _Drift | None
 # End of the generated part.
 
+class _Rectification(TypedDict, total=False):
+    method: _Rectify
+    target: _Intrinsics
+    edge_fill: int
+
+class _PairOptions(TypedDict, total=False):
+    projector: float
+    ambient: float
+    imager: Mapping[str, object]
+    rectify: _Rectification
+    lens: _Lens
+    cameras: Sequence[_Role]
+
 # An engine written in Python: it gets the arguments that it names, and returns an array or a mapping of arrays.
 _Callable = Callable[..., object]
 _Parameters = Mapping[str, object] | str | PathLike[str] | Fit

@@ -9,15 +9,12 @@ use oaktwin::render::{Rig, RigSpec};
 use oaktwin::sense::FieldOfView;
 use oaktwin::sensor::EngineInput;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
 use super::DepthSensor;
 use crate::arguments::{FrameNumber, Size};
-use crate::camera::Camera;
 use crate::engine::serve_all;
 use crate::error::{error, wrong};
 use crate::finding;
-use crate::layers::layers;
 use crate::pair::PairSettings;
 use crate::pose::Of;
 use crate::scene::Scene;
@@ -87,23 +84,7 @@ impl DepthSensor {
         })?;
         let (shot, findings) = shot.map_err(error)?;
         finding::warn(py, &findings)?;
-        let (Some(image), Some(measured)) = (shot.view, shot.sensor_view) else {
-            return Err(wrong("sensor", "measures no images", "choose another sensor"));
-        };
-        let layers = layers(py, shot.frame, image.camera.intrinsics.size)?;
-        let about = PyDict::new(py);
-        let body_from_world = world_from_body.inverse();
-        for (name, view) in [("image_camera", &image), ("camera", &measured)] {
-            let body_from_camera = body_from_world * view.world_from_camera;
-            about.set_item(name, Camera::rectified(view.camera, body_from_camera))?;
-        }
-        let world_from_camera = Of::Camera.array(py, &measured.world_from_camera)?;
-        about.set_item("world_from_camera", world_from_camera)?;
-        about.set_item("frame", number)?;
-        about.set_item("seed", self.source.seed())?;
-        about.set_item("findings", finding::list(&findings))?;
-        let class = py.import("oaktwin._shots")?.getattr("Shot")?;
-        class.call((layers,), Some(&about))
+        crate::shot::shot(py, shot, &world_from_body, self.source.seed(), &findings)
     }
 
     /// What a rig makes for the shots.

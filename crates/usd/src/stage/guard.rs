@@ -1,47 +1,25 @@
 use std::any::Any;
-use std::cell::Cell;
 use std::io;
-use std::panic;
-use std::sync::Once;
 use std::thread;
+
+use oaktwin_base::panics;
 
 /// The stack size: sufficient for everything that `inspect` accepts, which bounds nesting.
 const STACK_BYTES: usize = 256 << 20;
-
-thread_local! {
-    static CONTAINED: Cell<bool> = const { Cell::new(false) };
-}
 
 /// The payload of the error if the thread cannot be started.
 #[derive(Debug)]
 pub(super) struct NoThread(pub(super) io::Error);
 
 /// Runs `work` on a separate thread and returns the payload of a panic as an error.
-///
-/// The panic is not printed: the current panic hook is wrapped, once per process, by one that ignores panics on threads
-/// created here. Panics on other threads reach the previous hook.
 pub(super) fn contained<T: Send>(work: impl FnOnce() -> T + Send) -> Result<T, Box<dyn Any + Send>> {
-    static WRAP_HOOK: Once = Once::new();
-    if !thread::panicking() {
-        WRAP_HOOK.call_once(|| {
-            let previous = panic::take_hook();
-            panic::set_hook(Box::new(move |info| {
-                if !CONTAINED.with(Cell::get) {
-                    previous(info);
-                }
-            }));
-        });
-    }
     thread::scope(|scope| {
         thread::Builder::new()
             .name("usd".to_owned())
             .stack_size(STACK_BYTES)
-            .spawn_scoped(scope, || {
-                CONTAINED.with(|flag| flag.set(true));
-                work()
-            })
+            .spawn_scoped(scope, || panics::contain(work))
             .map_err(|error| -> Box<dyn Any + Send> { Box::new(NoThread(error)) })?
-            .join()
+            .join()?
     })
 }
 

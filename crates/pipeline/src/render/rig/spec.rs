@@ -1,18 +1,37 @@
+use oaktwin_base::diagnostic::{message, opt};
+use oaktwin_base::parameter::choice;
 use oaktwin_camera::ImageSize;
 use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_image::annotation::Annotator;
 use oaktwin_render::Backend;
 use oaktwin_usd::optics::Projection;
+use serde::{Deserialize, Serialize};
 
 use super::RigError;
 use crate::pair::PairOptions;
+use crate::render::annotators::annotator_names;
 use crate::render::sweep::Sweep;
 use crate::render::{DepthSensorSource, PlacedCamera};
 use crate::sensor::{EngineRef, SensorOptions};
-use oaktwin_base::diagnostic::{message, opt};
 
 /// What a [`Rig`](super::Rig) has and what its shots contain. The default is a device's depth sensors, which render nothing yet.
-#[derive(Clone, Debug, Default, PartialEq)]
+///
+/// In JSON and TOML, a rig is a table with the names of the fields; what is left out has its default:
+///
+/// ```
+/// # use oaktwin_pipeline::render::RigSpec;
+/// let spec: RigSpec = serde_json::from_str(
+///     r#"{"annotators": ["rgb", "depth_sensor_distance"], "size": {"width": 640, "height": 400},
+///         "sensor": {"engine": "stereo-matching", "preset": "robotics", "parameters": {"subpixel": true}},
+///         "pair": {"projector": 0.5, "ambient": 0.1, "imager": {"readNoise": 4}}}"#,
+/// )?;
+/// assert_eq!(spec.pair.imager.read_noise_e, 4.0);
+/// let error = serde_json::from_str::<RigSpec>(r#"{"sensor": {"engin": "stereo-noise"}}"#).unwrap_err();
+/// assert!(error.to_string().starts_with("unknown option 'engin'; did you mean 'engine'?"));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct RigSpec {
     /// The names of the cameras. If there are none, the camera of every depth sensor is chosen, or every camera if there is no depth sensor.
     /// Cameras of an OAK are named as in [`OakOptions`](crate::render::OakOptions), cameras of a stage by their paths or unique names.
@@ -22,6 +41,7 @@ pub struct RigSpec {
     /// How the apertures of a stage's cameras are interpreted.
     pub projection: Projection,
     /// The annotators of each shot. Depth sensors are created if one of them, or a sweep, requires them.
+    #[serde(with = "annotator_names")]
     pub annotators: Vec<Annotator>,
     /// Whether the outputs of depth sensors are left out where there is none; otherwise a rig without any is an error.
     pub is_sensor_optional: bool,
@@ -41,18 +61,18 @@ pub struct RigSpec {
     pub backend: Backend,
 }
 
-/// What the stereo pair of a rig is for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum PairUse {
-    /// For engines that match it; without one there is no pair.
-    #[default]
-    Matched,
-    /// For engines that match it, and as PNG in each shot: `left`, `right`, `rectified_left`, `rectified_right`.
-    Written,
-    /// For engines that match it, and as the description of the pair in each shot, for the formats that have one.
-    Described,
-    /// For engines that match it, and for the caller, if the device has a pair.
-    Beside,
+choice! {
+    /// What the stereo pair of a rig is for.
+    PairUse {
+        /// For engines that match it; without one there is no pair.
+        Matched = "matched",
+        /// For engines that match it, and as PNG in each shot: `left`, `right`, `rectified_left`, `rectified_right`.
+        Written = "written",
+        /// For engines that match it, and as the description of the pair in each shot, for the formats that have one.
+        Described = "described",
+        /// For engines that match it, and for the caller, if the device has a pair.
+        Beside = "beside",
+    }
 }
 
 impl RigSpec {

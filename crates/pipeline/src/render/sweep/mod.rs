@@ -4,6 +4,7 @@ mod sheet;
 mod thumbnail;
 
 use std::collections::BTreeSet;
+use std::fmt;
 
 use super::camera::PlacedCamera;
 use super::depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, sensor_input};
@@ -12,6 +13,7 @@ use crate::sensor::{EngineInput, EngineKind, ParameterError, Sensor, SensorOptio
 use oaktwin_base::diagnostic::fold_name;
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Frame;
+use serde::{Deserialize, Serialize};
 use thumbnail::Thumbnail;
 
 /// The maximum number of values of a parameter; more images would be too small.
@@ -27,8 +29,9 @@ pub struct Axis {
     pub values: Vec<String>,
 }
 
-/// The values of one parameter, or all combinations of two.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// The values of one parameter, or all combinations of two. In files, it is the list of the axes as text.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "Vec<String>", into = "Vec<String>")]
 pub struct Sweep {
     columns: Axis,
     rows: Option<Axis>,
@@ -72,6 +75,27 @@ impl std::str::FromStr for Axis {
             return Err(SweepError::TooManyValues { name, count });
         }
         Ok(Self { name, values })
+    }
+}
+
+impl fmt::Display for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}={}", self.name, self.values.join(","))
+    }
+}
+
+impl TryFrom<Vec<String>> for Sweep {
+    type Error = SweepError;
+
+    fn try_from(axes: Vec<String>) -> Result<Self, SweepError> {
+        Self::parse(axes.iter().map(String::as_str))
+    }
+}
+
+impl From<Sweep> for Vec<String> {
+    fn from(sweep: Sweep) -> Self {
+        let axes = std::iter::once(sweep.columns).chain(sweep.rows);
+        axes.map(|axis| axis.to_string()).collect()
     }
 }
 

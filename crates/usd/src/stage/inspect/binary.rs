@@ -1,6 +1,6 @@
 use std::io::Cursor as IoCursor;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use oaktwin_base::panics;
 use openusd::sdf::SpecType;
 use openusd::usdc::CrateFile;
 
@@ -65,7 +65,7 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<Outline, Problem> {
         }
     }
     // Decode the tables with the library's own reader to detect panics early.
-    let decoded = catch_unwind(AssertUnwindSafe(|| CrateFile::open(IoCursor::new(bytes))));
+    let decoded = panics::contain(|| CrateFile::open(IoCursor::new(bytes)));
     let mut file = match decoded {
         Ok(Ok(file)) => file,
         Ok(Err(error)) => {
@@ -95,7 +95,7 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<Outline, Problem> {
             ));
         }
     }
-    catch_unwind(AssertUnwindSafe(|| outline(&mut file))).map_err(|_| damaged("tables", CONTRADICT))
+    panics::contain(|| outline(&mut file)).map_err(|_| damaged("tables", CONTRADICT))
 }
 
 /// Returns the outline of a layer whose values are valid.

@@ -1,8 +1,7 @@
 //! Decodes primitives that are compressed by Draco.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
-
 use draco_core::{DecodeLimits, DecoderBuffer, Mesh, MeshDecoder};
+use oaktwin_base::panics;
 use serde_json::{Value, json};
 
 use super::{DracoPrimitive, bytes_of, draco_primitives, list, number};
@@ -46,7 +45,7 @@ fn decoded(bytes: &[u8], allowed: usize) -> Result<Mesh, String> {
         let mut buffer = DecoderBuffer::new(bytes).with_limits(limits);
         MeshDecoder::new().decode(&mut buffer, &mut mesh).map(|()| mesh)
     };
-    match catch_unwind(AssertUnwindSafe(decode)) {
+    match panics::contain(decode) {
         Ok(Ok(mesh)) => Ok(mesh),
         Ok(Err(error)) => Err(error.to_string()),
         Err(_) => Err("it contradicts itself".into()),

@@ -1,0 +1,32 @@
+//! Structs of parameters in JSON and TOML, as a table from names to values: `#[serde(with = "oaktwin_base::parameter::by_name")]`.
+//! A parameter that is left out has its default on the first platform.
+
+use std::collections::BTreeMap;
+
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serializer};
+
+use super::{Platform, Scalar, Table};
+
+/// Writes all parameters.
+///
+/// # Errors
+/// Returns the errors of the serializer.
+pub fn serialize<P: Table, S: Serializer>(parameters: &P, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(P::rows().map(|row| (row.about.name, Scalar::of(&(row.get)(parameters)))))
+}
+
+/// Reads the given parameters; the others have their defaults.
+///
+/// # Errors
+/// Returns an error that names the parameter for an unknown name, an invalid value or a contradiction.
+pub fn deserialize<'de, P: Table, D: Deserializer<'de>>(deserializer: D) -> Result<P, D::Error> {
+    let mut parameters = P::defaults(Platform::default());
+    for (name, value) in BTreeMap::<String, Scalar>::deserialize(deserializer)? {
+        parameters
+            .set_by_name(&name, &value.to_string())
+            .map_err(D::Error::custom)?;
+    }
+    parameters.check_relations().map_err(D::Error::custom)?;
+    Ok(parameters)
+}

@@ -1,0 +1,284 @@
+//! Rigs: a device whose cameras all see a scene at once.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use oaktwin::camera::ImageSize;
+use oaktwin::image::annotation::Annotator;
+use oaktwin::image::{Image, ZDepth};
+use oaktwin::pair::PairOptions;
+use oaktwin::render::{self, Backend, PlacedCamera, RigSpec, annotator};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::arguments::{Annotators, FrameNumber, Size};
+use crate::camera::Camera;
+use crate::choice::named;
+use crate::device::Device;
+use crate::engine::{PythonEngine, serve_all};
+use crate::error::{error, wrong};
+use crate::finding;
+use crate::images::{Depth, Pictures};
+use crate::json::{from_python, to_python};
+use crate::layers::layers;
+use crate::pose::Of;
+use crate::scene::Scene;
+use crate::settings::{fresh_seed, keywords, sensor_options, strings};
+use crate::shot::shot;
+
+/// The annotators by default; an engine may lack the last ones.
+const DEFAULT: [Annotator; 5] = [
+    Annotator::Rgb,
+    Annotator::DistanceToImagePlane,
+    Annotator::DepthSensorDistance,
+    Annotator::DepthSensorReason,
+    Annotator::DepthSensorConfidence,
+];
+
+/// The arguments besides the options of the sensor.
+const ARGUMENTS: [&str; 5] = ["cameras", "size", "annotators", "pair", "backend"];
+
+#[doc = concat!(
+    "Rig(device, *, cameras=None, size=None, annotators=None, pair=None, backend='auto', ",
+    include_str!("generated/sensor_options.signature"),
+    ")\n--\n"
+)]
+/// A device with its cameras and depth sensors: what the program's commands render and measure with.
+///
+/// device: the device.
+/// cameras: the names of cameras: "rgb", "left", "right", "tof", or "depth" for the camera of every depth sensor; by default "depth".
+/// size: (width, height) of the images in px, resized by DepthAI's rule; by default each camera's own.
+/// annotators: the names of Replicator's annotators; by default "rgb", "distance_to_image_plane", and the depth, the reasons and the
+///     confidence of the depth sensors. See `annotators()`.
+/// pair: how the stereo pair is recorded and lit: a mapping with "projector" (the intensity of a Pro's dot projector, 0 to 1), "ambient" (the
+///     scale of the scene's lights), "imager" (a mapping of image sensor parameters), "rectify" (a mapping with "method", "target" and
+///     "edge_fill"), "lens" ("pinhole" or "fisheye") and "cameras" (the names of the two). The light changes what every engine measures.
+/// backend: "auto", "raster" or "ray".
+#[doc = include_str!("generated/sensor_options.doc")]
+///
+/// Raises oaktwin.Error for a camera, a sensor or a pair that the device lacks, and for unknown or invalid options, with the nearest names.
+///
+/// Thread-safe; shots are taken one after another. Copies and pickles have the settings and the number of the next frame, but not the
+/// state of temporal filters.
+#[pyclass(frozen, module = "oaktwin")]
+pub(crate) struct Rig {
+    device: Py<Device>,
+    spec: RigSpec,
+    rig: Mutex<render::Rig>,
+    next_frame: AtomicU64,
+    /// The engine, if it is written in Python.
+    engine: Option<Arc<PythonEngine>>,
+}
+
+#[pymethods]
+impl Rig {
+    #[new]
+    #[pyo3(signature = (device, *, cameras = None, size = None, annotators = None, pair = None, backend = "auto", **options))]
+    #[pyo3(text_signature = None)]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
+    fn new(
+        py: Python<'_>,
+        device: &Bound<'_, Device>,
+        cameras: Option<&Bound<'_, PyAny>>,
+        size: Option<Size>,
+        annotators: Option<Annotators>,
+        pair: Option<&Bound<'_, PyAny>>,
+        backend: &str,
+        options: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        let entropy = fresh_seed(py, options)?;
+        let mut sensor = sensor_options("Rig", &ARGUMENTS, options, |_| true)?;
+        sensor.seed = entropy.unwrap_or(sensor.seed);
+        let own = PairOptions {
+            lens: device.get().lens,
+            ..PairOptions::default()
+        };
+        let pair = pair.map(|pair| pair_options(pair, own)).transpose()?;
+        let names = annotators.as_ref().map(|Annotators(names)| names.iter());
+        let asked = names.map(|names| names.map(|name| annotator(name).map_err(error)).collect());
+        let spec = RigSpec {
+            cameras: cameras
+                .map(|names| strings("cameras", names))
+                .transpose()?
+                .unwrap_or_default(),
+            size: size.map(|Size(width, height)| ImageSize::new(width, height)),
+            // Only what was asked for has to be there.
+            are_outputs_optional: asked.is_none(),
+            is_sensor_optional: asked.is_none(),
+            annotators: asked.transpose()?.unwrap_or_else(|| DEFAULT.to_vec()),
+            pair: pair.unwrap_or(own),
+            sensor,
+            backend: named::<Backend>("backend", backend)?,
+            ..RigSpec::default()
+        };
+        let twin = Arc::clone(&device.get().twin);
+        let (rig, findings) = py.detach(|| render::Rig::new(&twin, &spec)).map_err(error)?;
+        rig.check_memory(false).map_err(error)?;
+        finding::warn(py, &findings)?;
+        Ok(Self {
+            device: device.clone().unbind(),
+            engine: PythonEngine::in_options(&spec.sensor),
+            rig: Mutex::new(rig),
+            next_frame: AtomicU64::new(0),
+            spec,
+        })
+    }
+
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<((&Py<Device>,), Bound<'py, PyDict>)> {
+        let options = keywords(py, &self.spec.sensor, |_| true)?;
+        if !self.spec.cameras.is_empty() {
+            options.set_item("cameras", &self.spec.cameras)?;
+        }
+        options.set_item("size", self.spec.size.map(|size| (size.width, size.height)))?;
+        if !self.spec.are_outputs_optional {
+            let names: Vec<&str> = self.spec.annotators.iter().map(|one| one.name()).collect();
+            options.set_item("annotators", names)?;
+        }
+        options.set_item("pair", to_python(py, &self.spec.pair)?)?;
+        options.set_item("backend", self.spec.backend.name())?;
+        Ok(((&self.device,), options))
+    }
+
+    /// The number of the next frame.
+    fn __getstate__(&self) -> u64 {
+        self.next_frame.load(Ordering::Relaxed)
+    }
+
+    fn __setstate__(&self, next_frame: u64) {
+        self.next_frame.store(next_frame, Ordering::Relaxed);
+    }
+
+    /// Renders a scene with the device at a pose, and measures it with its depth sensors.
+    ///
+    /// scene: the scene.
+    /// world_from_body: the pose of the device's body, (4, 4), metres; x forward, y left, z up. See `Scene.look_at` with a device; a
+    ///     `CameraPose` is rejected.
+    /// frame: the number of the frame. Noise differs between frames and is reproducible for each. By default, shots are numbered from 0 on.
+    ///
+    /// Returns a dictionary with a `Shot` for each camera: "rgb", "left", "right", "tof", and for the depth sensors "stereo_depth" and
+    /// "tof_depth", or "stereo_1_depth" and so on if there are several of a kind.
+    ///
+    /// Issues an oaktwin.FindingWarning for missing or unsupported contents. Raises oaktwin.Error for an invalid pose.
+    #[pyo3(signature = (scene, world_from_body, *, frame = None))]
+    fn shoot<'py>(
+        &self,
+        py: Python<'py>,
+        scene: &Scene,
+        world_from_body: &Bound<'py, PyAny>,
+        frame: Option<FrameNumber>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let world_from_body = Of::Body.one("world_from_body", world_from_body)?;
+        let number = self.number(frame);
+        let stage = scene.read(py);
+        let renderer = &stage.renderer;
+        let shots = serve_all(py, self.engine.as_slice(), |_| {
+            self.rig().shoot(renderer, Some(&world_from_body), number)
+        })?;
+        let (shots, findings) = shots.map_err(error)?;
+        finding::warn(py, &findings)?;
+        let by_camera = PyDict::new(py);
+        for (name, one) in self.names().into_iter().zip(shots) {
+            let one = shot(py, one, &world_from_body, self.spec.sensor.seed, &findings)?;
+            by_camera.set_item(name, one)?;
+        }
+        Ok(by_camera)
+    }
+
+    /// Measures exact depth that was rendered elsewhere, with the first depth sensor.
+    ///
+    /// depth: (H, W), with the size of the depth camera: floating-point metres along the optical axis, or uint16 millimetres.
+    /// rgb: the colour image of the same camera, (H, W, 3 or 4) uint8 sRGB.
+    /// frame: as in `shoot`.
+    ///
+    /// Returns a dictionary of the sensor's outputs by the names of annotators, "depth_sensor_distance" in metres.
+    ///
+    /// Raises oaktwin.Error for images of another size, a device without a depth sensor, and an engine that matches pairs.
+    #[pyo3(signature = (depth, rgb = None, *, frame = None))]
+    fn measure<'py>(
+        &self,
+        py: Python<'py>,
+        depth: &Bound<'py, PyAny>,
+        rgb: Option<&Bound<'py, PyAny>>,
+        frame: Option<FrameNumber>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let (depth, shape) = Depth::read("depth", depth)?;
+        if shape.batch.is_some() {
+            return Err(wrong(
+                "depth",
+                "is a batch",
+                "pass one image (H, W), or call a DepthSensor",
+            ));
+        }
+        let pictures = rgb.map(|rgb| Pictures::read(rgb, shape)).transpose()?;
+        let rgba = pictures.as_ref().map(Pictures::rgba).transpose()?;
+        let (width, height) = (shape.size.width, shape.size.height);
+        let rgb = rgba.and_then(|rgba| Image::new(width, height, rgba.into_owned()));
+        let depth = Image::new(width, height, depth.slice()?.metres().into_owned()).map(ZDepth);
+        let depth = depth.ok_or_else(|| wrong("depth", "has no pixels", "pass an image (H, W)"))?;
+        let number = self.number(frame);
+        let measured = serve_all(py, self.engine.as_slice(), |_| {
+            self.rig().measure(depth, rgb, number)
+        })?;
+        layers(py, measured.map_err(error)?, shape.size)
+    }
+
+    /// Starts a new sequence: temporal filters forget earlier images. The numbering of frames continues, so that no noise repeats.
+    fn reset(&self) {
+        self.rig().reset();
+    }
+
+    /// The Camera of each shot, on the device, by the name of the shot.
+    #[getter]
+    fn cameras<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let by_name = PyDict::new(py);
+        let rig = self.rig();
+        for camera in rig.cameras() {
+            by_name.set_item(name(camera), Camera::placed("camera", camera))?;
+        }
+        Ok(by_name)
+    }
+
+    /// The specification as a dictionary of texts, numbers, lists and dictionaries, which JSON and TOML can hold. Rust's `RigSpec` reads it.
+    #[getter]
+    fn spec<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.spec)
+    }
+
+    /// The noise seed; of a rig with `seed=None`, the one that was drawn.
+    #[getter]
+    fn seed(&self) -> u64 {
+        self.spec.sensor.seed
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<oaktwin.Rig {}: {}>", self.rig().name(), self.names().join(", "))
+    }
+}
+
+impl Rig {
+    fn rig(&self) -> std::sync::MutexGuard<'_, render::Rig> {
+        self.rig.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.rig().cameras().iter().map(name).collect()
+    }
+
+    fn number(&self, given: Option<FrameNumber>) -> u64 {
+        let next = || self.next_frame.fetch_add(1, Ordering::Relaxed);
+        given.map_or_else(next, |frame| frame.0)
+    }
+}
+
+/// The name of a camera, and of its shots.
+fn name(camera: &PlacedCamera) -> String {
+    camera.role.clone().unwrap_or_else(|| camera.folder.clone())
+}
+
+/// Reads how a pair is recorded; what the mapping leaves out is as given.
+fn pair_options(pair: &Bound<'_, PyAny>, own: PairOptions) -> PyResult<PairOptions> {
+    let read: PairOptions = from_python("pair", pair)?;
+    let names_lens = pair.contains("lens")?;
+    let lens = if names_lens { read.lens } else { own.lens };
+    Ok(PairOptions { lens, ..read })
+}
