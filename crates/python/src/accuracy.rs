@@ -1,6 +1,4 @@
-use std::ops::ControlFlow;
 use std::path::PathBuf;
-use std::sync::atomic::Ordering;
 
 use oaktwin::accuracy::{
     AccuracyError, Bench, CAPTURES, MeasuredOptics, Options, REGION, measured, parse_distances,
@@ -15,10 +13,11 @@ use crate::engine::{PythonEngine, serve_all};
 use crate::error::{error, reading, wrong};
 use crate::finding;
 use crate::json;
+use crate::progress::Report;
 use crate::settings::{mistyped, sensor_options};
 
 /// The arguments besides the options of the sensor.
-const ARGUMENTS: [&str; 10] = [
+const ARGUMENTS: [&str; 11] = [
     "sensor",
     "distances",
     "devices",
@@ -29,12 +28,14 @@ const ARGUMENTS: [&str; 10] = [
     "measured_from",
     "focal_px",
     "width_px",
+    "progress",
 ];
 
 /// Wraps the report of `oaktwin accuracy --json` as a dictionary, for `oaktwin.accuracy`.
 #[pyfunction]
 #[pyo3(signature = (device, *, sensor = None, distances = None, devices = None, population = false, captures = CAPTURES,
-    region = REGION, measured = None, measured_from = 0.0, focal_px = None, width_px = None, **options))]
+    region = REGION, measured = None, measured_from = 0.0, focal_px = None, width_px = None,
+    progress = Report::default(), **options))]
 #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub(crate) fn accuracy<'py>(
@@ -50,6 +51,7 @@ pub(crate) fn accuracy<'py>(
     measured_from: f64,
     focal_px: Option<f64>,
     #[pyo3(from_py_with = optional::width_px)] width_px: Option<u32>,
+    progress: Report,
     options: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let options = Options {
@@ -71,15 +73,10 @@ pub(crate) fn accuracy<'py>(
     let (bench, findings) = Bench::new(&device.twin, &options).map_err(error)?;
     finding::warn_caller(py, &findings)?;
     let python = PythonEngine::in_options(&options.engine);
-    let report = serve_all(py, python.as_slice(), |stop| {
-        let watch = |_| {
-            if stop.load(Ordering::Relaxed) {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
-        };
-        let measurement = bench.measure(measured.as_deref().zip(curve.as_ref()), &watch)?;
+    let report = serve_all(py, python.as_slice(), progress, |task| {
+        let measurement = bench.measure(measured.as_deref().zip(curve.as_ref()), &|progress| {
+            task.watch(progress)
+        })?;
         Ok::<_, AccuracyError>(measurement.report().clone())
     })?;
     json::to_python(py, &report.map_err(error)?)

@@ -1,6 +1,4 @@
-use std::ops::ControlFlow;
 use std::path::PathBuf;
-use std::sync::atomic::Ordering;
 
 use oaktwin::accuracy::{MeasuredOptics, REGION};
 use oaktwin::fit::{self as fitting, FitError, Options, Recordings, TargetImages};
@@ -14,6 +12,7 @@ use crate::device::Device;
 use crate::error::{error, wrong};
 use crate::finding;
 use crate::json;
+use crate::progress::Report;
 use crate::settings::sensor_options;
 use crate::threads;
 
@@ -23,7 +22,7 @@ fn is_offered(option: &SensorOption) -> bool {
 }
 
 /// The arguments besides the options of the sensor.
-const ARGUMENTS: [&str; 7] = [
+const ARGUMENTS: [&str; 8] = [
     "sensor",
     "region",
     "depth_scale",
@@ -31,12 +30,13 @@ const ARGUMENTS: [&str; 7] = [
     "focal_px",
     "width_px",
     "fits_focal_length",
+    "progress",
 ];
 
 /// Wraps the report of `oaktwin fit --json` and its parameter file, for `oaktwin.fit`.
 #[pyfunction]
 #[pyo3(signature = (device, recordings, *, sensor = None, region = REGION, depth_scale = 0.001, measured_from = 0.0,
-    focal_px = None, width_px = None, fits_focal_length = false, **options))]
+    focal_px = None, width_px = None, fits_focal_length = false, progress = Report::default(), **options))]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub(crate) fn fit<'py>(
     py: Python<'py>,
@@ -49,6 +49,7 @@ pub(crate) fn fit<'py>(
     focal_px: Option<f64>,
     #[pyo3(from_py_with = optional::width_px)] width_px: Option<u32>,
     fits_focal_length: bool,
+    progress: Report,
     options: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<(Bound<'py, PyAny>, String)> {
     let recordings = recordings.read()?;
@@ -64,15 +65,10 @@ pub(crate) fn fit<'py>(
         from_m: measured_from,
         fits_focal_length,
     };
-    let fitted = threads::interruptible(py, |stop| {
-        let watch = |_| {
-            if stop.load(Ordering::Relaxed) {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
-        };
-        let (fit, findings) = fitting::fit(&device.twin, recordings.recordings(), &options, &watch)?;
+    let fitted = threads::interruptible(py, progress, |task| {
+        let (fit, findings) = fitting::fit(&device.twin, recordings.recordings(), &options, &|progress| {
+            task.watch(progress)
+        })?;
         Ok::<_, FitError>((fit.report().clone(), findings))
     })?;
     let (report, findings) = fitted.map_err(error)?;

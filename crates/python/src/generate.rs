@@ -1,12 +1,9 @@
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf, absolute};
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use oaktwin::dataset::View;
 use oaktwin::generate::recipe::{RecipeFile, Texts};
 use oaktwin::generate::{GenerateError, GenerateOptions, Generated, Generator};
-use oaktwin::progress::Progress;
 use pyo3::exceptions::{PyIndexError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PySlice, PyTuple};
@@ -17,6 +14,7 @@ use crate::error::{error, reading, wrong};
 use crate::layers::layers;
 use crate::models::Models;
 use crate::pose::{Of, rows};
+use crate::progress::Report;
 use crate::{finding, json, threads};
 
 /// A recipe of a data set of random scenes, with its scenes and the list of its objects.
@@ -175,16 +173,20 @@ impl Recipe {
     /// Returns a contact sheet of the first frames as an sRGB image (H, W, 3) of uint8: colour, exact depth and measured depth.
     ///
     /// frames: the number of frames, at least 1.
-    #[pyo3(signature = (frames = 16))]
+    /// progress: as in `generate`.
+    #[pyo3(signature = (frames = 16, *, progress = Report::default()), text_signature = "($self, frames=16, *, progress=False)")]
     fn preview<'py>(
         &self,
         py: Python<'py>,
         #[pyo3(from_py_with = frames)] frames: u64,
+        progress: Report,
     ) -> PyResult<Bound<'py, PyArray3<u8>>> {
         if frames == 0 {
             return Err(wrong("frames", "is 0", "pass at least 1"));
         }
-        let sheet = threads::interruptible(py, |stop| self.generator.preview(frames, &watch(stop)))?;
+        let sheet = threads::interruptible(py, progress, |task| {
+            self.generator.preview(frames, &|progress| task.watch(progress))
+        })?;
         let sheet = sheet.map_err(error)?;
         let shape = [sheet.height() as usize, sheet.width() as usize, 3];
         PyArray1::from_slice(py, sheet.pixels().as_flattened()).reshape(shape)
@@ -200,9 +202,12 @@ impl Recipe {
     ///     machines with a common folder, can make different frames of one data set in this way.
     /// ray: whether Ray distributes the frames: True, or the address of a cluster, such as "auto", "host:6379" or
     ///     "ray://host:10001".
+    /// progress: whether a progress bar is shown on standard error; or a callable that gets the numbers of frames that are done and in total.
+    ///     Not with Ray, which shows its own.
     #[pyo3(
-        signature = (output, *, frames = None, resume = false, workers = None, only_frames = false, ray = Ray::Switch(false)),
-        text_signature = "($self, output, *, frames=None, resume=False, workers=None, only_frames=False, ray=False)"
+        signature = (output, *, frames = None, resume = false, workers = None, only_frames = false, ray = Ray::Switch(false),
+            progress = Report::default()),
+        text_signature = "($self, output, *, frames=None, resume=False, workers=None, only_frames=False, ray=False, progress=False)"
     )]
     #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
@@ -215,6 +220,7 @@ impl Recipe {
         #[pyo3(from_py_with = optional::workers)] workers: Option<usize>,
         only_frames: bool,
         ray: Ray,
+        progress: Report,
     ) -> PyResult<Py<PyDict>> {
         let options = GenerateOptions {
             frames: frames.map(|(first, end)| first..end),
@@ -224,7 +230,7 @@ impl Recipe {
             ..GenerateOptions::default()
         };
         let made = match ray {
-            Ray::Switch(false) => self.generate_here(py, &output, &options),
+            Ray::Switch(false) => self.generate_here(py, &output, &options, progress),
             Ray::Switch(true) => self.generate_with_ray(py, &output, &options, None),
             Ray::Address(address) => self.generate_with_ray(py, &output, &options, Some(address)),
         }?;
@@ -243,18 +249,10 @@ impl Recipe {
     }
 }
 
-/// Interrupts a task once `stop` is set.
-fn watch(stop: &AtomicBool) -> impl Fn(Progress) -> ControlFlow<()> + Sync {
-    |_| match stop.load(Ordering::Relaxed) {
-        true => ControlFlow::Break(()),
-        false => ControlFlow::Continue(()),
-    }
-}
-
 impl Recipe {
     /// A frame in memory.
     fn sample<'py>(&self, py: Python<'py>, frame: u64) -> PyResult<Bound<'py, PyAny>> {
-        let made = threads::interruptible(py, |_| self.generator.sample(frame))?;
+        let made = threads::interruptible(py, Report::default(), |_| self.generator.sample(frame))?;
         let (shots, findings) = made.map_err(error)?;
         finding::warn(py, &findings)?;
         let all = PyDict::new(py);
@@ -298,8 +296,17 @@ impl Recipe {
         class.call1((all, frame, cameras, poses, measured, objects))
     }
 
-    fn generate_here(&self, py: Python<'_>, output: &Path, options: &GenerateOptions) -> PyResult<Generated> {
-        let made = threads::interruptible(py, |stop| self.generator.generate(output, options, &watch(stop)))?;
+    fn generate_here(
+        &self,
+        py: Python<'_>,
+        output: &Path,
+        options: &GenerateOptions,
+        progress: Report,
+    ) -> PyResult<Generated> {
+        let made = threads::interruptible(py, progress, |task| {
+            self.generator
+                .generate(output, options, &|progress| task.watch(progress))
+        })?;
         made.map_err(error)
     }
 

@@ -35,6 +35,7 @@ mod models;
 mod pair;
 mod parameters;
 mod pose;
+mod progress;
 mod projection;
 mod recording;
 mod rectification;

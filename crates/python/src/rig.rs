@@ -22,6 +22,7 @@ use crate::images::{Depth, Pictures};
 use crate::json::{from_python, to_python};
 use crate::layers::layers;
 use crate::pose::Of;
+use crate::progress::Report;
 use crate::scene::Scene;
 use crate::settings::{fresh_seed, keywords, sensor_options, strings};
 use crate::shot::shot;
@@ -94,8 +95,8 @@ impl Rig {
             ..PairOptions::default()
         };
         let pair = pair.map(|pair| pair_options(pair, own)).transpose()?;
-        let names = annotators.as_ref().map(|Annotators(names)| names.iter());
-        let asked = names.map(|names| names.map(|name| annotator(name).map_err(error)).collect());
+        let names = annotators.map(|Annotators(names)| names.into_iter());
+        let asked = names.map(|names| names.map(|name| annotator(&name).map_err(error)).collect());
         let spec = RigSpec {
             cameras: cameras
                 .map(|names| strings("cameras", names))
@@ -171,7 +172,7 @@ impl Rig {
         let number = self.number(frame);
         let stage = scene.read(py);
         let renderer = &stage.renderer;
-        let shots = serve_all(py, self.engine.as_slice(), |_| {
+        let shots = serve_all(py, self.engine.as_slice(), Report::default(), |_| {
             self.rig().shoot(renderer, Some(&world_from_body), number)
         })?;
         let (shots, findings) = shots.map_err(error)?;
@@ -216,7 +217,7 @@ impl Rig {
         let depth = Image::new(width, height, depth.slice()?.metres().into_owned()).map(ZDepth);
         let depth = depth.ok_or_else(|| wrong("depth", "has no pixels", "pass an image (H, W)"))?;
         let number = self.number(frame);
-        let measured = serve_all(py, self.engine.as_slice(), |_| {
+        let measured = serve_all(py, self.engine.as_slice(), Report::default(), |_| {
             self.rig().measure(depth, rgb, number)
         })?;
         layers(py, measured.map_err(error)?, shape.size)

@@ -2,7 +2,6 @@
 
 use std::cell::RefCell;
 use std::process;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::Duration;
@@ -10,6 +9,8 @@ use std::time::Duration;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use crate::progress::{Report, Task};
 
 /// The maximum delay of Ctrl-C.
 pub(crate) const POLL: Duration = Duration::from_millis(50);
@@ -81,25 +82,22 @@ pub(crate) fn count() -> PyResult<usize> {
     Ok(pool()?.current_num_threads().max(1))
 }
 
-fn signals(py: Python<'_>) -> PyResult<()> {
-    py.check_signals()
-}
-
 /// Runs work on the pool, with the interpreter released, and raises the exception of a signal: the work is then
 /// cancelled and its result dropped.
 pub(crate) fn interruptible<T: Send>(
     py: Python<'_>,
-    work: impl FnOnce(&AtomicBool) -> T + Send,
+    report: Report,
+    work: impl FnOnce(&Task) -> T + Send,
 ) -> PyResult<T> {
     let pool = pool()?;
-    let stop = AtomicBool::new(false);
+    let task = Task::new(report);
     let (result, raised) = py.detach(|| {
         thread::scope(|scope| {
             let waiting = thread::current();
             let worker = scope.spawn({
-                let stop = &stop;
+                let task = &task;
                 move || {
-                    let result = pool.install(|| work(stop));
+                    let result = pool.install(|| work(task));
                     waiting.unpark();
                     result
                 }
@@ -108,9 +106,8 @@ pub(crate) fn interruptible<T: Send>(
             while !worker.is_finished() {
                 thread::park_timeout(POLL);
                 if raised.is_none()
-                    && let Err(error) = Python::attach(signals)
+                    && let Err(error) = Python::attach(|py| task.check(py))
                 {
-                    stop.store(true, Ordering::Relaxed);
                     raised = Some(error);
                 }
             }
@@ -119,7 +116,7 @@ pub(crate) fn interruptible<T: Send>(
     });
     match (result, raised) {
         (_, Some(error)) => Err(error),
-        (Ok(result), None) => Ok(result),
+        (Ok(result), None) => task.report(py).map(|()| result),
         (Err(panic), None) => std::panic::resume_unwind(panic),
     }
 }

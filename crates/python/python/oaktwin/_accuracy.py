@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from typing_extensions import Unpack
 
-    from ._types import _Json, _SensorOptions
+    from ._types import _Json, _Progress, _SensorOptions
 
 _COLUMNS = (
     "distance_m",
@@ -107,6 +107,7 @@ def accuracy(
     measured_from: float = 0.0,
     focal_px: float | None = None,
     width_px: int | None = None,
+    progress: _Progress = False,
     **options: Unpack[_SensorOptions],
 ) -> Accuracy:
     """Measures a twin's depth accuracy by the vendor's method: a textured board at each distance, and the median unit.
@@ -124,6 +125,7 @@ def accuracy(
     measured_from: the minimum distance of measurements that are compared, metres.
     focal_px: the focal length of the measured unit, px of images `width_px` wide; by default the device's own.
     width_px: the width of the unit's images: 1280 at 800P, 640 at 480P and 400P.
+    progress: whether a progress bar is shown on standard error; or a callable that gets the numbers of items that are done and in total.
     options: the options of `DepthSensor` from `engine` on. An engine that matches pairs gets image pairs of the board; one that is
         written in Python is called for each capture of each unit, so that fewer `distances`, `devices` and `captures` save time.
 
@@ -144,6 +146,7 @@ def accuracy(
         measured_from=measured_from,
         focal_px=focal_px,
         width_px=width_px,
+        progress=progress,
         **options,
     )
     return Accuracy(report)

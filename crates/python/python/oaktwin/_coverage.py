@@ -15,7 +15,7 @@ from ._settings import settings_of
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._types import _Json, _SensorOptions
+    from ._types import _Json, _Progress, _SensorOptions
 
 _NUMBERS = (
     "height_m",
@@ -106,6 +106,7 @@ def coverage(
     projector: float | None = None,
     ambient: float = 1.0,
     imager: Mapping[str, float | str | bool] | None = None,
+    progress: _Progress = False,
     **options: Unpack[_SensorOptions],
 ) -> Coverage:
     """Measures which share of a surface the depth sensors of devices see and measure from poses, with which error, and why the
@@ -128,6 +129,7 @@ def coverage(
     points: whether the result has the outcomes at each point.
     projector: the intensity of the dot projector of a model that has one, from 0 (off) to 1; by default 1.
     ambient, imager: as for `Scene.render_pair`; `imager` is for the engine "stereo-matching".
+    progress: whether a progress bar is shown on standard error; or a callable that gets the numbers of items that are done and in total.
     options: the options of `DepthSensor` from `engine` on. An engine that matches pairs gets rendered image pairs.
 
     A point is seen if nothing lies between it and the camera, and measured if its pixel has a value. All faces count, also those
@@ -154,5 +156,6 @@ def coverage(
         projector=projector,
         ambient=ambient,
         imager=imager,
+        progress=progress,
     )
     return Coverage(report, outcomes)

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
     from ._cameras import Camera
     from ._poses import CameraPose
+    from ._types import _Progress
 
     _Layers = dict[str, Any]
 else:
@@ -70,6 +71,7 @@ def generate(
     workers: int | None = None,
     only_frames: bool = False,
     ray: bool | str = False,
+    progress: _Progress = False,
 ) -> dict[str, int]:
     """Generates a data set of random scenes from a recipe, as `oaktwin generate` does.
 
@@ -87,6 +89,7 @@ def generate(
     ray: whether Ray distributes the frames: True for the cluster that this process is connected to, the one at RAY_ADDRESS or this
         machine; or the address of a cluster, such as "auto", "host:6379" or "ray://host:10001". All machines need this version of
         oaktwin, and the recipe, its files and the folder under the same paths. The bytes are the same as without Ray.
+    progress: whether a progress bar is shown on standard error; or a callable that gets the numbers of frames that are done and in total.
 
     Returns a mapping: "frames", the number of frames that were made, "skipped", those that were complete before, "missing", frames of
     the recipe that are not there, "files" and "bytes".
@@ -95,4 +98,4 @@ def generate(
     Ray: `pip install oaktwin[ray]`; what is complete remains and can be resumed, also after Ctrl-C.
     """
     opened = Recipe(recipe, formats=formats, seed=seed, save_scenes=save_scenes, catalog=catalog)
-    return opened.generate(output, frames=frames, resume=resume, workers=workers, only_frames=only_frames, ray=ray)
+    return opened.generate(output, frames=frames, resume=resume, workers=workers, only_frames=only_frames, ray=ray, progress=progress)

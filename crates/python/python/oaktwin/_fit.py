@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from typing_extensions import Unpack
 
-    from ._types import _Json, _SensorOptions
+    from ._types import _Json, _Progress, _SensorOptions
 
     _Images = npt.NDArray[Any] | Sequence[npt.NDArray[Any]]
 
@@ -115,6 +115,7 @@ def fit(
     focal_px: float | None = None,
     width_px: int | None = None,
     fits_focal_length: bool = False,
+    progress: _Progress = False,
     **options: Unpack[_SensorOptions],
 ) -> Fit:
     """Fits the parameters of a depth sensor to recordings of one unit.
@@ -131,6 +132,7 @@ def fit(
     focal_px: the focal length of the unit, px of images `width_px` wide; by default the device's own.
     width_px: the width of the unit's images: 1280 at 800P, 640 at 480P and 400P.
     fits_focal_length: whether to fit the focal length as well.
+    progress: whether a progress bar is shown on standard error; or a callable that gets the numbers of items that are done and in total.
     options: what is known of the sensor: the options engine, preset, parameters and extended_disparity of `DepthSensor`, such as
         parameters={"subpixelFractionalBits": 3}.
 
@@ -152,6 +154,7 @@ def fit(
         focal_px=focal_px,
         width_px=width_px,
         fits_focal_length=fits_focal_length,
+        progress=progress,
         **options,
     )
     return Fit(report, toml)

@@ -19,7 +19,7 @@ from ._images import Filter as Filter, align as align
 from ._rigs import Rig as Rig
 from ._scenes import Mesh as Mesh, Recipe as Recipe, Recording as Recording, Scene as Scene, annotators as annotators
 from ._sensors import DepthSensor as DepthSensor, StereoMatcher as StereoMatcher
-from ._types import _Array, _Json, _SensorOptions
+from ._types import _Array, _Json, _Progress, _SensorOptions
 
 __all__ = [
     "Camera",
@@ -70,6 +70,7 @@ def accuracy(
     measured_from: float = 0.0,
     focal_px: float | None = None,
     width_px: int | None = None,
+    progress: _Progress = ...,
     **options: Unpack[_SensorOptions],
 ) -> _Json:
     """Wraps the report of `oaktwin accuracy --json` as a dictionary, for `oaktwin.accuracy`."""
@@ -89,6 +90,7 @@ def coverage(
     projector: float | None = None,
     ambient: float = 1.0,
     imager: Mapping[str, float | str | bool] | None = None,
+    progress: _Progress = ...,
 ) -> tuple[_Json, _Json | None]:
     """Wraps the report of `oaktwin coverage --json` as a dictionary, and the outcomes by point, for `oaktwin.coverage`. Each device has the
     name of its sensor and its options.
@@ -104,6 +106,7 @@ def fit(
     focal_px: float | None = None,
     width_px: int | None = None,
     fits_focal_length: bool = False,
+    progress: _Progress = ...,
     **options: Unpack[_SensorOptions],
 ) -> tuple[_Json, str]:
     """Wraps the report of `oaktwin fit --json` and its parameter file, for `oaktwin.fit`."""

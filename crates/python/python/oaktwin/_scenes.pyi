@@ -12,7 +12,7 @@ from ._datasets import Sample
 from ._devices import Device
 from ._findings import Finding
 from ._poses import BodyPose, CameraPose, Poses
-from ._types import _Array, _Backend, _Drift, _Float64, _Json, _Pair, _Rendered, _SceneAnnotator, _Up
+from ._types import _Array, _Backend, _Drift, _Float64, _Json, _Pair, _Progress, _Rendered, _SceneAnnotator, _Up
 
 __all__ = ["Mesh", "Recipe", "Recording", "Scene", "annotators"]
 
@@ -353,10 +353,11 @@ class Recipe:
 
         Raises oaktwin.Error if an object or the camera has no place.
         """
-    def preview(self, frames: int = 16) -> npt.NDArray[np.uint8]:
+    def preview(self, frames: int = 16, *, progress: _Progress = False) -> npt.NDArray[np.uint8]:
         """Returns a contact sheet of the first frames as an sRGB image (H, W, 3) of uint8: colour, exact depth and measured depth.
 
         frames: the number of frames, at least 1.
+        progress: as in `generate`.
         """
     def generate(
         self,
@@ -367,6 +368,7 @@ class Recipe:
         workers: int | None = None,
         only_frames: bool = False,
         ray: bool | str = False,
+        progress: _Progress = False,
     ) -> dict[str, int]:
         """Generates the data set, or a part of it, in a folder, as oaktwin.generate does.
 
@@ -378,4 +380,6 @@ class Recipe:
             machines with a common folder, can make different frames of one data set in this way.
         ray: whether Ray distributes the frames: True, or the address of a cluster, such as "auto", "host:6379" or
             "ray://host:10001".
+        progress: whether a progress bar is shown on standard error; or a callable that gets the numbers of frames that are done and in total.
+            Not with Ray, which shows its own.
         """

@@ -93,6 +93,8 @@ class _PairOptions(TypedDict, total=False):
     lens: _Lens
     cameras: Sequence[_Role]
 
+# A switch of a progress bar, or a callable that gets the numbers of items that are done and in total.
+_Progress = bool | Callable[[int, int], object]
 # An engine written in Python: it gets the arguments that it names, and returns an array or a mapping of arrays.
 _Callable = Callable[..., object]
 _Parameters = Mapping[str, object] | str | PathLike[str] | Fit

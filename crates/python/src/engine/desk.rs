@@ -4,7 +4,6 @@
 //! called oaktwin waits while others work, and calls the engine for them: Ctrl-C interrupts the engine as it interrupts any other code in
 //! Python.
 
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 use std::thread;
@@ -14,6 +13,7 @@ use pyo3::prelude::*;
 
 use super::{Answer, PythonEngine, Request};
 use crate::error::{text, wrong};
+use crate::progress::{Report, Task};
 use crate::threads::{self, POLL};
 
 /// The number of an engine among those that a thread serves, what it is to measure, and the place for its answer; none if the work has been
@@ -84,7 +84,7 @@ pub(crate) fn away<T: Send>(
 ) -> PyResult<T> {
     match engine {
         None => py.detach(work),
-        Some(engine) => serve_all(py, std::slice::from_ref(engine), |_| work())?,
+        Some(engine) => serve_all(py, std::slice::from_ref(engine), Report::default(), |_| work())?,
     }
 }
 
@@ -93,10 +93,11 @@ pub(crate) fn away<T: Send>(
 pub(crate) fn serve_all<T: Send>(
     py: Python<'_>,
     engines: &[Arc<PythonEngine>],
-    work: impl FnOnce(&AtomicBool) -> T + Send,
+    report: Report,
+    work: impl FnOnce(&Task) -> T + Send,
 ) -> PyResult<T> {
     if engines.is_empty() {
-        return threads::interruptible(py, work);
+        return threads::interruptible(py, report, work);
     }
     // Every thread takes its turns in this order, so that none waits for another one in a circle.
     let mut engines: Vec<&PythonEngine> = engines.iter().map(Arc::as_ref).collect();
@@ -105,24 +106,24 @@ pub(crate) fn serve_all<T: Send>(
     let turns = engines.iter().map(|engine| engine.turn(py));
     let _turns = turns.collect::<PyResult<Vec<_>>>()?;
     let pool = threads::pool()?;
-    let stop = AtomicBool::new(false);
+    let task = Task::new(report);
     let (sender, mut questions) = mpsc::channel();
     for (number, engine) in engines.iter().enumerate() {
         *lock(&engine.desk.questions) = Some((number, sender.clone()));
     }
     drop(sender);
     let (result, raised) = thread::scope(|scope| {
-        let (stop, engines) = (&stop, &engines[..]);
+        let (task, engines) = (&task, &engines[..]);
         let worker = scope.spawn(move || {
             let _closing = Closing(engines);
-            pool.install(|| work(stop))
+            pool.install(|| work(task))
         });
-        let raised = answer_all(py, engines, &mut questions, stop);
+        let raised = answer_all(py, engines, &mut questions, task);
         (py.detach(|| worker.join()), raised)
     });
     match (result, raised) {
         (_, Some(error)) => Err(error),
-        (Ok(result), None) => Ok(result),
+        (Ok(result), None) => task.report(py).map(|()| result),
         (Err(panic), None) => std::panic::resume_unwind(panic),
     }
 }
@@ -132,7 +133,7 @@ fn answer_all(
     py: Python<'_>,
     engines: &[&PythonEngine],
     questions: &mut Receiver<Question>,
-    stop: &AtomicBool,
+    task: &Task,
 ) -> Option<PyErr> {
     let mut raised = None;
     loop {
@@ -144,11 +145,11 @@ fn answer_all(
                 answer.map(|answer| drop(reply.send(Some(answer))))
             }
             Ok(_) => Ok(()),
-            Err(RecvTimeoutError::Timeout) => py.check_signals(),
+            Err(RecvTimeoutError::Timeout) => task.check(py),
             Err(RecvTimeoutError::Disconnected) => return raised,
         };
         if let Err(error) = done {
-            stop.store(true, Ordering::Relaxed);
+            task.stop();
             raised.get_or_insert(error);
         }
     }

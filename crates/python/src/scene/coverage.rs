@@ -1,6 +1,3 @@
-use std::ops::ControlFlow;
-use std::sync::atomic::Ordering;
-
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use oaktwin::camera::ImageSize;
 use oaktwin::camera::math::DVec3;
@@ -22,10 +19,11 @@ use crate::finding;
 use crate::json;
 use crate::pair::PairSettings;
 use crate::pose::Of;
+use crate::progress::Report;
 use crate::settings::{mistyped, sensor_options, strings};
 
 /// The arguments besides the options of the sensor.
-const ARGUMENTS: [&str; 12] = [
+const ARGUMENTS: [&str; 13] = [
     "region",
     "region_box",
     "height",
@@ -38,13 +36,15 @@ const ARGUMENTS: [&str; 12] = [
     "projector",
     "ambient",
     "imager",
+    "progress",
 ];
 
 /// Wraps the report of `oaktwin coverage --json` as a dictionary, and the outcomes by point, for `oaktwin.coverage`. Each device has the
 /// name of its sensor and its options.
 #[pyfunction]
 #[pyo3(signature = (scene, devices, world_from_body, *, region = None, region_box = None, height = None, tilt_deg = None, size = None,
-    samples = None, tolerance_mm = None, points = false, projector = None, ambient = 1.0, imager = None))]
+    samples = None, tolerance_mm = None, points = false, projector = None, ambient = 1.0, imager = None,
+    progress = Report::default()))]
 #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub(crate) fn coverage<'py>(
@@ -63,6 +63,7 @@ pub(crate) fn coverage<'py>(
     projector: Option<f64>,
     ambient: f64,
     imager: Option<&Bound<'py, PyAny>>,
+    progress: Report,
 ) -> PyResult<(Bound<'py, PyAny>, Option<Bound<'py, PyDict>>)> {
     let region = self::region(region, region_box)?;
     let mut rigs = Vec::new();
@@ -111,15 +112,10 @@ pub(crate) fn coverage<'py>(
         tolerance_mm,
         keeps_points: points,
     };
-    let measured = serve_all(py, &engines, |stop| {
-        let watch = |_| {
-            if stop.load(Ordering::Relaxed) {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
-        };
-        measure(renderer, &region, &candidates, &options, &watch)
+    let measured = serve_all(py, &engines, progress, |task| {
+        measure(renderer, &region, &candidates, &options, &|progress| {
+            task.watch(progress)
+        })
     })?;
     let measured = measured.map_err(error)?;
     finding::warn(py, &measured.findings)?;

@@ -30,6 +30,7 @@ use crate::finding::{self, Finding};
 use crate::mesh::Mesh;
 use crate::pair::{self, PairSettings};
 use crate::pose::{Of, matrix, one_pose, rows};
+use crate::progress::Report;
 use crate::settings::{drift, mistyped, seed_or_entropy};
 use crate::threads;
 
@@ -109,7 +110,7 @@ impl Scene {
             texture_coordinates: false,
             micro_texture,
         };
-        let opened = threads::interruptible(py, |_| SceneFile::open(&path, &options))?;
+        let opened = threads::interruptible(py, Report::default(), |_| SceneFile::open(&path, &options))?;
         let mut file = opened.map_err(|error| reading(&path, &error))?;
         let (cameras, odd) = cameras(&file);
         file.findings.extend(odd);
