@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use oaktwin::catalog::{Catalog, Device, Twin};
-use oaktwin::diagnostic::{Finding, Level, message, opt};
+use oaktwin::diagnostic::Finding;
 use oaktwin::{render, unit};
 
 use crate::args::{ImuFrameArgs, UnitArgs};
@@ -87,18 +87,8 @@ impl Context {
             None => (self.catalog.nominal(device), Vec::new()),
         };
         findings.extend(own.stand_in(model));
-        if axes.imu_frame.is_some() && twin.body_from_imu != self.catalog.nominal(device).body_from_imu {
-            findings.push(Finding::new(
-                "imu-frame",
-                Level::Note,
-                "imuExtrinsics",
-                message![
-                    "has the axes of the inertial unit; ",
-                    opt("imu-frame"),
-                    " has no effect"
-                ],
-                "",
-            ));
+        if axes.imu_frame.is_some() {
+            findings.extend(unit::imu_frame_without_effect(&self.catalog, device, &twin));
         }
         render::check_lens(&twin, unit.lens)?;
         Ok((twin, findings))

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use oaktwin_base::diagnostic::{Finding, Level};
+use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 use oaktwin_base::parameter::Platform;
 use oaktwin_calibration::raw::MAX_BYTES;
 use oaktwin_calibration::{self as calibration, Calibration, CalibrationError, Raw, Socket};
@@ -26,6 +26,24 @@ pub enum UnitError {
         /// The first error.
         finding: Finding,
     },
+}
+
+/// Returns a note if the axes of an inertial unit come from a calibration, so that a chosen source of them has no effect.
+#[must_use]
+pub fn imu_frame_without_effect(catalog: &Catalog, device: &Device, twin: &Twin) -> Option<Finding> {
+    (twin.body_from_imu != catalog.nominal(device).body_from_imu).then(|| {
+        Finding::new(
+            "imu-frame",
+            Level::Note,
+            "imuExtrinsics",
+            message![
+                "has the axes of the inertial unit; ",
+                opt("imu-frame"),
+                " has no effect"
+            ],
+            "",
+        )
+    })
 }
 
 /// Reads a calibration file: as written and checked. The findings include errors that [`calibration::force`] turns into

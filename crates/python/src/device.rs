@@ -7,7 +7,7 @@ use std::sync::Arc;
 use numpy::PyArray2;
 use oaktwin::calibration::{Calibration, Raw};
 use oaktwin::camera::RectifiedIntrinsics;
-use oaktwin::catalog::{Origin, Role, Twin};
+use oaktwin::catalog::{ImuFrame, Origin, Role, Twin};
 use oaktwin::diagnostic;
 use oaktwin::render::check_lens;
 use oaktwin::report::DeviceReport;
@@ -33,6 +33,8 @@ use crate::robot;
 ///
 /// model: the name, such as "OAK4-D"; case, spaces, hyphens and underscores are ignored. See `models()`.
 /// lens: "pinhole" (default), or "fisheye" for the left and right cameras of the wide models.
+/// imu_frame: the source of the axes of the inertial unit, about which sources disagree: "driver" (default, RTAB-Map's) or "board-file" (the
+///     vendor's). A calibration with inertial extrinsics has its own.
 /// catalog: a folder of TOML files with additional devices and sensors. Unpickling reads it again.
 ///
 /// Frames: a camera's is OpenCV's (x right, y down, z forward); the body's is x forward, y left, z up, with the origin midway
@@ -44,6 +46,7 @@ use crate::robot;
 pub(crate) struct Device {
     pub(crate) twin: Arc<Twin>,
     pub(crate) lens: LensChoice,
+    imu_frame: ImuFrame,
     pub(crate) findings: Vec<diagnostic::Finding>,
     pub(crate) models: Models,
     calibration: Option<Calibrated>,
@@ -61,12 +64,12 @@ struct Calibrated {
 pub(crate) fn _device(
     py: Python<'_>,
     model: &str,
-    lens: &str,
+    choices: (String, String),
     catalog: Option<PathBuf>,
     calibration: Option<(String, String, bool)>,
 ) -> PyResult<Device> {
     let Some((name, text, force)) = calibration else {
-        return Device::py_new(py, model, lens, catalog);
+        return Device::py_new(py, model, &choices.0, &choices.1, catalog);
     };
     let raw = Raw::parse(text.as_bytes(), &name).map_err(error)?;
     Device::unit(
@@ -75,23 +78,40 @@ pub(crate) fn _device(
         Some(model),
         Path::new(&name),
         force,
-        lens,
+        Choices::new(&choices.0, &choices.1)?,
     )
+}
+
+/// What a calibration does not determine.
+#[derive(Clone, Copy, Debug)]
+struct Choices {
+    lens: LensChoice,
+    imu_frame: ImuFrame,
+}
+
+impl Choices {
+    fn new(lens: &str, imu_frame: &str) -> PyResult<Self> {
+        Ok(Self {
+            lens: named("lens", lens)?,
+            imu_frame: named("imu_frame", imu_frame)?,
+        })
+    }
 }
 
 impl Device {
     fn new(
         twin: Twin,
-        lens: &str,
+        choices: Choices,
         models: Models,
         calibration: Option<Calibrated>,
         findings: Vec<diagnostic::Finding>,
     ) -> PyResult<Self> {
-        let lens = named("lens", lens)?;
+        let Choices { lens, imu_frame } = choices;
         check_lens(&twin, lens).map_err(error)?;
         Ok(Self {
             twin: Arc::new(twin),
             lens,
+            imu_frame,
             models,
             calibration,
             findings,
@@ -105,7 +125,7 @@ impl Device {
         model: Option<&str>,
         path: &Path,
         force: bool,
-        lens: &str,
+        choices: Choices,
     ) -> PyResult<Self> {
         let (calibration, _) = Calibration::from_raw(&raw).map_err(error)?;
         let device = match model {
@@ -121,26 +141,37 @@ impl Device {
                 })?
             }
         };
-        let (twin, findings) = unit::of_raw(models.get(), device, &raw, path, force).map_err(error)?;
+        let device = &device.with_imu_frame(choices.imu_frame);
+        let (twin, mut findings) = unit::of_raw(models.get(), device, &raw, path, force).map_err(error)?;
+        if choices.imu_frame != ImuFrame::default() {
+            findings.extend(unit::imu_frame_without_effect(models.get(), device, &twin));
+        }
         let calibrated = Calibrated {
             raw,
             calibration,
             force,
         };
-        Self::new(twin, lens, models, Some(calibrated), findings)
+        Self::new(twin, choices, models, Some(calibrated), findings)
     }
 }
 
 #[pymethods]
 impl Device {
     #[new]
-    #[pyo3(signature = (model, *, lens = "pinhole", catalog = None))]
-    fn py_new(py: Python<'_>, model: &str, lens: &str, catalog: Option<PathBuf>) -> PyResult<Self> {
+    #[pyo3(signature = (model, *, lens = "pinhole", imu_frame = "driver", catalog = None))]
+    fn py_new(
+        py: Python<'_>,
+        model: &str,
+        lens: &str,
+        imu_frame: &str,
+        catalog: Option<PathBuf>,
+    ) -> PyResult<Self> {
+        let choices = Choices::new(lens, imu_frame)?;
         let models = Models::open(catalog)?;
         let device = parts::entry(&models, model)?;
         let findings: Vec<_> = device.stand_in(model).into_iter().collect();
-        let twin = models.get().nominal(device);
-        let made = Self::new(twin, lens, models, None, findings)?;
+        let twin = models.get().nominal(&device.with_imu_frame(choices.imu_frame));
+        let made = Self::new(twin, choices, models, None, findings)?;
         finding::warn(py, &made.findings)?;
         Ok(made)
     }
@@ -152,22 +183,25 @@ impl Device {
     /// model: the model of the unit; by default the product name in the calibration.
     /// force: whether to ignore calibration errors, which become findings.
     /// lens: see `Device`; a calibrated camera always has its own lens.
+    /// imu_frame: see `Device`; a finding says if the calibration has its own.
     /// catalog: see `Device`.
     ///
     /// Warnings about the file are in `findings`. Raises FileNotFoundError and other OSErrors for files that cannot be read,
     /// oaktwin.Error for an invalid calibration or one of another model.
     #[staticmethod]
-    #[pyo3(signature = (calibration, model = None, *, force = false, lens = "pinhole", catalog = None))]
+    #[pyo3(signature = (calibration, model = None, *, force = false, lens = "pinhole", imu_frame = "driver", catalog = None))]
     fn from_calibration(
         calibration: &Bound<'_, PyAny>,
         model: Option<&str>,
         force: bool,
         lens: &str,
+        imu_frame: &str,
         catalog: Option<PathBuf>,
     ) -> PyResult<Self> {
+        let choices = Choices::new(lens, imu_frame)?;
         let raw = parts::calibration(calibration)?;
         let path = PathBuf::from(&raw.name);
-        Self::unit(Models::open(catalog)?, raw, model, &path, force, lens)
+        Self::unit(Models::open(catalog)?, raw, model, &path, force, choices)
     }
 
     /// Returns units of the model with realistic variation: their cameras are drawn around the nominal values with the spread of
@@ -191,7 +225,8 @@ impl Device {
         let calibration = self.calibration.as_ref();
         let calibration = calibration.map(|own| (&own.raw.name, own.raw.to_text(), own.force));
         let restore = py.import("oaktwin._oaktwin")?.getattr("_device")?;
-        let state = (self.name(), self.lens.name(), self.models.folder(), calibration);
+        let choices = (self.lens.name(), self.imu_frame.name());
+        let state = (self.name(), choices, self.models.folder(), calibration);
         Ok((restore, state).into_pyobject(py)?.into_any())
     }
 

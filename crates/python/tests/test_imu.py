@@ -1,3 +1,5 @@
+import pickle
+
 import numpy as np
 import pytest
 
@@ -94,3 +96,15 @@ def test_invalid_input(device):
             oaktwin.simulate_imu(device, *arguments, **options)
     with pytest.raises(oaktwin.Error, match="OAK-1"):
         oaktwin.simulate_imu(oaktwin.Device("OAK-1"), times, poses)
+
+
+def test_the_source_of_the_axes():
+    """Sources disagree about the axes of the OAK-D's inertial unit."""
+    driver, board = oaktwin.Device("OAK-D"), oaktwin.Device("OAK-D", imu_frame="board-file")
+    left, up, forward = [0, 1, 0], [0, 0, 1], [1, 0, 0]
+    assert np.array_equal(driver.extrinsics("imu", "body")[:3, :3].T, [np.negative(up), left, forward])
+    assert np.array_equal(board.extrinsics("imu", "body")[:3, :3].T, [left, up, forward])
+    copied = pickle.loads(pickle.dumps(board))
+    assert np.array_equal(copied.extrinsics("imu", "body"), board.extrinsics("imu", "body"))
+    with pytest.raises(oaktwin.Error, match="imu_frame: invalid value 'vendor'"):
+        oaktwin.Device("OAK-D", imu_frame="vendor")

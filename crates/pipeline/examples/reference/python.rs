@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use oaktwin_camera::{LensFamily, RectifiedIntrinsics};
-use oaktwin_catalog::{DepthKind, Role};
+use oaktwin_catalog::{DepthKind, ImuFrame, Role};
 use oaktwin_depth::align::{AlignedZ, Fill};
 use oaktwin_depth::parameters::{Choice, ENGINES, GROUPS, Platform};
 use oaktwin_depth::rectify::Method;
@@ -114,6 +114,7 @@ fn names() -> String {
         ("Engine", &groups[..ENGINES]),
         ("Fill", Fill::NAMES),
         ("Group", &groups),
+        ("ImuFrame", ImuFrame::NAMES),
         ("Intrinsics", RectifiedIntrinsics::NAMES),
         ("Isaac", IsaacVersion::NAMES),
         ("Lens", LensChoice::NAMES),

@@ -11,6 +11,7 @@ from ._types import (
     _CalibrationHandler,
     _Float64,
     _Group,
+    _ImuFrame,
     _Inertial,
     _Intrinsics,
     _Isaac,
@@ -35,6 +36,8 @@ class Device:
 
     model: the name, such as "OAK4-D"; case, spaces, hyphens and underscores are ignored. See `models()`.
     lens: "pinhole" (default), or "fisheye" for the left and right cameras of the wide models.
+    imu_frame: the source of the axes of the inertial unit, about which sources disagree: "driver" (default, RTAB-Map's) or "board-file" (the
+        vendor's). A calibration with inertial extrinsics has its own.
     catalog: a folder of TOML files with additional devices and sensors. Unpickling reads it again.
 
     Frames: a camera's is OpenCV's (x right, y down, z forward); the body's is x forward, y left, z up, with the origin midway
@@ -43,7 +46,12 @@ class Device:
     Raises oaktwin.Error for an unknown model, with the nearest names, or a lens that the model does not have.
     """
     def __new__(
-        cls, model: str, *, lens: _Lens = "pinhole", catalog: str | PathLike[str] | None = None
+        cls,
+        model: str,
+        *,
+        lens: _Lens = "pinhole",
+        imu_frame: _ImuFrame = "driver",
+        catalog: str | PathLike[str] | None = None,
     ) -> Device: ...
     def population(self, count: int, *, seed: int = 0) -> list[Device]:
         """Returns units of the model with realistic variation: their cameras are drawn around the nominal values with the spread of
@@ -63,6 +71,7 @@ class Device:
         *,
         force: bool = False,
         lens: _Lens = "pinhole",
+        imu_frame: _ImuFrame = "driver",
         catalog: str | PathLike[str] | None = None,
     ) -> Device:
         """Creates the twin of one unit from its DepthAI calibration (JSON).
@@ -72,6 +81,7 @@ class Device:
         model: the model of the unit; by default the product name in the calibration.
         force: whether to ignore calibration errors, which become findings.
         lens: see `Device`; a calibrated camera always has its own lens.
+        imu_frame: see `Device`; a finding says if the calibration has its own.
         catalog: see `Device`.
 
         Warnings about the file are in `findings`. Raises FileNotFoundError and other OSErrors for files that cannot be read,
@@ -226,7 +236,7 @@ def presets(platform: Literal["rvc2", "rvc4", "tof"] = "rvc2") -> list[_Preset]:
 
 def _device(
     model: str,
-    lens: str,
+    choices: tuple[str, str],
     catalog: str | PathLike[str] | None,
     calibration: tuple[str, str, bool] | None,
 ) -> Device: ...

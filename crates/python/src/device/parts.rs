@@ -12,7 +12,7 @@ use oaktwin::unit;
 use pyo3::prelude::*;
 use pyo3::types::{PyByteArray, PyBytes, PyDict};
 
-use super::Device;
+use super::{Choices, Device};
 use crate::camera::Camera;
 use crate::error::{error, reading, wrong};
 use crate::export::export;
@@ -135,7 +135,11 @@ impl Device {
             raw.name = unit.file_name();
             let path = PathBuf::from(&raw.name);
             let models = self.models.clone();
-            let mut device = Self::unit(models, raw, Some(self.name()), &path, false, self.lens.name())?;
+            let choices = Choices {
+                lens: self.lens,
+                imu_frame: self.imu_frame,
+            };
+            let mut device = Self::unit(models, raw, Some(self.name()), &path, false, choices)?;
             device.findings.push(population.finding());
             Ok(device)
         };
