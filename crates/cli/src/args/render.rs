@@ -118,6 +118,31 @@ pub(crate) struct RenderArgs {
     )]
     pub(crate) trajectory: Option<PathBuf>,
 
+    /// Render an animated stage at these time codes, LAST included, such as 0:100 or 0:100:2
+    ///
+    /// The stage is loaded once; only what moves is read again. With --trajectory, each frame has its own pose.
+    #[arg(
+        long,
+        value_name = "FIRST:LAST[:STEP]",
+        allow_hyphen_values = true,
+        conflicts_with = "time",
+        help_heading = "Scene and trajectory"
+    )]
+    pub(crate) frames: Option<String>,
+
+    /// The frames per second of --frames [default: the stage's time codes per second / STEP]
+    #[arg(
+        long,
+        value_name = "RATE",
+        requires = "frames",
+        help_heading = "Scene and trajectory"
+    )]
+    pub(crate) fps: Option<f64>,
+
+    /// Mount the OAK on this prim of the stage: poses are relative to it, and follow it
+    #[arg(long, value_name = "PRIM", requires = "model", help_heading = "OAK")]
+    pub(crate) mount: Option<String>,
+
     #[command(flatten, next_help_heading = "Inertial sensor")]
     pub(crate) imu: ImuArgs,
 

@@ -1,4 +1,5 @@
 mod imu;
+mod opened;
 mod report;
 mod request;
 
@@ -9,12 +10,12 @@ use oaktwin::dataset::{self, FormatKind, FormatWriter, Writer};
 use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::files::OutputFiles;
 use oaktwin::render::trajectory::{self, TimedPose};
-use oaktwin::render::{self, Renderer, Rig, RigError, SceneFile};
+use oaktwin::render::{self, Rig, RigError};
 use oaktwin::usd::asset::LensChoice;
 
 use crate::args::RenderArgs;
 use crate::context::{Context, Exit, Result};
-use crate::progress;
+use opened::Opened;
 use report::Report;
 
 pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
@@ -24,17 +25,20 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let path = path.transpose()?.unwrap_or_default();
     args.threads.apply();
     let oak = oak(context, args)?;
-    let mut scene = SceneFile::open(&args.scene, &args.scene_options.open_options()?)?;
-    let mut findings = std::mem::take(&mut scene.findings);
+    let mut opened = Opened::new(args)?;
+    let mut findings = std::mem::take(&mut opened.scene.findings);
+    findings.extend(opened.finding.take());
     findings.extend(request::unused(args, &spec.annotators));
+    let path = opened.from_mount(path);
+    let scene = &opened.scene;
     let (rig, more) = match &oak {
         Some((twin, _)) => {
-            let world_from_body = request::place(args, scene.scene.up)?;
+            let world_from_body = opened.place(request::place(args, scene.scene.up)?);
             let (rig, more) = Rig::new(twin, &spec).map_err(|error| in_scene(args, error))?;
             (rig.at(&world_from_body), more)
         }
         None => {
-            let (rig, more) = Rig::of_stage(&scene, &spec).map_err(|error| in_scene(args, error))?;
+            let (rig, more) = Rig::of_stage(scene, &spec).map_err(|error| in_scene(args, error))?;
             alone(&rig, &path)?;
             (rig, more)
         }
@@ -44,7 +48,8 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let samples = imu::simulation(context, args, twin, &path, scene.scene.up)?;
     let samples = noted(samples, &mut findings);
     let is_alone = output.is_none();
-    let record = |file| render::FrameRecorder::create(file, &rig, &path, is_alone);
+    let times_s = opened.times_s(&path);
+    let record = |file| render::FrameRecorder::create(file, &rig, &times_s, is_alone);
     let recorder = args.record.as_deref().map(record).transpose()?;
     let mut recorder = noted(recorder, &mut findings);
     if let (Some(recorder), Some(samples)) = (&mut recorder, &samples) {
@@ -63,9 +68,8 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         dataset: files.as_mut().map(|files| (&mut *writer as _, files)),
         recorder,
     };
-    let renderer = Renderer::new(scene.scene);
-    let mut written =
-        progress::watched(|watch| render::write_frames(&renderer, &rig, &path, args.strict, outputs, watch))?;
+    let wanted = times_s.len().max(1);
+    let mut written = opened.write(args, (&rig, &spec), &path, outputs)?;
     findings.append(&mut written.findings);
 
     let report = Report::new(
@@ -76,7 +80,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
             files.as_ref().map(|files| files.files().to_vec()),
             imu_report,
         ),
-        path.len().max(1),
+        wanted,
         findings,
         oak.map(|(_, findings)| findings).unwrap_or_default(),
     );
@@ -137,10 +141,11 @@ fn oak(context: &Context, args: &RenderArgs) -> Result<Option<(Twin, Vec<Finding
             _ => Ok(None),
         };
     };
-    if args.place.is_none() && args.trajectory.is_none() {
-        return Err(
-            format!("--model {model} requires a pose: --look-at EYE TARGET, --pose or --trajectory").into(),
-        );
+    if args.place.is_none() && args.trajectory.is_none() && args.mount.is_none() {
+        return Err(format!(
+            "--model {model} requires a pose: --look-at EYE TARGET, --pose, --trajectory or --mount"
+        )
+        .into());
     }
     Ok(Some(context.twin_with_axes(model, &args.unit, &args.imu.axes)?))
 }

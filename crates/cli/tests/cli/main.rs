@@ -22,6 +22,7 @@ mod population;
 mod program;
 mod render;
 mod render_bad_input;
+mod render_frames;
 mod render_imu;
 mod render_interrupted;
 mod render_outputs;

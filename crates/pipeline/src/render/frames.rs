@@ -2,11 +2,15 @@
 
 use std::ops::ControlFlow;
 
+use oaktwin_camera::RigidTransform;
 use oaktwin_render::Renderer;
+use oaktwin_usd::stage::StageError;
 
+use super::animation::Animation;
+use super::camera::CameraError;
 use super::recorder::{FRAME_RATE, FrameRecorder};
 use super::rig::{Rig, RigError};
-use super::trajectory::TimedPose;
+use super::trajectory::{self, TimedPose};
 use crate::progress::Watch;
 use crate::recording::RecordingFileError;
 use crate::write::{Producer, write_while};
@@ -48,6 +52,12 @@ pub enum FramesError {
     /// A depth sensor cannot measure a frame.
     #[error(transparent)]
     Rig(#[from] RigError),
+    /// An animated scene cannot be read at a time.
+    #[error(transparent)]
+    Stage(#[from] StageError),
+    /// A camera of an animated scene cannot be rendered at a time.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
     /// A warning, if those are errors.
     #[error("{0}")]
     Strict(Finding),
@@ -56,6 +66,56 @@ pub enum FramesError {
 impl From<FileError> for FramesError {
     fn from(error: FileError) -> Self {
         Self::Write(error.into())
+    }
+}
+
+/// What the frames of a data set see.
+pub(super) trait Frames {
+    /// The number of frames.
+    fn count(&self) -> usize;
+
+    /// The time of a frame, ns.
+    fn time_ns(&self, number: usize) -> u64;
+
+    /// Goes on to a frame; frames are visited in order. Returns the pose of the rig if the frame moves it.
+    fn advance(
+        &mut self,
+        number: usize,
+        rig: &mut Rig,
+        findings: &mut Vec<Finding>,
+    ) -> Result<Option<RigidTransform>, FramesError>;
+
+    /// The scene at this frame.
+    fn renderer(&self) -> &Renderer;
+}
+
+/// A scene without motion, along a path.
+struct Still<'a> {
+    renderer: &'a Renderer,
+    path: &'a [TimedPose],
+    times_s: Vec<Option<f64>>,
+}
+
+impl Frames for Still<'_> {
+    fn count(&self) -> usize {
+        self.path.len().max(1)
+    }
+
+    fn time_ns(&self, number: usize) -> u64 {
+        time_ns(&self.times_s, number)
+    }
+
+    fn advance(
+        &mut self,
+        number: usize,
+        _: &mut Rig,
+        _: &mut Vec<Finding>,
+    ) -> Result<Option<RigidTransform>, FramesError> {
+        Ok(self.path.get(number).map(|pose| pose.world_from_mount))
+    }
+
+    fn renderer(&self) -> &Renderer {
+        self.renderer
     }
 }
 
@@ -71,6 +131,35 @@ pub fn write_frames(
     renderer: &Renderer,
     rig: &Rig,
     path: &[TimedPose],
+    is_strict: bool,
+    outputs: Outputs<'_>,
+    watch: &Watch<'_>,
+) -> Result<Written, FramesError> {
+    let mut frames = Still {
+        renderer,
+        path,
+        times_s: trajectory::times_s(path),
+    };
+    write(&mut frames, rig, is_strict, outputs, watch)
+}
+
+/// Renders the frames of an animation as [`write_frames`] does.
+///
+/// # Errors
+/// Returns the errors of [`write_frames`], and an error if the scene cannot be read at a time.
+pub fn write_animation(
+    animation: &mut Animation<'_>,
+    rig: &Rig,
+    is_strict: bool,
+    outputs: Outputs<'_>,
+    watch: &Watch<'_>,
+) -> Result<Written, FramesError> {
+    write(animation, rig, is_strict, outputs, watch)
+}
+
+fn write(
+    frames: &mut dyn Frames,
+    rig: &Rig,
     is_strict: bool,
     outputs: Outputs<'_>,
     watch: &Watch<'_>,
@@ -91,9 +180,9 @@ pub fn write_frames(
     writers.extend(recorder.as_mut().map(|recorder| recorder as &mut dyn Writer));
     let mut findings = rig.cast_instead();
     let cameras = rig.cameras().len();
-    let total = path.len().max(1) as u64 * cameras as u64;
+    let total = frames.count() as u64 * cameras as u64;
     let written = write_while(&mut writers, output, total, watch, |producer| {
-        render_all(renderer, rig.clone(), path, is_strict, &mut findings, producer)
+        render_all(frames, rig.clone(), is_strict, &mut findings, producer)
     })?;
     findings.extend(writers.iter_mut().flat_map(|writer| writer.findings()));
     Ok(Written {
@@ -108,31 +197,30 @@ pub fn write_frames(
 }
 
 fn render_all(
-    renderer: &Renderer,
+    frames: &mut dyn Frames,
     mut rig: Rig,
-    path: &[TimedPose],
     is_strict: bool,
     findings: &mut Vec<Finding>,
     producer: &mut Producer<'_>,
 ) -> Result<ControlFlow<()>, FramesError> {
     let annotators = rig.annotators().to_vec();
-    for number in 0..path.len().max(1) {
-        let pose = path.get(number).map(|pose| &pose.world_from_mount);
+    for number in 0..frames.count() {
+        if producer.proceed().is_break() {
+            return Ok(ControlFlow::Break(()));
+        }
+        let mut more = Vec::new();
+        let pose = frames.advance(number, &mut rig, &mut more)?;
+        note(more, is_strict, findings)?;
+        let time_ns = frames.time_ns(number);
         for index in 0..rig.cameras().len() {
             if producer.proceed().is_break() {
                 return Ok(ControlFlow::Break(()));
             }
-            let (mut shot, more) = rig.shoot_camera(renderer, index, pose, number as u64, &annotators)?;
-            shot.time_ns = time_ns(path, number);
-            let warning = more.iter().find(|one| one.level >= Level::Warning);
-            if let Some(warning) = warning.filter(|_| is_strict) {
-                return Err(FramesError::Strict(warning.clone()));
-            }
-            for finding in more {
-                if !findings.contains(&finding) {
-                    findings.push(finding);
-                }
-            }
+            let renderer = frames.renderer();
+            let (mut shot, more) =
+                rig.shoot_camera(renderer, index, pose.as_ref(), number as u64, &annotators)?;
+            shot.time_ns = time_ns;
+            note(more, is_strict, findings)?;
             if producer.write(shot).is_break() {
                 return Ok(ControlFlow::Break(()));
             }
@@ -141,18 +229,29 @@ fn render_all(
     Ok(producer.finish())
 }
 
-/// The time of a frame: its pose's, or 30 frames per second from 0 if a pose has none.
+/// Keeps findings without duplicates; a warning is an error if the task is strict.
+fn note(more: Vec<Finding>, is_strict: bool, findings: &mut Vec<Finding>) -> Result<(), FramesError> {
+    let warning = more.iter().find(|one| one.level >= Level::Warning);
+    if let Some(warning) = warning.filter(|_| is_strict) {
+        return Err(FramesError::Strict(warning.clone()));
+    }
+    for finding in more {
+        if !findings.contains(&finding) {
+            findings.push(finding);
+        }
+    }
+    Ok(())
+}
+
+/// The time of a frame: its own, or 30 frames per second from 0 if a frame has none.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     clippy::cast_precision_loss,
     reason = "times of files; the cast saturates"
 )]
-fn time_ns(path: &[TimedPose], number: usize) -> u64 {
-    let has_times = path.iter().all(|pose| pose.time_s.is_some());
-    let own = path
-        .get(number)
-        .and_then(|pose| pose.time_s)
-        .filter(|_| has_times);
+pub(super) fn time_ns(times_s: &[Option<f64>], number: usize) -> u64 {
+    let has_times = times_s.iter().all(Option::is_some);
+    let own = times_s.get(number).copied().flatten().filter(|_| has_times);
     (own.unwrap_or(number as f64 / FRAME_RATE) * 1e9).round() as u64
 }

@@ -35,6 +35,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod animation;
 mod annotators;
 mod around;
 mod camera;
@@ -53,13 +54,14 @@ mod sweep;
 pub mod trajectory;
 
 pub use crate::limits::{MAX_PIXELS, SizeError, annotation_bytes, check_size, frame_bytes, record_bytes};
+pub use animation::{Animation, MAX_FRAMES, TimeCodes};
 pub use annotators::{DEFAULT_ANNOTATORS, UnknownAnnotator, annotator};
 pub use around::overview;
 pub use camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
 pub use depth_sensor::{
     DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators, sense_frame, sensor_input,
 };
-pub use frames::{FramesError, Outputs, Written, write_frames};
+pub use frames::{FramesError, Outputs, Written, write_animation, write_frames};
 pub use names::folder_names;
 pub use oak::{OakOptions, check_lens, oak_cameras};
 pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Ray, Renderer, View, texture_pixels};
@@ -70,7 +72,7 @@ pub use recorder::{FrameRecorder, record_annotators};
 pub use rig::{PairUse, Rig, RigError, RigSpec, depth_sensor_of};
 pub use save::{check_saved_name, save_usd, usd_files};
 pub use scene_camera::{SceneCameraOptions, scene_cameras};
-pub use scene_file::{OpenOptions, SceneFile, SceneFileError};
+pub use scene_file::{AnimatedScene, OpenOptions, SceneChange, SceneFile, SceneFileError};
 pub use sweep::{Axis, MAX_VALUES, Sweep, SweepError, SweptSensors};
 
 /// Sets the number of threads. Without effect after something was rendered.

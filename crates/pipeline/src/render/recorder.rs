@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use super::camera::PlacedCamera;
 use super::rig::Rig;
-use super::trajectory::TimedPose;
 use crate::imu::ImuSimulation;
 use crate::recording::{
     Body, CameraId, DepthView, MeasuredCamera, Moment, RecordedCamera, RecordingError, RecordingFile,
@@ -49,17 +48,17 @@ pub struct FrameRecorder {
 }
 
 impl FrameRecorder {
-    /// Begins a recording of a rig along a trajectory, or at their own poses if it is empty. Annotators that a
+    /// Begins a recording of a rig, with the time of each frame, s; of one frame if there are none. Annotators that a
     /// recording cannot hold are a warning if it is the only output (`is_alone`).
     ///
-    /// The times come from the trajectory if all its poses have one, else there are 30 frames per second from 0.
+    /// If a frame has no time, there are 30 frames per second from 0.
     ///
     /// # Errors
     /// Returns an error if the file cannot be written or a time is out of range.
     pub fn create(
         path: &Path,
         rig: &Rig,
-        poses: &[TimedPose],
+        times_s: &[Option<f64>],
         is_alone: bool,
     ) -> Result<(Self, Vec<Finding>), RecordingFileError> {
         check_path(path)?;
@@ -67,7 +66,7 @@ impl FrameRecorder {
             path: PathBuf::from(path),
             error,
         };
-        let (times, mut findings) = times(poses).map_err(in_file)?;
+        let (times, mut findings) = times(times_s).map_err(in_file)?;
         let annotators = rig.annotators();
         findings.extend(not_recorded(annotators, is_alone));
         let lost = rig.cameras().iter().filter_map(|camera| {
@@ -191,8 +190,8 @@ fn recorded(placed: &PlacedCamera, sensor: Option<&Sensor>) -> RecordedCamera {
 }
 
 /// The time of each frame.
-fn times(poses: &[TimedPose]) -> Result<(Vec<Time>, Vec<Finding>), RecordingError> {
-    let known: Option<Vec<f64>> = poses.iter().map(|pose| pose.time_s).collect();
+fn times(times_s: &[Option<f64>]) -> Result<(Vec<Time>, Vec<Finding>), RecordingError> {
+    let known: Option<Vec<f64>> = times_s.iter().copied().collect();
     let mut findings = Vec::new();
     let mut warn = |code, message: &str, remedy: &str| {
         findings.push(Finding::new(code, Level::Warning, "trajectory", message, remedy));
@@ -203,11 +202,11 @@ fn times(poses: &[TimedPose]) -> Result<(Vec<Time>, Vec<Finding>), RecordingErro
             .map(Time::from_seconds)
             .collect::<Result<Vec<Time>, _>>()?,
         _ => {
-            if poses.iter().any(|pose| pose.time_s.is_some()) {
+            if times_s.iter().any(Option::is_some) {
                 let message = "some poses have no time; the recording has 30 frames per second";
                 warn("times-missing", message, "give every pose a time");
             }
-            (0..poses.len().max(1) as u64)
+            (0..times_s.len().max(1) as u64)
                 .map(|frame| Time::of_frame(frame, FRAME_RATE))
                 .collect::<Result<_, _>>()?
         }
@@ -254,18 +253,10 @@ fn not_recorded(annotators: &[Annotator], is_alone: bool) -> Option<Finding> {
 mod tests {
     use super::*;
 
-    fn path(times: &[Option<f64>]) -> Vec<TimedPose> {
-        let pose = |time_s: &Option<f64>| TimedPose {
-            time_s: *time_s,
-            world_from_mount: RigidTransform::IDENTITY,
-        };
-        times.iter().map(pose).collect()
-    }
-
     #[test]
     fn times_frames_by_the_trajectory() {
         let of = |said: &[Option<f64>]| {
-            let (times, findings) = times(&path(said)).unwrap();
+            let (times, findings) = times(said).unwrap();
             let nanoseconds: Vec<u64> = times.into_iter().map(Time::nanoseconds).collect();
             let codes: Vec<&str> = findings.iter().map(|finding| finding.code).collect();
             (nanoseconds, codes)
@@ -284,7 +275,7 @@ mod tests {
             of(&[Some(1.0), Some(1.0)]),
             (vec![1_000_000_000; 2], vec!["times-not-increasing"])
         );
-        assert!(times(&path(&[Some(-1.0)])).is_err());
+        assert!(times(&[Some(-1.0)]).is_err());
     }
 
     #[test]

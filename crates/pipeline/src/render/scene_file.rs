@@ -5,11 +5,14 @@ use std::path::{Path, PathBuf};
 use oaktwin_render::Clip;
 
 use oaktwin_base::diagnostic::{Finding, message, opt};
+use oaktwin_camera::RigidTransform;
+use oaktwin_camera::math::DAffine3;
 use oaktwin_files::FileError;
 use oaktwin_scene::import::{self, ImportError, ImportOptions, ImportedCamera};
 use oaktwin_scene::{MicroTexture, Scene, Up};
 use oaktwin_usd::stage::{
-    self, Attribute, Prim, RenderProduct, SceneCamera, SceneLimit, SceneOptions, StageError, Value,
+    self, AnimatedStage, Attribute, Prim, RenderProduct, SceneCamera, SceneLimit, SceneOptions,
+    StageContents, StageError, StageScene, StageTiming, Value,
 };
 
 const USD: [&str; 4] = ["usd", "usda", "usdc", "usdz"];
@@ -73,12 +76,10 @@ impl SceneFile {
     /// Returns an error if the file cannot be read, its kind is unknown or an option does not apply to it. Missing or
     /// unsupported contents are findings.
     pub fn open(path: &Path, options: &OpenOptions) -> Result<Self, SceneFileError> {
-        let extension = path
-            .extension()
-            .map(|extension| extension.to_string_lossy().to_lowercase())
-            .unwrap_or_default();
+        let extension = extension(path);
         let mut opened = if USD.contains(&extension.as_str()) {
-            Self::open_stage(path, options)
+            let stage = stage::open_scene(path, &stage_options(path, options)?)?;
+            Ok(Self::of_stage(path, stage))
         } else if import::is_importable(path) {
             Self::import(path, options)
         } else {
@@ -88,29 +89,43 @@ impl SceneFile {
         Ok(opened)
     }
 
-    fn open_stage(path: &Path, options: &OpenOptions) -> Result<Self, SceneFileError> {
-        for (given, name) in [(options.up.is_some(), "up"), (options.scale.is_some(), "scale")] {
-            if given {
-                let message = message![opt(name), " does not apply to a USD stage, which has its own"];
-                return Err(FileError::new(path, message, message!["remove ", opt(name)]).into());
-            }
+    /// Opens a USD stage at the time of the options, and keeps it open for other times. `mount` is the path of a prim that carries a device.
+    ///
+    /// # Errors
+    /// Returns an error in the cases of [`SceneFile::open`], for a file of another kind, and if there is no such prim.
+    pub fn open_animated(
+        path: &Path,
+        options: &OpenOptions,
+        mount: Option<&str>,
+    ) -> Result<(AnimatedScene, Self), SceneFileError> {
+        if !USD.contains(&extension(path).as_str()) {
+            let message = match mount {
+                Some(_) => message![opt("mount"), " requires a USD stage"],
+                None => message!["is not animated, because only USD stages are"],
+            };
+            return Err(FileError::new(path, message, "convert the file to USD").into());
         }
-        let stage = stage::open_scene(
-            path,
-            &SceneOptions {
-                time: options.time,
-                subdivide: options.subdivide,
-                limit: options.limit,
-                texture_coordinates: options.texture_coordinates,
-            },
-        )?;
-        Ok(Self {
+        let (stage, first, world_from_mount) =
+            AnimatedStage::open(path, &stage_options(path, options)?, mount)?;
+        let mut scene = Self::of_stage(path, first);
+        scene.scene.micro_texture = options.micro_texture.then(|| MicroTexture::ordinary(0));
+        let animated = AnimatedScene {
+            path: path.to_owned(),
+            micro_texture: options.micro_texture,
+            stage,
+            world_from_mount,
+        };
+        Ok((animated, scene))
+    }
+
+    fn of_stage(path: &Path, stage: StageScene) -> Self {
+        Self {
             path: path.to_owned(),
             scene: stage.scene,
             cameras: stage.cameras,
             products: stage.products,
             findings: stage.findings,
-        })
+        }
     }
 
     fn import(path: &Path, options: &OpenOptions) -> Result<Self, SceneFileError> {
@@ -141,6 +156,83 @@ impl SceneFile {
             findings: imported.findings,
         })
     }
+}
+
+/// A USD stage that stays open.
+#[derive(Debug)]
+pub struct AnimatedScene {
+    path: PathBuf,
+    micro_texture: bool,
+    stage: AnimatedStage,
+    world_from_mount: Option<RigidTransform>,
+}
+
+/// The contents of an animated scene at another time.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SceneChange {
+    /// The first scene with other transforms: of instances (`world_from_mesh`) and of cameras (`world_from_camera`), by their indices.
+    Moved(Vec<(usize, DAffine3)>, Vec<(usize, RigidTransform)>),
+    /// Another scene.
+    Rebuilt(Box<SceneFile>),
+}
+
+impl AnimatedScene {
+    /// Returns the times of the stage.
+    #[must_use]
+    pub fn timing(&self) -> &StageTiming {
+        self.stage.timing()
+    }
+
+    /// Returns a finding if time codes are outside the range of the stage, or nothing changes with time.
+    #[must_use]
+    pub fn check_times(&self, times: &[f64]) -> Option<Finding> {
+        self.stage.check_times(times)
+    }
+
+    /// Returns the pose of the prim that carries a device, in metres, at the time that was read last.
+    #[must_use]
+    pub fn world_from_mount(&self) -> Option<&RigidTransform> {
+        self.world_from_mount.as_ref()
+    }
+
+    /// Reads the stage at a time code.
+    ///
+    /// # Errors
+    /// Returns an error if the stage cannot be read at this time.
+    pub fn at(&mut self, time: Option<f64>) -> Result<SceneChange, StageError> {
+        let change = self.stage.at(time)?;
+        // A prim whose transform is singular stays where it was.
+        self.world_from_mount = change.world_from_mount.or(self.world_from_mount);
+        Ok(match change.contents {
+            StageContents::Moved { instances, cameras } => SceneChange::Moved(instances, cameras),
+            StageContents::Rebuilt(scene) => {
+                let mut scene = SceneFile::of_stage(&self.path, *scene);
+                scene.scene.micro_texture = self.micro_texture.then(|| MicroTexture::ordinary(0));
+                SceneChange::Rebuilt(Box::new(scene))
+            }
+        })
+    }
+}
+
+fn extension(path: &Path) -> String {
+    path.extension()
+        .map(|extension| extension.to_string_lossy().to_lowercase())
+        .unwrap_or_default()
+}
+
+fn stage_options(path: &Path, options: &OpenOptions) -> Result<SceneOptions, FileError> {
+    for (given, name) in [(options.up.is_some(), "up"), (options.scale.is_some(), "scale")] {
+        if given {
+            let message = message![opt(name), " does not apply to a USD stage, which has its own"];
+            return Err(FileError::new(path, message, message!["remove ", opt(name)]));
+        }
+    }
+    Ok(SceneOptions {
+        time: options.time,
+        subdivide: options.subdivide,
+        limit: options.limit,
+        texture_coordinates: options.texture_coordinates,
+    })
 }
 
 /// A mesh file's camera as the attributes of a prim: the vertical field of view as a focal length for an aperture 10 high.

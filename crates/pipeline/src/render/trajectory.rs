@@ -27,6 +27,12 @@ pub struct TimedPose {
     pub world_from_mount: RigidTransform,
 }
 
+/// Returns the times of the poses, s; `None` of a pose without one.
+#[must_use]
+pub fn times_s(path: &[TimedPose]) -> Vec<Option<f64>> {
+    path.iter().map(|pose| pose.time_s).collect()
+}
+
 /// Reads a trajectory.
 ///
 /// # Errors

@@ -69,7 +69,7 @@ class Scene:
         """Opens a USD stage (usd, usda, usdc, usdz) or a mesh file (gltf, glb, obj, stl, ply).
 
         path: the file.
-        time: the time code of a USD stage; by default the default values, or the first time samples.
+        time: the time code of a USD stage; by default the default values, or the first time samples. See `set_time`.
         subdivide: the subdivision level of a USD stage's meshes; 0 (default) renders the polygons.
         up: the up axis of a mesh file, "y" or "z"; by default its format's.
         scale: the metres per unit of a mesh file; by default 1.
@@ -122,6 +122,16 @@ class Scene:
         """
     def set_poses(self, poses: Mapping[str, npt.ArrayLike]) -> None:
         """Moves several parts: a mapping from names to poses, as in `set_pose`. If one is invalid, none is moved."""
+    def set_time(self, time: float | None) -> None:
+        """Goes to another time code of an animated USD stage, or with None to its default values. The file is opened once for all times, and of a
+        stage in which only transforms are animated, only these are read again: the poses of parts that are animated, and the cameras.
+        Otherwise, the whole scene is made again, and poses that were set are lost.
+
+        Issues an oaktwin.FindingWarning for contents that cannot be read. Raises oaktwin.Error for other scenes.
+        """
+    @property
+    def time(self) -> float | None:
+        """The time code, if there is one."""
     @property
     def poses(self) -> Poses:
         """The poses of all parts, a dictionary from prim path to (4, 4) float64 world_from_part, metres. It finds parts by their names,

@@ -1,37 +1,36 @@
 pub(crate) mod annotators;
 pub(crate) mod coverage;
 mod parts;
+mod time;
 mod views;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::sync::RwLock;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError, RwLock};
 
 use numpy::PyArray2;
 use oaktwin::diagnostic;
 use oaktwin::pair::{PairCameras, PairError};
-use oaktwin::render::{
-    AnnotateOptions, CameraError, OpenOptions, PlacedCamera, SceneCameraOptions, SceneFile, check_saved_name,
-    save_usd, scene_cameras,
-};
+use oaktwin::render::{AnnotateOptions, OpenOptions, SceneFile, check_saved_name, save_usd};
 use oaktwin::scene::Instance;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use self::parts::{Parts, Stage, items};
+use self::parts::{Parts, Stage};
+use self::time::{Cameras, Moments, cameras, lock};
 use crate::arguments::{Annotators, FrameNumber, Size, optional, subdivide};
 use crate::asset;
 use crate::camera::Camera;
 use crate::choice::maybe_named;
 use crate::device::Device;
-use crate::error::{error, reading, writing, wrong};
+use crate::error::{error, reading, writing};
 use crate::finding::{self, Finding};
 use crate::mesh::Mesh;
 use crate::pair::{self, PairSettings};
 use crate::pose::{Of, matrix, one_pose, rows};
 use crate::progress::Report;
-use crate::settings::{drift, mistyped, seed_or_entropy};
+use crate::settings::{drift, seed_or_entropy};
 use crate::threads;
 
 /// A scene to render on the CPU: `Scene.open(path)`, `Scene.from_meshes({name: mesh})` or
@@ -45,7 +44,8 @@ pub(crate) struct Scene {
     /// The frame number of the next pair without one.
     next_frame: AtomicU64,
     origin: Origin,
-    cameras: Result<Vec<PlacedCamera>, CameraError>,
+    moments: Mutex<Moments>,
+    cameras: RwLock<Cameras>,
     findings: Vec<diagnostic::Finding>,
 }
 
@@ -59,22 +59,12 @@ enum Origin {
     Meshes(Vec<(String, Py<Mesh>)>),
 }
 
-/// The cameras of a file, with findings.
-fn cameras(file: &SceneFile) -> (Result<Vec<PlacedCamera>, CameraError>, Vec<diagnostic::Finding>) {
-    match scene_cameras(file, &SceneCameraOptions::default()) {
-        Ok((cameras, findings)) => (Ok(cameras), findings),
-        Err(CameraError::NoCamera { .. }) => (Ok(Vec::new()), Vec::new()),
-        // Reported when the cameras are requested.
-        Err(error) => (Err(error), Vec::new()),
-    }
-}
-
 #[pymethods]
 impl Scene {
     /// Opens a USD stage (usd, usda, usdc, usdz) or a mesh file (gltf, glb, obj, stl, ply).
     ///
     /// path: the file.
-    /// time: the time code of a USD stage; by default the default values, or the first time samples.
+    /// time: the time code of a USD stage; by default the default values, or the first time samples. See `set_time`.
     /// subdivide: the subdivision level of a USD stage's meshes; 0 (default) renders the polygons.
     /// up: the up axis of a mesh file, "y" or "z"; by default its format's.
     /// scale: the metres per unit of a mesh file; by default 1.
@@ -120,7 +110,8 @@ impl Scene {
             stage: RwLock::new(Stage::new(file.scene)),
             next_frame: AtomicU64::new(0),
             origin: Origin::File { path, options },
-            cameras,
+            moments: Mutex::new(Moments::at(time)),
+            cameras: RwLock::new(cameras),
             findings: file.findings,
         })
     }
@@ -169,35 +160,7 @@ impl Scene {
         labels: Option<&Bound<'_, PyAny>>,
         up: &str,
     ) -> PyResult<Self> {
-        let mesh = |(name, mesh): (String, Bound<'_, PyAny>)| {
-            let mesh = mesh.cast_into::<Mesh>().map_err(|_| {
-                let remedy = "pass oaktwin.Mesh(vertices, faces)";
-                wrong(
-                    "meshes",
-                    format_args!("the value of {name} is not a mesh"),
-                    remedy,
-                )
-            })?;
-            Ok((name, mesh.unbind()))
-        };
-        let label = |(name, label): (String, Bound<'_, PyAny>)| {
-            let text = label.extract();
-            Ok((
-                name,
-                text.map_err(|_| mistyped("labels", &label, "a text for each name"))?,
-            ))
-        };
-        let parts = Parts {
-            meshes: items("meshes", Some(meshes))?
-                .into_iter()
-                .map(mesh)
-                .collect::<PyResult<_>>()?,
-            poses: parts::poses(poses)?.into_iter().collect(),
-            labels: items("labels", labels)?
-                .into_iter()
-                .map(label)
-                .collect::<PyResult<_>>()?,
-        };
+        let parts = Parts::read(meshes, poses, labels)?;
         Self::of_parts(parts, up)
     }
 
@@ -216,6 +179,22 @@ impl Scene {
     fn set_poses(&self, py: Python<'_>, poses: &Bound<'_, PyAny>) -> PyResult<()> {
         let poses = parts::poses(Some(poses))?;
         self.write(py, |stage| stage.place(&poses))
+    }
+
+    /// Goes to another time code of an animated USD stage, or with None to its default values. The file is opened once for all times, and of a
+    /// stage in which only transforms are animated, only these are read again: the poses of parts that are animated, and the cameras.
+    /// Otherwise, the whole scene is made again, and poses that were set are lost.
+    ///
+    /// Issues an oaktwin.FindingWarning for contents that cannot be read. Raises oaktwin.Error for other scenes.
+    #[pyo3(signature = (time))]
+    fn set_time(&self, py: Python<'_>, time: Option<f64>) -> PyResult<()> {
+        self.go_to(py, time)
+    }
+
+    /// The time code, if there is one.
+    #[getter]
+    fn time(&self) -> Option<f64> {
+        lock(&self.moments).time
     }
 
     /// The poses of all parts, a dictionary from prim path to (4, 4) float64 world_from_part, metres. It finds parts by their names,
@@ -375,7 +354,8 @@ impl Scene {
     #[getter]
     fn cameras<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let all = PyDict::new(py);
-        for placed in self.cameras.as_ref().map_err(error)? {
+        let cameras = self.cameras.read().unwrap_or_else(PoisonError::into_inner);
+        for placed in cameras.as_ref().map_err(error)? {
             let world_from_camera =
                 Of::Camera.array(py, &(placed.world_from_mount * placed.mount_from_camera))?;
             let camera = Camera::placed(&placed.path, placed);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{RwLock, RwLockReadGuard, TryLockError};
+use std::sync::{Mutex, RwLock, RwLockReadGuard, TryLockError};
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DAffine3;
@@ -12,11 +12,13 @@ use oaktwin::scene::{self, Instance, Label, MaterialSpan, Up};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
+use super::time::lock;
 use super::{Origin, Scene};
 use crate::choice::named;
 use crate::error::wrong;
 use crate::mesh::Mesh;
 use crate::pose::{one_pose, rows};
+use crate::settings::mistyped;
 
 /// A callable, its arguments, and the state that is set afterwards.
 pub(super) type Reduced<'py> = (Bound<'py, PyAny>, Bound<'py, PyTuple>, State<'py>);
@@ -65,6 +67,14 @@ impl Stage {
         Ok(())
     }
 
+    /// Moves animated parts, whose given poses are lost.
+    pub(super) fn animate(&mut self, instances: Vec<(usize, DAffine3)>) {
+        for (index, _) in &instances {
+            self.placed.remove(index);
+        }
+        self.renderer.set_poses(instances);
+    }
+
     fn find(&self, name: &str) -> PyResult<(usize, &Instance)> {
         let path = path(name);
         let instances = &self.renderer.scene().instances;
@@ -90,7 +100,7 @@ fn path(name: &str) -> String {
 }
 
 /// The items of an optional mapping from names.
-pub(super) fn items<'py>(
+fn items<'py>(
     argument: &str,
     mapping: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Vec<(String, Bound<'py, PyAny>)>> {
@@ -127,6 +137,33 @@ pub(super) struct Parts {
 }
 
 impl Parts {
+    /// Reads mappings from names.
+    pub(super) fn read(
+        meshes: &Bound<'_, PyAny>,
+        poses: Option<&Bound<'_, PyAny>>,
+        labels: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let mesh = |(name, mesh): (String, Bound<'_, PyAny>)| {
+            let mesh = mesh.cast_into::<Mesh>().map_err(|_| {
+                let is = format_args!("the value of {name} is not a mesh");
+                wrong("meshes", is, "pass oaktwin.Mesh(vertices, faces)")
+            })?;
+            Ok((name, mesh.unbind()))
+        };
+        let label = |(name, label): (String, Bound<'_, PyAny>)| {
+            let text = label.extract();
+            let text = text.map_err(|_| mistyped("labels", &label, "a text for each name"))?;
+            Ok((name, text))
+        };
+        let meshes = items("meshes", Some(meshes))?.into_iter().map(mesh);
+        let labels = items("labels", labels)?.into_iter().map(label);
+        Ok(Self {
+            meshes: meshes.collect::<PyResult<_>>()?,
+            poses: self::poses(poses)?.into_iter().collect(),
+            labels: labels.collect::<PyResult<_>>()?,
+        })
+    }
+
     /// Returns the scene, and the pose of each part.
     fn scene(&self, up: &str) -> PyResult<(scene::Scene, Vec<RigidTransform>)> {
         let mut scene = scene::Scene {
@@ -213,7 +250,8 @@ impl Scene {
             stage: RwLock::new(stage),
             next_frame: AtomicU64::new(0),
             origin: Origin::Meshes(parts.meshes),
-            cameras: Ok(Vec::new()),
+            moments: Mutex::default(),
+            cameras: RwLock::new(Ok(Vec::new())),
             findings: Vec::new(),
         })
     }
@@ -253,7 +291,7 @@ pub(super) fn reduce<'py>(scene: &Scene, py: Python<'py>) -> PyResult<Reduced<'p
             path,
             options: opened,
         } => {
-            options.set_item("time", opened.time)?;
+            options.set_item("time", lock(&scene.moments).time)?;
             options.set_item("subdivide", opened.subdivide)?;
             options.set_item("up", opened.up.map(Up::name))?;
             options.set_item("scale", opened.scale)?;

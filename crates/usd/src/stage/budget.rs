@@ -192,6 +192,12 @@ impl Budget {
         }
     }
 
+    /// Counts the visits and instances of another pass over the same stage from 0.
+    pub(super) fn restart(&self) {
+        self.visits.set(0);
+        self.instances.set(0);
+    }
+
     /// Counts a visit of the prim at the scene path `path`.
     pub(super) fn visit(&self, path: &str) {
         let visits = self.visits.get() + 1;

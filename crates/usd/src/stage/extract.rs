@@ -10,6 +10,7 @@ use openusd::usd;
 use super::budget::Budget;
 use super::error::one_line;
 use super::inspect::Inspected;
+use super::motion::Motion;
 use super::packages::Packages;
 use super::plain::{api_schemas, plain_prim, plain_targets, plain_value};
 use super::reader::{Outcome, Reader, Record};
@@ -18,7 +19,7 @@ use super::scene::{Builder, Children, Context, Findings, pose};
 use super::walk::{VisitedPrim, Visitor, Walk, Which};
 use super::{
     Prim, RenderProduct, SceneCamera, SceneLimit, SceneOptions, Stage, StageError, StageMetadata, StageScene,
-    Value, composition,
+    StageTiming, Value, composition,
 };
 use crate::nvidia::{CAMERA_NAMESPACE, PRODUCT_NAMESPACE};
 
@@ -26,6 +27,8 @@ use crate::nvidia::{CAMERA_NAMESPACE, PRODUCT_NAMESPACE};
 const SENSOR_NAMESPACES: [&str; 3] = [PRODUCT_NAMESPACE, CAMERA_NAMESPACE, "omni:lensdistortion:"];
 /// OpenUSD's default unit, the centimetre.
 const FALLBACK_METERS_PER_UNIT: f64 = 0.01;
+/// OpenUSD's default rate of time codes, 1/s.
+const FALLBACK_RATE: f64 = 24.0;
 
 /// Opens and composes `path` and extracts cameras and sensors.
 pub(super) fn stage(
@@ -64,37 +67,89 @@ pub(super) fn scene(
     layer: Inspected,
     options: SceneOptions,
 ) -> Result<StageScene, StageError> {
-    let layer = Rc::new(layer);
-    let reader = open(file, path, &layer, options.limit, options.time)?;
-    let metadata = metadata(&reader.stage);
-    let (meters_per_unit, invalid_unit) = meters_per_unit(&metadata);
-    let up = match metadata.up_axis.as_deref() {
-        Some("Z") => Up::Z,
-        _ => Up::Y,
-    };
-    let builder = Builder::new(options, meters_per_unit, up);
-    let mut extraction = Extraction::new(meters_per_unit, Some(builder));
-    extraction.run(&reader).map_err(|error| failed(file, &error))?;
-    let mut findings = layer.findings.clone();
-    findings.extend(invalid_unit);
-    findings.append(&mut composition::findings(&reader.stage));
-    findings.append(&mut reader.findings());
-    findings.append(&mut extraction.findings.into_list());
-    let scene = match extraction.builder {
-        Some(builder) => {
-            let (scene, found) = builder.finish();
-            findings.append(&mut found.into_list());
-            scene
+    Opened::new(file, path, layer, options)?.scene(None)
+}
+
+/// A composed stage, from which scenes are built.
+pub(super) struct Opened {
+    file: String,
+    reader: Reader,
+    options: SceneOptions,
+    layer: Rc<Inspected>,
+}
+
+impl Opened {
+    pub(super) fn new(
+        file: &str,
+        path: &str,
+        layer: Inspected,
+        options: SceneOptions,
+    ) -> Result<Self, StageError> {
+        let layer = Rc::new(layer);
+        Ok(Self {
+            file: file.to_owned(),
+            reader: open(file, path, &layer, options.limit, options.time)?,
+            options,
+            layer,
+        })
+    }
+
+    pub(super) fn reader(&self) -> &Reader {
+        &self.reader
+    }
+
+    /// Returns the times of the stage, without what changes.
+    pub(super) fn timing(&self) -> StageTiming {
+        let stage = &self.reader.stage;
+        let has_range = stage.has_authored_time_code_range();
+        let rate = stage.time_codes_per_second();
+        StageTiming {
+            time_codes_per_second: if rate.is_finite() && rate > 0.0 {
+                rate
+            } else {
+                FALLBACK_RATE
+            },
+            range: has_range.then(|| (stage.start_time_code(), stage.end_time_code())),
+            ..StageTiming::default()
         }
-        None => oaktwin_scene::Scene::default(),
-    };
-    Ok(StageScene {
-        scene,
-        cameras: extraction.cameras,
-        products: extraction.products,
-        metadata,
-        findings,
-    })
+    }
+
+    /// Builds the scene at the reader's time, and notes what moves.
+    pub(super) fn scene(&self, motion: Option<&mut Motion>) -> Result<StageScene, StageError> {
+        let reader = &self.reader;
+        let metadata = metadata(&reader.stage);
+        let (meters_per_unit, invalid_unit) = meters_per_unit(&metadata);
+        let up = match metadata.up_axis.as_deref() {
+            Some("Z") => Up::Z,
+            _ => Up::Y,
+        };
+        let builder = Builder::new(self.options, meters_per_unit, up);
+        let mut extraction = Extraction::new(meters_per_unit, Some(builder));
+        extraction.motion = motion;
+        extraction
+            .run(reader)
+            .map_err(|error| failed(&self.file, &error))?;
+        let mut findings = self.layer.findings.clone();
+        findings.extend(invalid_unit);
+        findings.append(&mut composition::findings(&reader.stage));
+        findings.append(&mut reader.findings());
+        findings.append(&mut extraction.findings.into_list());
+        let scene = match extraction.builder {
+            Some(builder) => {
+                let (scene, found) = builder.finish();
+                findings.append(&mut found.into_list());
+                scene
+            }
+            None => oaktwin_scene::Scene::default(),
+        };
+        Ok(StageScene {
+            scene,
+            cameras: extraction.cameras,
+            products: extraction.products,
+            metadata,
+            findings,
+        })
+    }
 }
 
 fn open(
@@ -142,21 +197,24 @@ fn meters_per_unit(metadata: &StageMetadata) -> (f64, Option<Finding>) {
 }
 
 /// Collects cameras, sensors and the scene during the traversal of a stage.
-struct Extraction {
+struct Extraction<'a> {
     meters_per_unit: f64,
     /// The scene's builder; `None` if only cameras and sensors are needed.
     builder: Option<Builder>,
+    /// What moves; `None` if nobody asks.
+    motion: Option<&'a mut Motion>,
     cameras: Vec<SceneCamera>,
     products: Vec<RenderProduct>,
     others: Vec<Prim>,
     findings: Findings,
 }
 
-impl Extraction {
+impl Extraction<'_> {
     fn new(meters_per_unit: f64, builder: Option<Builder>) -> Self {
         Self {
             meters_per_unit,
             builder,
+            motion: None,
             cameras: Vec::new(),
             products: Vec::new(),
             others: Vec::new(),
@@ -192,7 +250,7 @@ impl Extraction {
     }
 }
 
-impl Visitor for Extraction {
+impl Visitor for Extraction<'_> {
     type Context = Context;
 
     fn prim(
@@ -205,6 +263,12 @@ impl Visitor for Extraction {
         let reader = walk.reader;
         let own = prim.own(reader);
         let mut inner = context.with(own, path);
+        if let Some(motion) = &mut self.motion {
+            inner.node = motion.visit(reader, prim, path, context, &inner, own);
+            if let (Some(node), "Camera") = (inner.node, prim.type_name.as_str()) {
+                motion.camera(node, self.cameras.len());
+            }
+        }
         match prim.type_name.as_str() {
             "Camera" => self.camera(plain_prim(reader, prim, path), &inner),
             "RenderProduct" => self.products.push(RenderProduct {

@@ -1,6 +1,6 @@
 use std::any::Any;
 use std::io;
-use std::thread;
+use std::thread::{self, JoinHandle};
 
 use oaktwin_base::panics;
 
@@ -11,14 +11,30 @@ const STACK_BYTES: usize = 256 << 20;
 #[derive(Debug)]
 pub(super) struct NoThread(pub(super) io::Error);
 
+/// The payload of a panic.
+pub(super) type Payload = Box<dyn Any + Send>;
+
+/// Starts `work` on a thread of its own, whose result is the payload of a panic.
+pub(super) fn start(
+    work: impl FnOnce() + Send + 'static,
+) -> Result<JoinHandle<Result<(), Payload>>, Payload> {
+    builder()
+        .spawn(|| panics::contain(work))
+        .map_err(|error| -> Payload { Box::new(NoThread(error)) })
+}
+
+fn builder() -> thread::Builder {
+    thread::Builder::new()
+        .name("usd".to_owned())
+        .stack_size(STACK_BYTES)
+}
+
 /// Runs `work` on a separate thread and returns the payload of a panic as an error.
-pub(super) fn contained<T: Send>(work: impl FnOnce() -> T + Send) -> Result<T, Box<dyn Any + Send>> {
+pub(super) fn contained<T: Send>(work: impl FnOnce() -> T + Send) -> Result<T, Payload> {
     thread::scope(|scope| {
-        thread::Builder::new()
-            .name("usd".to_owned())
-            .stack_size(STACK_BYTES)
+        builder()
             .spawn_scoped(scope, || panics::contain(work))
-            .map_err(|error| -> Box<dyn Any + Send> { Box::new(NoThread(error)) })?
+            .map_err(|error| -> Payload { Box::new(NoThread(error)) })?
             .join()?
     })
 }

@@ -4,6 +4,7 @@
 //! but does not validate its input; so every layer is validated first (see `inspect`), the library runs on a thread of
 //! its own with a large stack, and a panic becomes a [`StageError`] that names the file.
 
+mod animated;
 mod binding;
 mod budget;
 mod closure;
@@ -13,6 +14,7 @@ mod extract;
 mod guard;
 mod inspect;
 mod limit;
+mod motion;
 mod opinion;
 mod own;
 mod packages;
@@ -27,11 +29,13 @@ mod usda;
 mod value;
 mod walk;
 
+use std::any::Any;
 use std::path::Path;
 
 use oaktwin_base::diagnostic::Finding;
 use serde::Serialize;
 
+pub use animated::{AnimatedStage, StageChange, StageContents, StageTiming};
 pub use error::StageError;
 pub use limit::SceneLimit;
 pub use prim::{Attribute, Prim, RenderProduct, SceneCamera, Target, Value};
@@ -100,6 +104,15 @@ fn contained<T: Send>(
     path: &Path,
     read: impl FnOnce(&str, &str, inspect::Inspected) -> Result<T, StageError> + Send,
 ) -> Result<T, StageError> {
+    guard::contained(|| inspected(path, read))
+        .unwrap_or_else(|payload| Err(failure(&path.display().to_string(), payload.as_ref())))
+}
+
+/// Validates a file and reads it.
+fn inspected<T>(
+    path: &Path,
+    read: impl FnOnce(&str, &str, inspect::Inspected) -> Result<T, StageError>,
+) -> Result<T, StageError> {
     let name = path.display().to_string();
     let Some(utf8) = path.to_str() else {
         return Err(StageError::new(
@@ -109,30 +122,25 @@ fn contained<T: Send>(
             "rename it",
         ));
     };
-    let read = || {
-        let layer = inspect::file(path)
-            .map_err(|problem| StageError::new(&name, problem.place, problem.what, problem.remedy))?;
-        read(&name, utf8, layer)
-    };
-    guard::contained(read).unwrap_or_else(|payload| {
-        if let Some(guard::NoThread(error)) = payload.downcast_ref() {
-            let is =
-                format!("cannot be read: not enough memory for the stack of its reader, 256 MiB ({error})");
-            return Err(StageError::new(
-                &name,
-                "",
-                is,
-                "raise the limit on memory (ulimit -v), or free some",
-            ));
-        }
-        Err(budget::exceeded(&name, payload.as_ref()).unwrap_or_else(|| {
-            let panic = guard::message(payload.as_ref());
-            StageError::new(
-                &name,
-                "",
-                format!("the USD reader failed on damaged content ({panic})"),
-                "rewrite the file with OpenUSD (`usdcat --out`), or use an undamaged copy",
-            )
-        }))
+    let layer = inspect::file(path)
+        .map_err(|problem| StageError::new(&name, problem.place, problem.what, problem.remedy))?;
+    read(&name, utf8, layer)
+}
+
+/// The error of a thread that could not be started, or ended with a panic.
+fn failure(name: &str, payload: &(dyn Any + Send)) -> StageError {
+    if let Some(guard::NoThread(error)) = payload.downcast_ref() {
+        let is = format!("cannot be read: not enough memory for the stack of its reader, 256 MiB ({error})");
+        let remedy = "raise the limit on memory (ulimit -v), or free some";
+        return StageError::new(name, "", is, remedy);
+    }
+    budget::exceeded(name, payload).unwrap_or_else(|| {
+        let panic = guard::message(payload);
+        StageError::new(
+            name,
+            "",
+            format!("the USD reader failed on damaged content ({panic})"),
+            "rewrite the file with OpenUSD (`usdcat --out`), or use an undamaged copy",
+        )
     })
 }

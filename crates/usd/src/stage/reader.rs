@@ -1,4 +1,4 @@
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
@@ -21,7 +21,7 @@ pub(super) type Outcome<T> = Result<T, Failure>;
 pub(super) struct Reader {
     pub(super) stage: usd::Stage,
     /// The time code of values; `None` for default values.
-    time: Option<f64>,
+    time: Cell<Option<f64>>,
     budget: Rc<Budget>,
     packages: Rc<Packages>,
     /// The attributes whose animation is a spline.
@@ -29,6 +29,7 @@ pub(super) struct Reader {
 }
 
 /// The data of a prim that the traversal needs.
+#[derive(Clone)]
 pub(super) struct Record {
     /// The path at which it is composed; inside a prototype for prims shared by instances.
     pub(super) path: Path,
@@ -78,11 +79,29 @@ impl Reader {
     ) -> Self {
         Self {
             stage,
-            time,
+            time: Cell::new(time),
             budget,
             packages,
             splines: RefCell::default(),
         }
+    }
+
+    /// Reads at another time code from now on, in a pass of its own.
+    pub(super) fn restart(&self, time: Option<f64>) {
+        self.time.set(time);
+        self.budget.restart();
+    }
+
+    /// Whether the value of an attribute changes with time.
+    pub(super) fn is_sampled(&self, prim: &Path, name: &str) -> bool {
+        self.budget.is_animated()
+            && prim.append_property(name).is_ok_and(|path| {
+                let attribute = self.stage.attribute(path);
+                // Exporters often author a single sample.
+                let is_constant = || attribute.time_sample_times().is_ok_and(|times| times.len() == 1);
+                self.strongest(&attribute) == Some(Source::Samples)
+                    && (self.budget.has_clips() || !is_constant())
+            })
     }
 
     /// Returns the packages of the stage's files.
@@ -187,7 +206,7 @@ impl Reader {
         let at = |time: f64| attribute.get_at::<Value>(usd::TimeCode::new(time)).ok().flatten();
         let value = if !self.budget.is_animated() {
             default().or_else(|| self.strongest(attribute).and(None))
-        } else if let Some(time) = self.time {
+        } else if let Some(time) = self.time.get() {
             match self.strongest(attribute)? {
                 Source::Default | Source::Spline => default(),
                 Source::Samples => at(time),
@@ -203,7 +222,7 @@ impl Reader {
 
     /// Like [`Reader::value`], but without a time code only the default value.
     pub(super) fn posed(&self, record: &Record, name: &str) -> Option<Value> {
-        if self.time.is_some() {
+        if self.time.get().is_some() {
             return self.value(record, name);
         }
         let attribute = self.stage.attribute(record.path.append_property(name).ok()?);
@@ -222,7 +241,7 @@ impl Reader {
     /// Returns what the values that were read do not show.
     pub(super) fn findings(&self) -> Vec<Finding> {
         let mut findings = Vec::new();
-        if self.time.is_none() && self.budget.is_animated() {
+        if self.time.get().is_none() && self.budget.is_animated() {
             let range = if self.stage.has_authored_time_code_range() {
                 let (start, end) = (self.stage.start_time_code(), self.stage.end_time_code());
                 format!(", from {start} to {end}")

@@ -36,9 +36,14 @@ const UNTRANSFORMED_TYPES: [&str; 8] = [
     "RenderSettings",
 ];
 
+/// Whether prims of a type have a transform.
+pub(super) fn is_transformed(kind: &str) -> bool {
+    !UNTRANSFORMED_TYPES.contains(&kind)
+}
+
 /// Returns the transform authored on a prim, if any.
 pub(super) fn local_transform(reader: &Reader, prim: &Record) -> Option<LocalTransform> {
-    if !prim.has("xformOpOrder") || UNTRANSFORMED_TYPES.contains(&prim.type_name.as_str()) {
+    if !prim.has("xformOpOrder") || !is_transformed(prim.type_name.as_str()) {
         return None;
     }
     let mut ops = texts(reader.value(prim, "xformOpOrder")?)?;

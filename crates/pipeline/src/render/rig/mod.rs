@@ -93,6 +93,22 @@ impl Rig {
         self
     }
 
+    /// Moves the cameras to the poses of others. Returns whether the others are the same but for their poses, without which nothing is moved.
+    pub(in crate::render) fn place_cameras(&mut self, others: Vec<PlacedCamera>) -> bool {
+        let is_same = |(own, other): (&PlacedCamera, &PlacedCamera)| {
+            let moved = PlacedCamera {
+                world_from_mount: own.world_from_mount,
+                ..other.clone()
+            };
+            moved == *own
+        };
+        let are_same = others.len() == self.cameras.len() && self.cameras.iter().zip(&others).all(is_same);
+        if are_same {
+            self.cameras = others;
+        }
+        are_same
+    }
+
     /// Returns each camera as a rig of its own. Cameras without a depth sensor are left out.
     #[must_use]
     pub fn split(self) -> Vec<Self> {

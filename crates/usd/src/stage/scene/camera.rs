@@ -10,6 +10,19 @@ pub(in crate::stage) fn pose(
     stage_from_prim: &DAffine3,
     meters_per_unit: f64,
 ) -> Option<(RigidTransform, Option<&'static str>)> {
+    let (pose, removed) = rigid(stage_from_prim, meters_per_unit)?;
+    let axes = Axes::Usd.rotation_from(Axes::OpenCv);
+    Some((
+        RigidTransform::new(pose.rotation * axes, pose.translation),
+        removed,
+    ))
+}
+
+/// Returns [`pose`] for a prim with any axes.
+pub(in crate::stage) fn rigid(
+    stage_from_prim: &DAffine3,
+    meters_per_unit: f64,
+) -> Option<(RigidTransform, Option<&'static str>)> {
     let axes = stage_from_prim.matrix3;
     let translation = stage_from_prim.translation * meters_per_unit;
     // The viewing direction is kept exactly, the up direction as far as possible.
@@ -35,6 +48,5 @@ pub(in crate::stage) fn pose(
     } else {
         None
     };
-    let pose = RigidTransform::new(rotation * Axes::Usd.rotation_from(Axes::OpenCv), translation);
-    Some((pose, removed))
+    Some((RigidTransform::new(rotation, translation), removed))
 }

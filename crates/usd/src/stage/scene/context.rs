@@ -26,6 +26,8 @@ pub(in crate::stage) struct Context {
     pub(super) skeleton: Option<Path>,
     /// The bound animation.
     pub(super) animation: Option<Path>,
+    /// The number of the nearest prim that can move, among those of [`Motion`](crate::stage::motion::Motion).
+    pub(in crate::stage) node: Option<usize>,
 }
 
 /// A linked list of ancestors with primvars, nearest first.
@@ -47,6 +49,7 @@ impl Default for Context {
             skeleton_root: None,
             skeleton: None,
             animation: None,
+            node: None,
         }
     }
 }
@@ -110,6 +113,11 @@ impl Context {
             at = primvars.above.as_deref();
         }
         None
+    }
+
+    /// Whether a skeleton is bound to it.
+    pub(in crate::stage) fn is_skinned(&self) -> bool {
+        self.skeleton.is_some()
     }
 
     /// Whether its geometry is rendered.

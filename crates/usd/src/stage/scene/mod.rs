@@ -15,8 +15,8 @@ mod skin;
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_scene::Scene;
 
-pub(super) use builder::{Builder, Children};
-pub(super) use camera::pose;
+pub(super) use builder::{Builder, Children, is_invertible};
+pub(super) use camera::{pose, rigid};
 pub(super) use context::Context;
 pub(super) use findings::Findings;
 

@@ -20,6 +20,7 @@ use crate::stage::own::Own;
 use crate::stage::reader::{Outcome, Record};
 use crate::stage::walk::Walk;
 use prims::MeshKey;
+pub(in crate::stage) use singular::is_invertible;
 use triangulation::Triangulation;
 
 /// The types of prim that are skipped, and the reason.

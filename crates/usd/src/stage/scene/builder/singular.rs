@@ -57,7 +57,8 @@ impl Builder {
     }
 }
 
-fn is_invertible(transform: &DAffine3) -> bool {
+/// Whether a transform has an inverse.
+pub(in crate::stage) fn is_invertible(transform: &DAffine3) -> bool {
     let inverse = transform.matrix3.inverse();
     transform.is_finite() && transform.matrix3.determinant() != 0.0 && inverse.is_finite()
 }

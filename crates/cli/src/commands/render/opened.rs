@@ -1,0 +1,119 @@
+//! The scene of the command, still or animated.
+
+use oaktwin::camera::RigidTransform;
+use oaktwin::diagnostic::Finding;
+use oaktwin::render::trajectory::{self, TimedPose};
+use oaktwin::render::{
+    AnimatedScene, Animation, OpenOptions, Outputs, Renderer, Rig, RigSpec, SceneFile, TimeCodes, Written,
+    write_animation, write_frames,
+};
+
+use crate::args::RenderArgs;
+use crate::context::Result;
+use crate::progress;
+
+/// A scene that was read at its first time.
+pub(super) struct Opened {
+    pub(super) scene: SceneFile,
+    /// A finding about the time codes.
+    pub(super) finding: Option<Finding>,
+    /// The stage, if it has a mount or is animated.
+    animated: Option<AnimatedScene>,
+    times: Option<TimeCodes>,
+}
+
+impl Opened {
+    pub(super) fn new(args: &RenderArgs) -> Result<Self> {
+        let options = args.scene_options.open_options()?;
+        if args.frames.is_none() && args.mount.is_none() {
+            return Ok(Self {
+                scene: SceneFile::open(&args.scene, &options)?,
+                finding: None,
+                animated: None,
+                times: None,
+            });
+        }
+        if args.imu.imu.is_some() {
+            return Err("--imu requires a trajectory in the world; remove --frames and --mount".into());
+        }
+        if args.model.is_none() && args.trajectory.is_some() {
+            return Err("--trajectory moves the cameras of a model beside --frames; add --model, or remove one of them".into());
+        }
+        if let Some(rate) = args.fps.filter(|rate| !(rate.is_finite() && *rate > 0.0)) {
+            return Err(format!("--fps: must be a number above 0 (got {rate})").into());
+        }
+        // The rate of the stage is known once it is open, at the first time.
+        let parse = |rate: f64| {
+            let times = args
+                .frames
+                .as_deref()
+                .map(|text| TimeCodes::parse(text, rate, args.fps));
+            times.transpose().map_err(|error| format!("--frames: {error}"))
+        };
+        let first = parse(1.0)?.and_then(|times| times.codes.first().copied());
+        let options = OpenOptions {
+            time: first.or(options.time),
+            ..options
+        };
+        let (animated, scene) = SceneFile::open_animated(&args.scene, &options, args.mount.as_deref())?;
+        let times = parse(animated.timing().time_codes_per_second)?;
+        Ok(Self {
+            scene,
+            finding: times
+                .as_ref()
+                .and_then(|times| animated.check_times(&times.codes)),
+            animated: Some(animated),
+            times,
+        })
+    }
+
+    /// Returns the pose in the world of an OAK without animation. An animated one follows its prim.
+    pub(super) fn place(&self, pose: RigidTransform) -> RigidTransform {
+        self.mount()
+            .map_or(pose, |world_from_mount| *world_from_mount * pose)
+    }
+
+    /// Returns a path in the world, as [`Opened::place`] does.
+    pub(super) fn from_mount(&self, path: Vec<TimedPose>) -> Vec<TimedPose> {
+        let moved = path.into_iter().map(|pose| TimedPose {
+            world_from_mount: self.place(pose.world_from_mount),
+            ..pose
+        });
+        moved.collect()
+    }
+
+    fn mount(&self) -> Option<&RigidTransform> {
+        let animated = self.animated.as_ref().filter(|_| self.times.is_none());
+        animated.and_then(AnimatedScene::world_from_mount)
+    }
+
+    /// Returns the time of each frame, s.
+    pub(super) fn times_s(&self, path: &[TimedPose]) -> Vec<Option<f64>> {
+        let own = self.times.as_ref().map(TimeCodes::times_s);
+        own.unwrap_or_else(|| trajectory::times_s(path))
+    }
+
+    /// Writes the frames of a rig.
+    pub(super) fn write(
+        self,
+        args: &RenderArgs,
+        (rig, spec): (&Rig, &RigSpec),
+        path: &[TimedPose],
+        outputs: Outputs<'_>,
+    ) -> Result<Written> {
+        let (Some(mut scene), Some(times)) = (self.animated, self.times) else {
+            let renderer = Renderer::new(self.scene.scene);
+            let written =
+                progress::watched(|watch| write_frames(&renderer, rig, path, args.strict, outputs, watch))?;
+            return Ok(written);
+        };
+        let mut animation = match args.model {
+            Some(_) => Animation::of_oak(&mut scene, self.scene, &times, rig, path)
+                .map_err(|error| format!("--trajectory: {error}"))?,
+            None => Animation::of_stage(&mut scene, self.scene, &times, spec),
+        };
+        let written =
+            progress::watched(|watch| write_animation(&mut animation, rig, args.strict, outputs, watch))?;
+        Ok(written)
+    }
+}

@@ -1,0 +1,268 @@
+//! Frames of an animated scene.
+
+use oaktwin_base::diagnostic::Finding;
+use oaktwin_camera::RigidTransform;
+use oaktwin_render::Renderer;
+use oaktwin_scene::Scene;
+
+use super::frames::{Frames, FramesError, time_ns};
+use super::rig::{Rig, RigSpec};
+use super::scene_camera::{SceneCameraOptions, scene_cameras};
+use super::scene_file::{AnimatedScene, SceneChange, SceneFile};
+use super::trajectory::TimedPose;
+
+/// The largest number of frames of an animation.
+pub const MAX_FRAMES: usize = 1_000_000;
+
+/// Time codes of frames.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TimeCodes {
+    /// The time codes.
+    pub codes: Vec<f64>,
+    /// The time between frames, s.
+    pub period_s: f64,
+}
+
+impl TimeCodes {
+    /// Reads `FIRST:LAST` or `FIRST:LAST:STEP`; LAST is included if a step ends at it. A single number is one frame. Frames last as long as in
+    /// the stage, whose time codes per second are given, or as `frames_per_second` says.
+    ///
+    /// # Errors
+    /// Returns what is wrong and what to do: a text of another form, a step of 0 or away from LAST, and more than [`MAX_FRAMES`].
+    pub fn parse(text: &str, codes_per_second: f64, frames_per_second: Option<f64>) -> Result<Self, String> {
+        let numbers: Option<Vec<f64>> = text
+            .split(':')
+            .map(|part| part.trim().parse().ok().filter(|number: &f64| number.is_finite()))
+            .collect();
+        let (first, last, step) = match numbers.as_deref() {
+            Some(&[only]) => (only, only, 1.0),
+            Some(&[first, last]) => (first, last, 1.0),
+            Some(&[first, last, step]) => (first, last, step),
+            _ => {
+                return Err(format!(
+                    "invalid time codes '{text}'; write FIRST:LAST or FIRST:LAST:STEP, such as 0:100:2"
+                ));
+            }
+        };
+        if step <= 0.0 {
+            return Err(format!("the step is {step}; give a number above 0"));
+        }
+        if last < first {
+            return Err(format!(
+                "{last} is before {first}; write the smaller time code first"
+            ));
+        }
+        // The sum of steps of 0.1 may miss the last time code by rounding.
+        let count = ((last - first) / step + 1e-9).floor() + 1.0;
+        if count > MAX_FRAMES as f64 {
+            return Err(format!("{count} frames; give at most {MAX_FRAMES}"));
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "at most MAX_FRAMES"
+        )]
+        let codes = (0..count as usize)
+            .map(|number| first + number as f64 * step)
+            .collect();
+        let period_s = frames_per_second.map_or(step / codes_per_second, |rate| 1.0 / rate);
+        Ok(Self { codes, period_s })
+    }
+
+    /// Returns the time of each frame, s, from 0.
+    #[must_use]
+    pub fn times_s(&self) -> Vec<Option<f64>> {
+        (0..self.codes.len())
+            .map(|number| Some(number as f64 * self.period_s))
+            .collect()
+    }
+}
+
+/// An animated scene, from which [`write_animation`](super::write_animation) makes frames.
+#[derive(Debug)]
+pub struct Animation<'a> {
+    scene: &'a mut AnimatedScene,
+    times: Vec<f64>,
+    times_s: Vec<Option<f64>>,
+    path: &'a [TimedPose],
+    renderer: Renderer,
+    stage: Option<StageCameras<'a>>,
+    own_pose: RigidTransform,
+}
+
+/// The cameras of a stage, which may move.
+#[derive(Debug)]
+struct StageCameras<'a> {
+    file: SceneFile,
+    spec: &'a RigSpec,
+}
+
+impl<'a> Animation<'a> {
+    /// Makes the animation of a scene, which was read at the first time code, for the rig of an OAK. The OAK is at the poses of the path, one for
+    /// each frame, or at its own pose if the path is empty; relative to the prim that carries it, if there is one.
+    ///
+    /// # Errors
+    /// Returns what is wrong and what to do if the path has another number of poses than there are time codes.
+    pub fn of_oak(
+        scene: &'a mut AnimatedScene,
+        first: SceneFile,
+        times: &TimeCodes,
+        rig: &Rig,
+        path: &'a [TimedPose],
+    ) -> Result<Self, String> {
+        if !path.is_empty() && path.len() != times.codes.len() {
+            return Err(format!(
+                "{} poses, but {} time codes; give one pose for each frame",
+                path.len(),
+                times.codes.len()
+            ));
+        }
+        Ok(Self {
+            own_pose: rig
+                .cameras()
+                .first()
+                .map_or(RigidTransform::IDENTITY, |camera| camera.world_from_mount),
+            ..Self::new(scene, first.scene, times, path)
+        })
+    }
+
+    /// Makes the animation of a scene, which was read at the first time code, for its own cameras, whose rig has this specification.
+    #[must_use]
+    pub fn of_stage(
+        scene: &'a mut AnimatedScene,
+        mut first: SceneFile,
+        times: &TimeCodes,
+        spec: &'a RigSpec,
+    ) -> Self {
+        let drawn = Scene {
+            meters_per_unit: first.scene.meters_per_unit,
+            ..Scene::default()
+        };
+        let drawn = std::mem::replace(&mut first.scene, drawn);
+        Self {
+            stage: Some(StageCameras { file: first, spec }),
+            ..Self::new(scene, drawn, times, &[])
+        }
+    }
+
+    fn new(scene: &'a mut AnimatedScene, first: Scene, times: &TimeCodes, path: &'a [TimedPose]) -> Self {
+        Self {
+            scene,
+            times: times.codes.clone(),
+            times_s: times.times_s(),
+            path,
+            renderer: Renderer::new(first),
+            stage: None,
+            own_pose: RigidTransform::IDENTITY,
+        }
+    }
+}
+
+impl StageCameras<'_> {
+    /// Moves the cameras of the rig; a rig whose optics have changed is made again.
+    fn place(&self, rig: &mut Rig) -> Result<Vec<Finding>, FramesError> {
+        let options = SceneCameraOptions {
+            cameras: &self.spec.cameras,
+            size: self.spec.size,
+            projection: self.spec.projection,
+        };
+        let (cameras, _) = scene_cameras(&self.file, &options)?;
+        if rig.place_cameras(cameras) {
+            return Ok(Vec::new());
+        }
+        let (made, findings) = Rig::of_stage(&self.file, self.spec)?;
+        *rig = made;
+        Ok(findings)
+    }
+}
+
+impl Frames for Animation<'_> {
+    fn count(&self) -> usize {
+        self.times.len()
+    }
+
+    fn time_ns(&self, number: usize) -> u64 {
+        time_ns(&self.times_s, number)
+    }
+
+    fn advance(
+        &mut self,
+        number: usize,
+        rig: &mut Rig,
+        findings: &mut Vec<Finding>,
+    ) -> Result<Option<RigidTransform>, FramesError> {
+        // The scene was read at the first time.
+        if number > 0 {
+            match self.scene.at(Some(self.times[number]))? {
+                SceneChange::Moved(instances, cameras) => {
+                    self.renderer.set_poses(instances);
+                    if let Some(stage) = self.stage.as_mut().filter(|_| !cameras.is_empty()) {
+                        for (index, world_from_camera) in cameras {
+                            stage.file.cameras[index].world_from_camera = world_from_camera;
+                        }
+                        findings.extend(stage.place(rig)?);
+                    }
+                }
+                SceneChange::Rebuilt(mut file) => {
+                    findings.append(&mut file.findings);
+                    let meters_per_unit = file.scene.meters_per_unit;
+                    self.renderer = Renderer::new(std::mem::take(&mut file.scene));
+                    file.scene.meters_per_unit = meters_per_unit;
+                    if let Some(stage) = &mut self.stage {
+                        stage.file = *file;
+                        findings.extend(stage.place(rig)?);
+                    }
+                }
+            }
+        }
+        if self.stage.is_some() {
+            return Ok(None);
+        }
+        let own = self
+            .path
+            .get(number)
+            .map_or(self.own_pose, |pose| pose.world_from_mount);
+        Ok(Some(match self.scene.world_from_mount() {
+            Some(world_from_mount) => *world_from_mount * own,
+            None => own,
+        }))
+    }
+
+    fn renderer(&self) -> &Renderer {
+        &self.renderer
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reads_time_codes() {
+        let of = |text: &str| TimeCodes::parse(text, 24.0, None).unwrap();
+        assert_eq!(of("3").codes, [3.0]);
+        assert_eq!(of("0:3").codes, [0.0, 1.0, 2.0, 3.0]);
+        assert_eq!(of("-1:1:0.5").codes, [-1.0, -0.5, 0.0, 0.5, 1.0]);
+        assert_eq!(of("0:1:0.1").codes.len(), 11);
+        assert_eq!(of("0:10:4").codes, [0.0, 4.0, 8.0]);
+        assert_eq!(of("0:10:4").times_s(), [0.0, 4.0 / 24.0, 8.0 / 24.0].map(Some));
+        assert_eq!(TimeCodes::parse("0:1", 24.0, Some(10.0)).unwrap().period_s, 0.1);
+    }
+
+    #[test]
+    fn rejects_other_texts() {
+        for (text, expected) in [
+            ("", "invalid time codes ''"),
+            ("a:b", "FIRST:LAST:STEP"),
+            ("0:1:2:3", "FIRST:LAST:STEP"),
+            ("0:nan", "invalid time codes"),
+            ("0:5:0", "the step is 0"),
+            ("0:5:-1", "the step is -1"),
+            ("5:0", "0 is before 5"),
+            ("0:1e9", "at most 1000000"),
+        ] {
+            let error = TimeCodes::parse(text, 24.0, None).unwrap_err();
+            assert!(error.contains(expected), "{text}: {error}");
+        }
+    }
+}

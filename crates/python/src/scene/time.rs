@@ -1,0 +1,109 @@
+//! Animated stages.
+
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use oaktwin::diagnostic;
+use oaktwin::render::{
+    AnimatedScene, CameraError, PlacedCamera, SceneCameraOptions, SceneChange, SceneFile, SceneFileError,
+    scene_cameras,
+};
+use oaktwin::scene;
+use pyo3::prelude::*;
+
+use super::parts::Stage;
+use super::{Origin, Scene};
+use crate::error::{reading, wrong};
+use crate::finding;
+
+/// The cameras of a file, or why there are none.
+pub(super) type Cameras = Result<Vec<PlacedCamera>, CameraError>;
+
+/// The time of a scene, and the stage that can be read at others.
+#[derive(Default)]
+pub(super) struct Moments {
+    pub(super) time: Option<f64>,
+    open: Option<(AnimatedScene, SceneFile)>,
+}
+
+impl Moments {
+    /// The moment at which a file was opened.
+    pub(super) fn at(time: Option<f64>) -> Self {
+        Self { time, open: None }
+    }
+}
+
+/// The cameras of a file, with findings.
+pub(super) fn cameras(file: &SceneFile) -> (Cameras, Vec<diagnostic::Finding>) {
+    match scene_cameras(file, &SceneCameraOptions::default()) {
+        Ok((cameras, findings)) => (Ok(cameras), findings),
+        Err(CameraError::NoCamera { .. }) => (Ok(Vec::new()), Vec::new()),
+        // Reported when the cameras are requested.
+        Err(error) => (Err(error), Vec::new()),
+    }
+}
+
+/// A file without its geometry, for its cameras.
+fn emptied(mut file: SceneFile) -> (scene::Scene, SceneFile) {
+    let rest = scene::Scene {
+        meters_per_unit: file.scene.meters_per_unit,
+        ..scene::Scene::default()
+    };
+    (std::mem::replace(&mut file.scene, rest), file)
+}
+
+impl Scene {
+    /// Reads the stage at another time.
+    pub(super) fn go_to(&self, py: Python<'_>, time: Option<f64>) -> PyResult<()> {
+        let Origin::File { path, options } = &self.origin else {
+            return Err(wrong(
+                "time",
+                "does not apply to a scene of meshes",
+                "move them with set_pose",
+            ));
+        };
+        if let Some(time) = time.filter(|time| !time.is_finite()) {
+            return Err(wrong(
+                "time",
+                format_args!("is {time}"),
+                "pass a finite time code",
+            ));
+        }
+        let findings = py.detach(|| {
+            let mut moments = lock(&self.moments);
+            let (stage, file) = match &mut moments.open {
+                Some(open) => open,
+                empty => {
+                    // Opened at the same time as the scene, to whose instances changes refer.
+                    let (stage, file) = SceneFile::open_animated(path, options, None)?;
+                    empty.insert((stage, emptied(file).1))
+                }
+            };
+            let change = stage.at(time)?;
+            // The moment is locked until all is changed, so that threads do not mix times.
+            let mut drawn = self.stage.write().unwrap_or_else(PoisonError::into_inner);
+            match change {
+                SceneChange::Moved(instances, cameras) => {
+                    for (index, world_from_camera) in cameras {
+                        file.cameras[index].world_from_camera = world_from_camera;
+                    }
+                    drawn.animate(instances);
+                }
+                SceneChange::Rebuilt(new) => {
+                    let (scene, rest) = emptied(*new);
+                    *file = rest;
+                    *drawn = Stage::new(scene);
+                }
+            }
+            let (cameras, mut findings) = cameras(file);
+            findings.append(&mut file.findings);
+            *self.cameras.write().unwrap_or_else(PoisonError::into_inner) = cameras;
+            moments.time = time;
+            Ok::<_, SceneFileError>(findings)
+        });
+        finding::warn(py, &findings.map_err(|failed| reading(path, &failed))?)
+    }
+}
+
+pub(super) fn lock(moments: &Mutex<Moments>) -> MutexGuard<'_, Moments> {
+    moments.lock().unwrap_or_else(PoisonError::into_inner)
+}
