@@ -47,6 +47,7 @@ mod settings;
 mod shot;
 mod stereo;
 mod threads;
+mod worlds;
 
 use std::ffi::OsString;
 
@@ -101,6 +102,8 @@ mod _oaktwin {
     use super::sensor::DepthSensor;
     #[pymodule_export]
     use super::stereo::StereoMatcher;
+    #[pymodule_export]
+    use super::worlds::Worlds;
     #[pymodule_export]
     use crate::accuracy::accuracy;
     #[pymodule_export]

@@ -134,7 +134,8 @@ pub(crate) fn one_pose(name: &str, object: &Bound<'_, PyAny>) -> PyResult<RigidT
     }
 }
 
-fn pose(name: &str, matrix: &[f64; 16]) -> PyResult<RigidTransform> {
+/// Reads one pose, row by row.
+pub(crate) fn pose(name: &str, matrix: &[f64; 16]) -> PyResult<RigidTransform> {
     if matrix.iter().any(|number| !number.is_finite()) {
         return Err(wrong(name, "has non-finite values", "pass a rigid transform"));
     }

@@ -72,6 +72,11 @@ impl Task {
         checked
     }
 
+    /// Whether the work is to stop.
+    pub(crate) fn is_stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+
     /// Stops the work.
     pub(crate) fn stop(&self) {
         self.stop.store(true, Ordering::Relaxed);

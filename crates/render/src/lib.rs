@@ -21,6 +21,7 @@ mod texture_file;
 mod through;
 mod view;
 mod visibility;
+mod worlds;
 
 pub use annotate::AnnotateOptions;
 pub use backend::Backend;
@@ -31,3 +32,4 @@ pub use shade::{Beam, BeamPattern};
 pub use texture_file::texture_pixels;
 pub use view::{Clip, View};
 pub use visibility::{Hit, Visibility};
+pub use worlds::Worlds;

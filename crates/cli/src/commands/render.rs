@@ -29,7 +29,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let mut findings = std::mem::take(&mut opened.scene.findings);
     findings.extend(opened.finding.take());
     findings.extend(request::unused(args, &spec.annotators));
-    let path = opened.from_mount(path);
+    let path = opened.in_world(path);
     let scene = &opened.scene;
     let (rig, more) = match &oak {
         Some((twin, _)) => {

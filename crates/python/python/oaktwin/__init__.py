@@ -30,6 +30,7 @@ from ._rigs import Rig
 from ._scenes import Mesh, Recording, Scene, annotators
 from ._sensors import DepthSensor, StereoMatcher
 from ._shots import Shot
+from ._worlds import Worlds
 
 __all__ = [
     "Accuracy",
@@ -53,6 +54,7 @@ __all__ = [
     "Scene",
     "Shot",
     "StereoMatcher",
+    "Worlds",
     "__version__",
     "accuracy",
     "align",

@@ -20,6 +20,7 @@ from ._rigs import Rig as Rig
 from ._scenes import Mesh as Mesh, Recipe as Recipe, Recording as Recording, Scene as Scene, annotators as annotators
 from ._sensors import DepthSensor as DepthSensor, StereoMatcher as StereoMatcher
 from ._types import _Array, _Json, _Progress, _SensorOptions
+from ._worlds import Worlds as Worlds
 
 __all__ = [
     "Camera",
@@ -36,6 +37,7 @@ __all__ = [
     "Rig",
     "Scene",
     "StereoMatcher",
+    "Worlds",
     "__version__",
     "_camera",
     "_device",

@@ -18,6 +18,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use self::parts::{Parts, Stage};
+pub(crate) use self::parts::{path, unknown_part};
 use self::time::{Cameras, Moments, cameras, lock};
 use crate::arguments::{Annotators, FrameNumber, Size, optional, subdivide};
 use crate::asset;

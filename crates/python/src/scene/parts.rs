@@ -47,6 +47,12 @@ impl Stage {
         instances.map(|(index, instance)| (instance.path.as_str(), self.pose_and_rest(index, instance).0))
     }
 
+    /// The paths of all parts, with what a pose leaves of their transforms.
+    pub(crate) fn parts(&self) -> impl Iterator<Item = (&str, DAffine3)> {
+        let instances = self.renderer.scene().instances.iter().enumerate();
+        instances.map(|(index, instance)| (instance.path.as_str(), self.pose_and_rest(index, instance).1))
+    }
+
     fn pose_and_rest(&self, index: usize, instance: &Instance) -> (RigidTransform, DAffine3) {
         let placed = self.placed.get(&index).copied();
         placed.unwrap_or_else(|| instance.pose_and_rest())
@@ -82,16 +88,18 @@ impl Stage {
             .iter()
             .enumerate()
             .find(|(_, instance)| instance.path == path);
-        found.ok_or_else(|| {
-            let paths = instances.iter().map(|instance| &instance.path);
-            let names = paths.map(|path| path.strip_prefix("/World/").unwrap_or(path));
-            wrong(name, "the scene has no such part", suggest(name, names))
-        })
+        found.ok_or_else(|| unknown_part(name, instances.iter().map(|instance| instance.path.as_str())))
     }
 }
 
+/// The error of a name that none of the paths has.
+pub(crate) fn unknown_part<'a>(name: &str, paths: impl Iterator<Item = &'a str>) -> PyErr {
+    let names = paths.map(|path| path.strip_prefix("/World/").unwrap_or(path));
+    wrong(name, "the scene has no such part", suggest(name, names))
+}
+
 /// The prim path of a name.
-fn path(name: &str) -> String {
+pub(crate) fn path(name: &str) -> String {
     if name.starts_with('/') {
         name.to_owned()
     } else {

@@ -138,7 +138,7 @@ impl Motion {
     fn classify(&mut self, reader: &Reader, prim: &Record, path: &str) -> bool {
         let kind = prim.type_name.as_str();
         let mut is_moved = false;
-        let names = prim.properties.iter().map(|name| name.as_str());
+        let names = prim.properties.iter().map(openusd::tf::Token::as_str);
         for name in names.filter(|_| !UNSEEN_TYPES.contains(&kind)) {
             let is_transform = name == "xformOpOrder" || name.starts_with("xformOp:");
             let is_seen = is_transform && !is_moved && is_transformed(kind)

@@ -74,7 +74,7 @@ impl Opened {
     }
 
     /// Returns a path in the world, as [`Opened::place`] does.
-    pub(super) fn from_mount(&self, path: Vec<TimedPose>) -> Vec<TimedPose> {
+    pub(super) fn in_world(&self, path: Vec<TimedPose>) -> Vec<TimedPose> {
         let moved = path.into_iter().map(|pose| TimedPose {
             world_from_mount: self.place(pose.world_from_mount),
             ..pose
