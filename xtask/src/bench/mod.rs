@@ -12,6 +12,7 @@ mod scaling;
 mod stereo;
 mod studio;
 mod turns;
+mod worlds;
 
 #[derive(clap::Subcommand)]
 pub(crate) enum Bench {
@@ -38,6 +39,8 @@ pub(crate) enum Bench {
     Scaling(scaling::Args),
     /// The page of `oaktwin studio` in a headless browser; requires npm and Chromium
     Studio(studio::Args),
+    /// Depth of many worlds at once, compared with MuJoCo and Open3D
+    Worlds(worlds::Args),
 }
 
 pub(crate) fn run(bench: &Bench) -> Result<(), String> {
@@ -53,6 +56,7 @@ pub(crate) fn run(bench: &Bench) -> Result<(), String> {
         Bench::Record(args) => record::run(args),
         Bench::Scaling(args) => scaling::run(args),
         Bench::Studio(args) => studio::run(args),
+        Bench::Worlds(args) => worlds::run(args),
     }
 }
 

@@ -18,26 +18,29 @@ _SEGMENTS = 32
 
 def mesh_of(model: Any, index: int) -> Mesh | str | None:
     """The mesh of a geom in its own frame, None for one that is hidden, or the name of a type that has no mesh."""
-    mujoco: Any = importlib.import_module("mujoco")
-    kind, size = int(model.geom_type[index]), model.geom_size[index]
     rgba = model.mat_rgba[model.geom_matid[index]] if model.geom_matid[index] >= 0 else model.geom_rgba[index]
     if model.geom_group[index] > 2 or rgba[3] == 0:
         return None
-    kinds = mujoco.mjtGeom
+    shape = shape_of(model, index)
+    return shape if isinstance(shape, str) else Mesh(*shape, color=[float(one) for one in rgba[:3]])
+
+
+def shape_of(model: Any, index: int) -> tuple[Any, Any] | str:
+    """The vertices and faces of a geom in its own frame, or the name of a type that has none."""
+    mujoco: Any = importlib.import_module("mujoco")
+    kind, size, kinds = int(model.geom_type[index]), model.geom_size[index], mujoco.mjtGeom
     if kind == kinds.mjGEOM_PLANE:
         x, y = (one if one > 0 else _PLANE_M for one in size[:2])
-        shape = np.array([(-x, -y, 0), (x, -y, 0), (x, y, 0), (-x, y, 0)]), np.array([(0, 1, 2), (0, 2, 3)])
-    elif kind == kinds.mjGEOM_BOX:
-        shape = _box(size)
-    elif kind == kinds.mjGEOM_MESH:
-        shape = _stored(model, int(model.geom_dataid[index]))
-    elif kind == kinds.mjGEOM_HFIELD:
-        shape = _field(model, int(model.geom_dataid[index]))
-    elif kind in (kinds.mjGEOM_SPHERE, kinds.mjGEOM_ELLIPSOID, kinds.mjGEOM_CYLINDER, kinds.mjGEOM_CAPSULE):
-        shape = _turned(_outline(kind, size, kinds), size if kind == kinds.mjGEOM_ELLIPSOID else None)
-    else:
-        return str(kinds(kind).name)
-    return Mesh(*shape, color=[float(one) for one in rgba[:3]])
+        return np.array([(-x, -y, 0), (x, -y, 0), (x, y, 0), (-x, y, 0)]), np.array([(0, 1, 2), (0, 2, 3)])
+    if kind == kinds.mjGEOM_BOX:
+        return _box(size)
+    if kind == kinds.mjGEOM_MESH:
+        return _stored(model, int(model.geom_dataid[index]))
+    if kind == kinds.mjGEOM_HFIELD:
+        return _field(model, int(model.geom_dataid[index]))
+    if kind in (kinds.mjGEOM_SPHERE, kinds.mjGEOM_ELLIPSOID, kinds.mjGEOM_CYLINDER, kinds.mjGEOM_CAPSULE):
+        return _turned(_outline(kind, size, kinds), size if kind == kinds.mjGEOM_ELLIPSOID else None)
+    return str(kinds(kind).name)
 
 
 def pose_of(position: npt.ArrayLike, rotation: npt.ArrayLike) -> Float64:
