@@ -68,8 +68,9 @@ pub(crate) fn _device(
     catalog: Option<PathBuf>,
     calibration: Option<(String, String, bool)>,
 ) -> PyResult<Device> {
+    let (lens, imu_frame) = choices;
     let Some((name, text, force)) = calibration else {
-        return Device::py_new(py, model, &choices.0, &choices.1, catalog);
+        return Device::py_new(py, model, &lens, &imu_frame, catalog);
     };
     let raw = Raw::parse(text.as_bytes(), &name).map_err(error)?;
     Device::unit(
@@ -78,7 +79,7 @@ pub(crate) fn _device(
         Some(model),
         Path::new(&name),
         force,
-        Choices::new(&choices.0, &choices.1)?,
+        Choices::new(&lens, &imu_frame)?,
     )
 }
 
