@@ -1,21 +1,22 @@
+mod make;
 mod parts;
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use numpy::PyArray2;
-use oaktwin::calibration::{Calibration, Raw};
 use oaktwin::camera::RectifiedIntrinsics;
 use oaktwin::catalog::{ImuFrame, Origin, Role, Twin};
 use oaktwin::diagnostic;
-use oaktwin::render::check_lens;
 use oaktwin::report::DeviceReport;
 use oaktwin::sensor::depth_sensor;
-use oaktwin::unit;
 use oaktwin::usd::asset::LensChoice;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+
+pub(crate) use make::_device;
+use make::{Calibrated, Choices};
 
 use crate::arguments::{count, isaac, seed};
 use crate::asset::{self, AssetSettings};
@@ -50,110 +51,6 @@ pub(crate) struct Device {
     pub(crate) findings: Vec<diagnostic::Finding>,
     pub(crate) models: Models,
     calibration: Option<Calibrated>,
-}
-
-#[derive(Debug)]
-struct Calibrated {
-    raw: Raw,
-    calibration: Calibration,
-    force: bool,
-}
-
-/// Restores the device of a pickle, which contains the text of the calibration.
-#[pyfunction]
-pub(crate) fn _device(
-    py: Python<'_>,
-    model: &str,
-    choices: (String, String),
-    catalog: Option<PathBuf>,
-    calibration: Option<(String, String, bool)>,
-) -> PyResult<Device> {
-    let (lens, imu_frame) = choices;
-    let Some((name, text, force)) = calibration else {
-        return Device::py_new(py, model, &lens, &imu_frame, catalog);
-    };
-    let raw = Raw::parse(text.as_bytes(), &name).map_err(error)?;
-    Device::unit(
-        Models::open(catalog)?,
-        raw,
-        Some(model),
-        Path::new(&name),
-        force,
-        Choices::new(&lens, &imu_frame)?,
-    )
-}
-
-/// What a calibration does not determine.
-#[derive(Clone, Copy, Debug)]
-struct Choices {
-    lens: LensChoice,
-    imu_frame: ImuFrame,
-}
-
-impl Choices {
-    fn new(lens: &str, imu_frame: &str) -> PyResult<Self> {
-        Ok(Self {
-            lens: named("lens", lens)?,
-            imu_frame: named("imu_frame", imu_frame)?,
-        })
-    }
-}
-
-impl Device {
-    fn new(
-        twin: Twin,
-        choices: Choices,
-        models: Models,
-        calibration: Option<Calibrated>,
-        findings: Vec<diagnostic::Finding>,
-    ) -> PyResult<Self> {
-        let Choices { lens, imu_frame } = choices;
-        check_lens(&twin, lens).map_err(error)?;
-        Ok(Self {
-            twin: Arc::new(twin),
-            lens,
-            imu_frame,
-            models,
-            calibration,
-            findings,
-        })
-    }
-
-    /// Creates the twin of a calibrated unit.
-    fn unit(
-        models: Models,
-        raw: Raw,
-        model: Option<&str>,
-        path: &Path,
-        force: bool,
-        choices: Choices,
-    ) -> PyResult<Self> {
-        let (calibration, _) = Calibration::from_raw(&raw).map_err(error)?;
-        let device = match model {
-            Some(model) => models.entry(model)?,
-            None => {
-                let board = &calibration.board;
-                let device = models
-                    .get()
-                    .device_of_unit(&board.product_name, &board.board_name);
-                device.map_err(|unknown| {
-                    let place = format!("{}: productName", path.display());
-                    wrong(place, unknown, "pass model=")
-                })?
-            }
-        };
-        let device = &device.with_imu_frame(choices.imu_frame);
-        let (twin, mut findings) = unit::of_raw(models.get(), device, &raw, path, force).map_err(error)?;
-        if choices.imu_frame != ImuFrame::default() {
-            findings.extend(unit::imu_frame_without_effect(models.get(), device, &twin));
-        }
-        let calibrated = Calibrated {
-            raw,
-            calibration,
-            force,
-        };
-        Self::new(twin, choices, models, Some(calibrated), findings)
-    }
 }
 
 #[pymethods]

@@ -5,11 +5,12 @@ use oaktwin_camera::RigidTransform;
 use oaktwin_render::Renderer;
 use oaktwin_scene::Scene;
 
-use super::frames::{Frames, FramesError, time_ns};
+use super::frames::{Frames, FramesError, Outputs, Written, time_ns, write};
 use super::rig::{Rig, RigSpec};
 use super::scene_camera::{SceneCameraOptions, scene_cameras};
 use super::scene_file::{AnimatedScene, SceneChange, SceneFile};
 use super::trajectory::TimedPose;
+use crate::progress::Watch;
 
 /// The largest number of frames of an animation.
 pub const MAX_FRAMES: usize = 1_000_000;
@@ -78,7 +79,7 @@ impl TimeCodes {
     }
 }
 
-/// An animated scene, from which [`write_animation`](super::write_animation) makes frames.
+/// An animated scene, from which [`write_animation`] makes frames.
 #[derive(Debug)]
 pub struct Animation<'a> {
     scene: &'a mut AnimatedScene,
@@ -231,6 +232,20 @@ impl Frames for Animation<'_> {
     fn renderer(&self) -> &Renderer {
         &self.renderer
     }
+}
+
+/// Renders the frames of an animation as [`write_frames`](super::write_frames) does.
+///
+/// # Errors
+/// Returns the errors of [`write_frames`](super::write_frames), and an error if the scene cannot be read at a time.
+pub fn write_animation(
+    animation: &mut Animation<'_>,
+    rig: &Rig,
+    is_strict: bool,
+    outputs: Outputs<'_>,
+    watch: &Watch<'_>,
+) -> Result<Written, FramesError> {
+    write(animation, rig, is_strict, outputs, watch)
 }
 
 #[cfg(test)]

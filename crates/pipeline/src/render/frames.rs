@@ -6,7 +6,6 @@ use oaktwin_camera::RigidTransform;
 use oaktwin_render::Renderer;
 use oaktwin_usd::stage::StageError;
 
-use super::animation::Animation;
 use super::camera::CameraError;
 use super::recorder::{FRAME_RATE, FrameRecorder};
 use super::rig::{Rig, RigError};
@@ -143,21 +142,8 @@ pub fn write_frames(
     write(&mut frames, rig, is_strict, outputs, watch)
 }
 
-/// Renders the frames of an animation as [`write_frames`] does.
-///
-/// # Errors
-/// Returns the errors of [`write_frames`], and an error if the scene cannot be read at a time.
-pub fn write_animation(
-    animation: &mut Animation<'_>,
-    rig: &Rig,
-    is_strict: bool,
-    outputs: Outputs<'_>,
-    watch: &Watch<'_>,
-) -> Result<Written, FramesError> {
-    write(animation, rig, is_strict, outputs, watch)
-}
-
-fn write(
+/// Renders and writes frames.
+pub(super) fn write(
     frames: &mut dyn Frames,
     rig: &Rig,
     is_strict: bool,

@@ -54,14 +54,14 @@ mod sweep;
 pub mod trajectory;
 
 pub use crate::limits::{MAX_PIXELS, SizeError, annotation_bytes, check_size, frame_bytes, record_bytes};
-pub use animation::{Animation, MAX_FRAMES, TimeCodes};
+pub use animation::{Animation, MAX_FRAMES, TimeCodes, write_animation};
 pub use annotators::{DEFAULT_ANNOTATORS, UnknownAnnotator, annotator};
 pub use around::overview;
 pub use camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
 pub use depth_sensor::{
     DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators, sense_frame, sensor_input,
 };
-pub use frames::{FramesError, Outputs, Written, write_animation, write_frames};
+pub use frames::{FramesError, Outputs, Written, write_frames};
 pub use names::folder_names;
 pub use oak::{OakOptions, check_lens, oak_cameras};
 pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Ray, Renderer, View, Worlds, texture_pixels};

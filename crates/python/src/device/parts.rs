@@ -12,7 +12,8 @@ use oaktwin::unit;
 use pyo3::prelude::*;
 use pyo3::types::{PyByteArray, PyBytes, PyDict};
 
-use super::{Choices, Device};
+use super::Device;
+use super::make::Choices;
 use crate::camera::Camera;
 use crate::error::{error, reading, wrong};
 use crate::export::export;

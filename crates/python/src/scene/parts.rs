@@ -12,7 +12,6 @@ use oaktwin::scene::{self, Instance, Label, MaterialSpan, Up};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use super::time::lock;
 use super::{Origin, Scene};
 use crate::choice::named;
 use crate::error::wrong;
@@ -299,7 +298,7 @@ pub(super) fn reduce<'py>(scene: &Scene, py: Python<'py>) -> PyResult<Reduced<'p
             path,
             options: opened,
         } => {
-            options.set_item("time", lock(&scene.moments).time)?;
+            options.set_item("time", scene.time())?;
             options.set_item("subdivide", opened.subdivide)?;
             options.set_item("up", opened.up.map(Up::name))?;
             options.set_item("scale", opened.scale)?;
