@@ -141,6 +141,12 @@ def test_usd_files_are_opens_and_openusds(tmp_path):
     assert not again.findings and np.array_equal(ours["rgb"], theirs["rgb"])
     assert np.array_equal(ours["distance_to_image_plane"], theirs["distance_to_image_plane"])
     assert ours["semantic_segmentation_labels"] == theirs["semantic_segmentation_labels"]
+    with pytest.raises(oaktwin.Error, match=r"text format; use a name that ends in \.usda"):
+        scene.save_usd(tmp_path / "arm.usdz")
+    scene.save_usd(tmp_path / "new/arm.usda")
+    assert (tmp_path / "new/arm.usda").read_bytes() == (tmp_path / "arm.usda").read_bytes()
+    with pytest.raises(OSError, match="arm.usda"):
+        scene.save_usd(tmp_path / "arm.usda/arm.usda")
     Usd = pytest.importorskip("pxr.Usd")
     from pxr import UsdGeom, UsdShade
 
@@ -155,10 +161,6 @@ def test_usd_files_are_opens_and_openusds(tmp_path):
         material, _ = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial()
         shader, *_ = material.ComputeSurfaceSource()
         assert shader.GetIdAttr().Get() == "UsdPreviewSurface"
-    with pytest.raises(oaktwin.Error, match=r"text format; use a name that ends in \.usda"):
-        scene.save_usd(tmp_path / "arm.usdz")
-    with pytest.raises(FileNotFoundError):
-        scene.save_usd(tmp_path / "none/arm.usda")
 
 
 def test_parts_move_while_others_render():
