@@ -62,7 +62,7 @@ fn dropped(plan: &Plan, truth: &[f32], samples: &Row, out: &mut [u8]) {
             clippy::cast_possible_truncation,
             reason = "saturates, and is then outside the image"
         )]
-        let target = x as i64 + (plan.side * disparity).round_ties_even() as i64;
+        let target = (x as i64).saturating_add((plan.side * disparity).round_ties_even() as i64);
         let place = usize::try_from(target)
             .ok()
             .and_then(|target| out.get_mut(target));

@@ -30,6 +30,7 @@ from ._rigs import Rig
 from ._scenes import Mesh, Recording, Scene, annotators
 from ._sensors import DepthSensor, StereoMatcher
 from ._shots import Shot
+from ._stream import Observation, Stream
 from ._worlds import Worlds
 
 __all__ = [
@@ -46,6 +47,7 @@ __all__ = [
     "FindingWarning",
     "Fit",
     "Mesh",
+    "Observation",
     "Recipe",
     "Recording",
     "Rectification",
@@ -54,6 +56,7 @@ __all__ = [
     "Scene",
     "Shot",
     "StereoMatcher",
+    "Stream",
     "Worlds",
     "__version__",
     "accuracy",
