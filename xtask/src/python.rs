@@ -94,7 +94,10 @@ pub(crate) const TORCH: Environment = Environment {
     versions: ((3, 11), None),
     tests: &[
         "crates/python/tests/test_torch.py",
-        "crates/python/tests/test_example_isaac_lab_batch.py",
+        "crates/python/tests/test_example_training.py",
+        "crates/python/tests/test_isaaclab.py",
+        "crates/python/tests/test_stream.py",
+        "crates/python/tests/test_warp.py",
     ],
 };
 

@@ -24,7 +24,7 @@ sys.path.append(str(ROOT / "tests/oracles"))
 os.environ |= {"RAY_AUTH_MODE": "disabled", "DEPTHAI_TELEMETRY": "0"}
 # Packages that only some environments have, by the names of their modules. A test, or a snippet of the manual, that imports a
 # missing one is skipped.
-PEERS = {"cv2", "open3d", "pxr", "ray", "rerun", "torch"}
+PEERS = {"cv2", "gymnasium", "mjlab", "open3d", "pxr", "ray", "rerun", "torch", "warp"}
 # Seconds in which everything happens, however busy the machine is.
 PATIENCE_S = 300
 # The focal length in px and the baseline in metres of `matcher`.

@@ -33,7 +33,7 @@ REPORTS_FINDINGS = {"accuracy", "check", "fit", "stereo"}
 EXCERPTS = {
     "docs/python/imu.md",
     "docs/python/record_wall.md",
-    "docs/python/isaac_lab_batch.md",
+    "docs/python/training.md",
     "docs/python/isaac_sim.md",
     "docs/python/mujoco_table.md",
     "docs/python/neural_stereo.md",

@@ -169,6 +169,23 @@ def test_reset_begins_an_episode():
     assert steps_shown(everything, 2)[10] == [10]
 
 
+def test_some_environments_step():
+    """A step of some environments leaves the others as they were, whatever the others see later."""
+    options = dict(latency=(0.0, 0.05), camera_hz=30, control_hz=50, history=2, seed=3)
+    plain, partial = oaktwin.Stream(Clock(), **options), oaktwin.Stream(Clock(), **options)
+    for step in range(30):
+        if step == 12:
+            partial.reset([1])
+            before = last
+            seen = partial(scenes(500, range(3)), env_ids=[1])
+            for kept in (0, 2):
+                assert all(np.array_equal(a[kept], b[kept]) for a, b in zip(before[:2], seen[:2])) and not seen.fresh[kept]
+            assert steps_shown([seen], 1) == [[500, 500]] and seen.fresh[1]
+        expected, last = plain(scenes(step, range(3))), partial(scenes(step, range(3)))
+        for env in (0, 2):
+            assert all(np.array_equal(a[env], b[env]) for a, b in zip(expected, last)), step
+
+
 def test_delays_differ_between_episodes():
     stream = oaktwin.Stream(Clock(), latency=(0.0, 0.2), camera_hz=50, control_hz=50)
     ages = []

@@ -150,6 +150,17 @@ def check_reasons(reference, sensor):
         assert np.array_equal(codes[0], expected), size
 
 
+def test_the_kernel_of_gpus(device):
+    """GPUs measure each pixel in a thread of its own."""
+    reference, sensor = both(device, parameters={"edgeDilation": 20.0, "dropout": 0.1})
+    for size in SIZES:
+        depth = scene(size)
+        sensor(depth, frame=1)
+        assert sensor._kernels._by_rows
+        sensor._kernels._by_rows = False
+        assert np.array_equal(sensor(depth, frame=1), reference(depth, frame=1))
+
+
 def test_units_and_shapes(device):
     reference, sensor = both(device)
     depth = scene((3, 60, 106))

@@ -65,10 +65,12 @@ class Stream:
 
     Raises oaktwin.Error for values out of range, and for a sensor with a temporal filter.
 
-    A call, `stream(depth, rgb=None)`, is one control step:
+    A call, `stream(depth, rgb=None, *, env_ids=None)`, is one control step:
 
     depth: the exact depth of all environments at this step, (N, H, W) or (N, H, W, 1), float32 metres, as `sensor` takes it.
     rgb: the colour images, if the sensor uses them.
+    env_ids: the environments for which time passes, numbers or a mask, such as those that were reset between two steps; the others
+        observe what they observed before. By default all.
 
     Returns an `Observation`. The cameras expose at their rate, each environment with a phase of its own, at control steps. Only the
     environments whose cameras expose are measured. An episode begins as if its first view had stood still before: the frames of
@@ -133,7 +135,7 @@ class Stream:
         self._shape: tuple[int, ...] | None = None
         self._ring: Any = None
 
-    def __call__(self, depth: Any, rgb: Any = None) -> Observation:
+    def __call__(self, depth: Any, rgb: Any = None, *, env_ids: Any = None) -> Observation:
         """Advances all environments by one control step; see the class."""
         shape = _batch_shape(depth)
         # Also after a first step that failed.
@@ -143,7 +145,11 @@ class Stream:
             raise Error(f"depth: has the shape {shape}, but earlier steps had {self._shape}; use a stream for each")
         begins = self._age_steps == 0
         frame = np.floor(self._age_steps * self._frames_per_step + self._phase).astype(np.int64)
-        envs = np.flatnonzero(begins | (frame > self._last_frame))
+        steps = np.ones(shape[0], bool)
+        if env_ids is not None and self._last is not None:
+            steps[:] = False
+            steps[_indices(env_ids, shape[0])] = True
+        envs = np.flatnonzero(steps & (begins | (frame > self._last_frame)))
         if len(envs):
             frames = self._measure(envs, depth, rgb)
             if self._ring is None:
@@ -151,11 +157,15 @@ class Stream:
             first = begins[envs]
             self._stand_still(envs[first], frames[_index(np.flatnonzero(first), frames)])
             self._send(envs[~first], frames[_index(np.flatnonzero(~first), frames)])
-        self._last_frame = frame
-        observation = self._observe()
-        self._age_steps += 1
+        self._last_frame[steps] = frame[steps]
+        observation = self._observe(steps)
+        self._age_steps[steps] += 1
         self._step += 1
         return observation
+
+    def shape(self, height: int, width: int) -> tuple[int, int, int]:
+        """The shape of the observation of one environment, (history, h, w), for images of `height` rows and `width` columns."""
+        return (self._history, *self._image.size(height, width))
 
     def reset(self, env_ids: Any = None) -> None:
         """Starts a new episode of some environments at their next step: with new delays and phases, and without earlier frames.
@@ -186,7 +196,10 @@ class Stream:
         self._number = np.full((count, self._slots), -1, np.int64)
         self._next = np.zeros(count, np.int64)
         self._seen = np.full(count, -1, np.int64)
-        self._seeds = np.array(seeds(self._seed, (self._envs, 0, _SEED, 0)), np.uint64)
+        # The slots and ages of the last observation.
+        self._last: tuple[npt.NDArray[np.int64], npt.NDArray[np.float32]] | None = None
+        self._all_seeds = seeds(self._seed, (self._envs, 0, _SEED, 0))
+        self._seeds = np.array(self._all_seeds, np.uint64)
         self._draw(np.arange(count))
 
     def _draw(self, ids: npt.NDArray[np.int64]) -> None:
@@ -198,6 +211,9 @@ class Stream:
 
     def _measure(self, envs: npt.NDArray[np.int64], depth: Any, rgb: Any) -> Any:
         """Measures environments, and prepares their images for the policy."""
+        if getattr(self._sensor, "prefers_whole_batches", False):
+            measured = self._sensor(depth, rgb, frame=self._step, seed=self._all_seeds)
+            return self._image(measured if len(envs) == len(self._envs) else measured[_index(envs, measured)])
         if len(envs) < len(self._envs):
             depth = depth[_index(envs, depth)]
             rgb = None if rgb is None else rgb[_index(envs, rgb)]
@@ -229,7 +245,7 @@ class Stream:
         self._next[envs] = self._slots
         self._seen[envs] = -1
 
-    def _observe(self) -> Observation:
+    def _observe(self, steps: npt.NDArray[np.bool_]) -> Observation:
         now = self._age_steps * self._control_s
         # Half a microsecond, so that a delay of whole steps does not depend on rounding.
         here = self._arrives <= now[:, None] + 5e-7
@@ -238,12 +254,16 @@ class Stream:
         rows = np.arange(len(now))[:, None]
         age = (now[:, None] - self._exposed[rows, newest]).astype(np.float32)
         number = numbers[rows, newest][:, -1] if len(now) else self._seen
-        fresh = number > self._seen
-        self._seen = number
+        fresh = steps & (number > self._seen)
+        if self._last is not None and not steps.all():
+            newest = np.where(steps[:, None], newest, self._last[0])
+            age = np.where(steps[:, None], age, self._last[1])
+            number = np.where(steps, number, self._seen)
+        self._seen, self._last = number, (newest, age)
         images = self._ring
         if images is None:  # no environments
             images = np.empty((0, self._slots, *self._image.size(*(self._shape or (0, 0, 0))[1:3])), np.float32)
-        return Observation(images[_index(rows, images), _index(newest, images)], age, fresh)
+        return Observation(images[_index(rows, images), _index(newest, images)], age.copy(), fresh)
 
 
 def _number(name: str, value: float, above: float | None = None) -> float:
@@ -287,7 +307,7 @@ def _indices(env_ids: Any, count: int) -> npt.NDArray[np.int64]:
 def _index(ids: npt.NDArray[np.int64], of: Any) -> Any:
     """An index into an array: a tensor on the array's device for torch."""
     if type(of).__module__.partition(".")[0] == "torch":
-        import torch
+        import torch  # type: ignore[import-not-found, unused-ignore]
 
         return torch.from_numpy(ids).to(of.device)
     return ids

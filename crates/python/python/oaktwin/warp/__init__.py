@@ -1,3 +1,4 @@
+# mypy: ignore-errors
 """Depth sensors on Warp, PyTorch and JAX arrays, on the device where they are: the bits of `oaktwin.DepthSensor` without a copy to the host.
 
 Needs `pip install warp-lang`. Environments of a simulator are measured where it renders them:

@@ -1,3 +1,4 @@
+# mypy: ignore-errors
 """Arrays of other libraries as Warp arrays, without copies."""
 
 from contextlib import nullcontext

@@ -1,3 +1,4 @@
+# mypy: ignore-errors
 """The random numbers of the engines in kernels; `crates/depth/src/random` describes them."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# mypy: ignore-errors
 """Depth sensors in Warp's kernels."""
 
 import warnings
@@ -126,6 +127,9 @@ class DepthSensor:
         self._numbered = wp.zeros(1, dtype=wp.uint32, device=self._on)
         self._named = wp.zeros(1, dtype=wp.uint32, device=self._on)
         self._no_reasons = wp.empty((0, 0, 0), dtype=wp.uint8, device=self._on)
+
+    # A batch of one size needs no new memory: a `Stream` does not leave environments out.
+    prefers_whole_batches = True
 
     @property
     def engine(self) -> str:

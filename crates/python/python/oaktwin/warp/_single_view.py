@@ -1,3 +1,4 @@
+# mypy: ignore-errors
 """The kernels of "single-view": the steps of `crates/depth/src/single_view`, operation by operation, for depth without colours."""
 
 from typing import Any
