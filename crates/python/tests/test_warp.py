@@ -62,7 +62,37 @@ SINGLE = {
     "sigma-unit": ["steps"],
     "outlier-neighbourhood": ["4"],
 }
-TABLES = {"stereo-noise": STEREO, "single-view": SINGLE}
+FLIGHT = {
+    "focalLength": [200.0],
+    "width": [320],
+    "principalPoint": ["300,250.5"],
+    "modulationFrequencies": ["20,100", "83.1,97.3"],
+    "enablePhaseUnwrapping": [False],
+    "phaseUnwrappingLevel": [0, 1, 5],
+    "phaseUnwrapErrorThreshold": [0, 30],
+    "enablePhaseShuffleTemporalFilter": [False],
+    "enableBurstMode": [True],
+    "enableOpticalCorrection": [False],
+    "enableWiggleCorrection": [False],
+    "wiggling": [0.0, 0.4],
+    "wigglingResidual": [0.0, 0.1],
+    "enableFPPNCorrection": [False],
+    "fixedPattern": [0.05],
+    "bias": [-0.2],
+    "signal": [50.0, 1e6],
+    "contrast": [0.1],
+    "ambient": ["outdoor"],
+    "readNoise": [0.0, 100.0],
+    "fullWell": [3000.0],
+    "albedo": [0.05],
+    "pixelMixing": [0.0, 0.25],
+    "radialVelocity": [-3.0],
+    "measurementInterval": [0.1],
+    "minAmplitude": [0.0, 60.0],
+    "confidenceThreshold": [0.0, 120.0],
+}
+WITH |= {"fixedPattern": {"enableFPPNCorrection": False}, "measurementInterval": {"radialVelocity": 2.0}}
+TABLES = {"stereo-noise": STEREO, "single-view": SINGLE, "time-of-flight": FLIGHT}
 
 
 def scene(shape, seed=1):
@@ -79,6 +109,10 @@ def scene(shape, seed=1):
     return depth
 
 
+def device_of(engine):
+    return oaktwin.Device("OAK-D ToF" if engine == "time-of-flight" else "OAK4-D")
+
+
 def both(device, **options):
     return oaktwin.DepthSensor(device, seed=7, **options), ow.DepthSensor(device, on="cpu", seed=7, **options)
 
@@ -86,8 +120,8 @@ def both(device, **options):
 @pytest.mark.filterwarnings("ignore::oaktwin.FindingWarning")
 @pytest.mark.parametrize("size", SIZES, ids=str)
 @pytest.mark.parametrize("engine", TABLES)
-def test_every_option_has_the_same_bits(device, engine, size):
-    depth = scene(size)
+def test_every_option_has_the_same_bits(engine, size):
+    device, depth = device_of(engine), scene(size)
     effective = set()
     for name, values in TABLES[engine].items():
         for value in values:
@@ -115,14 +149,14 @@ def test_every_parameter_is_known(engine):
 
 
 @pytest.mark.filterwarnings("ignore::oaktwin.FindingWarning")
-def test_random_combinations_have_the_same_bits(device):
+def test_random_combinations_have_the_same_bits():
     random = np.random.default_rng(4)
     for number, engine in itertools.product(range(40), TABLES):
         chosen = {name: values[random.integers(len(values))] for name, values in TABLES[engine].items() if random.random() < 0.4}
         if chosen.get("subpixel") is False:
             chosen.pop("subpixelFractionalBits", None)
         depth = scene((2, *random.integers(2, 70, 2)), seed=number)
-        reference, sensor = both(device, engine=engine, parameters=chosen)
+        reference, sensor = both(device_of(engine), engine=engine, parameters=chosen)
         frame = int(random.integers(1 << 40))
         assert np.array_equal(sensor(depth, frame=frame), reference(depth, frame=frame)), (chosen, depth.shape)
 
@@ -138,6 +172,12 @@ def test_reasons(device, parameters):
 @pytest.mark.parametrize("parameters", [{}, {"range-cut": "after", "maxDistance": 3.5}, {"direction": "left", "outlierRemovalEnabled": 0}])
 def test_reasons_of_single_view(device, parameters):
     check_reasons(*both(device, engine="single-view", parameters=parameters))
+
+
+@pytest.mark.filterwarnings("ignore::oaktwin.FindingWarning")
+@pytest.mark.parametrize("parameters", [{}, {"signal": 60.0, "fullWell": 500.0}, {"enableBurstMode": True, "confidenceThreshold": 90.0}])
+def test_reasons_of_time_of_flight(parameters):
+    check_reasons(*both(device_of("time-of-flight"), parameters=parameters))
 
 
 def check_reasons(reference, sensor):
@@ -198,6 +238,8 @@ def test_frames_and_seeds(device):
     ("OAK4-D", {"hfov_deg": 60.0, "name": "front"}),
     ("OAK-D LR", {"fx": 100.0, "extended_disparity": True}),
     ("OAK4-D", {"engine": "single-view", "isaac": "6"}),
+    ("OAK-D ToF", {"device_seed": 5, "parameters": {"enableFPPNCorrection": False}}),
+    ("OAK-D ToF", {"sensor": "tof", "camera": oaktwin.Camera((80, 50), hfov_deg=60.0)}),
 ])  # fmt: skip
 def test_models_and_options(model, options):
     reference, sensor = both(oaktwin.Device(model), **options)
@@ -287,8 +329,11 @@ def test_bad_options(device, options, message):
 
 
 def test_other_engines():
-    with pytest.raises(oaktwin.Error, match="engine: 'time-of-flight' does not run in Warp; expected stereo-noise, single-view"):
-        ow.DepthSensor(oaktwin.Device("OAK-D ToF"), on="cpu")
+    with pytest.raises(oaktwin.Error, match="engine: 'stereo-matching' does not run in Warp; expected stereo-noise, single-view, time-"):
+        ow.DepthSensor(oaktwin.Device("OAK4-D"), on="cpu", engine="stereo-matching")
+    sensor = ow.DepthSensor(device_of("time-of-flight"), on="cpu", parameters={"multipath": 1.0})
+    with pytest.raises(oaktwin.Error, match="multipath: does not run in Warp; set it to 0"):
+        sensor(np.ones((2, 3, 4), np.float32))
 
 
 def test_a_camera_without_depth():

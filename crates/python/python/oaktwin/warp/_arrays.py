@@ -49,7 +49,9 @@ class Images:
     def stream(self) -> Any:
         """The context in which kernels follow what was computed before with the library."""
         if self.library == "torch" and self.array.device.is_cuda:
-            return wp.ScopedStream(wp.stream_from_torch(self.array.device))
+            import torch
+
+            return wp.ScopedStream(wp.stream_from_torch(torch.cuda.current_stream(self._given.device)))
         return nullcontext()
 
 

@@ -88,3 +88,14 @@ def box_muller(a: wp.uint32, b: wp.uint32) -> wp.vec2:
     if q >= 2:
         sine = -sine
     return wp.vec2(radius * cosine, radius * sine)
+
+
+@wp.func
+def sine_of_turns(x: float) -> float:
+    """sin(2π x)."""
+    fraction = x - ((x + 12582912.0) - 12582912.0)
+    quarter = 0.25 - wp.abs(wp.abs(fraction) - 0.25)
+    v = wp.copysign(quarter, fraction)
+    w = v * v
+    series = ((39.536705 * w - 76.54978) * w + 81.601006) * w - 41.341656
+    return v * (series * w + 6.2831855)

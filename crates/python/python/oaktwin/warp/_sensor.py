@@ -13,10 +13,11 @@ from .._sensors import DepthSensor as RustSensor
 from ._arrays import Images, returned
 from ._single_view import SingleView
 from ._stereo_noise import StereoNoise
+from ._time_of_flight import TimeOfFlight
 
 wp.set_module_options({"enable_backward": False, "fast_math": False, "fuse_fp": False})
 
-ENGINES: dict[str, Any] = {"stereo-noise": StereoNoise, "single-view": SingleView}
+ENGINES: dict[str, Any] = {"stereo-noise": StereoNoise, "single-view": SingleView, "time-of-flight": TimeOfFlight}
 
 
 @wp.kernel
@@ -52,9 +53,8 @@ class DepthSensor:
     device_seed: the seed of the unit's calibration error, or N seeds, one for each environment, with "stereo-noise".
     options: the other arguments of `oaktwin.DepthSensor`: sensor, fx, hfov_deg, camera, name, engine, preset, extended_disparity, isaac, seed.
 
-    Raises oaktwin.Error as `oaktwin.DepthSensor` does, and for what Warp does not compute: other engines than "stereo-noise" and
-        "single-view",
-    filters (also a preset's), and drift.
+    Raises oaktwin.Error as `oaktwin.DepthSensor` does, and for what Warp does not compute: engines that match pairs,
+        filters (also a preset's), drift, and in the first call multipath of "time-of-flight".
 
     A call, `sensor(depth, *, frame=None, seed=None, out=None, reasons=None)`, measures a batch:
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from ._random import DROPOUT, JITTER, box_muller, key, philox
+from ._random import DROPOUT, JITTER, box_muller, key, philox, sine_of_turns
 
 wp.set_module_options({"enable_backward": False, "fast_math": False, "fuse_fp": False})
 
@@ -181,16 +181,6 @@ def row_byte(row: int, at: int, frame: wp.uint32, item: wp.uint32, key0: wp.uint
     word = at // 4
     words = philox(wp.uint32(16 * (word // 64) + word % 16), wp.uint32(row), frame, item, key0, key1)
     return (words[word // 16 % 4] >> wp.uint32(8 * (at % 4))) & wp.uint32(0xFF)
-
-
-@wp.func
-def sine_of_turns(x: float) -> float:
-    fraction = x - ((x + 12582912.0) - 12582912.0)
-    quarter = 0.25 - wp.abs(wp.abs(fraction) - 0.25)
-    v = wp.copysign(quarter, fraction)
-    w = v * v
-    series = ((39.536705 * w - 76.54978) * w + 81.601006) * w - 41.341656
-    return v * (series * w + 6.2831855)
 
 
 @wp.func
