@@ -6,7 +6,6 @@ use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DAffine3;
 use oaktwin::render::{self, Backend, View};
 use oaktwin::scene::Instance;
-use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
 use crate::arguments;
@@ -63,10 +62,7 @@ impl Worlds {
             .saturating_mul(POSE_BYTES);
         check_free("count", needed, "make fewer worlds")?;
         let count = usize::try_from(count).unwrap_or(usize::MAX);
-        let made = threads::run(py, || render::Worlds::new(drawn, count))?;
-        let worlds = made.map_err(|error| {
-            PyRuntimeError::new_err(format!("cannot start threads ({error}); increase the limit"))
-        })?;
+        let worlds = threads::run(py, || render::Worlds::new(drawn, count))?;
         Ok(Self {
             worlds: RwLock::new(worlds),
             parts,
@@ -114,10 +110,13 @@ impl Worlds {
         let mut placed = Vec::with_capacity(matrices.len());
         for (number, matrix) in matrices.iter().enumerate() {
             let part = number % names.len().max(1);
-            placed.push(Instance::placed(
-                &pose("poses", matrix)?,
-                self.parts[instances[part]].1,
-            ));
+            let place = || match shape.len() {
+                3 => format!("poses[{part}]"),
+                _ => format!("poses[{}, {part}]", number / names.len()),
+            };
+            // The place is written only for an error: there may be many poses.
+            let rigid = pose("poses", matrix).or_else(|_| pose(&place(), matrix))?;
+            placed.push(Instance::placed(&rigid, self.parts[instances[part]].1));
         }
         if each == 1 && chosen.len() > 1 {
             placed = placed.repeat(chosen.len());

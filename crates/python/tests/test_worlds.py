@@ -1,9 +1,13 @@
 """Many worlds at once."""
 
+import multiprocessing
+import os
+
 import numpy as np
 import pytest
 
 import oaktwin
+from conftest import PATIENCE_S
 
 COUNT = 6
 
@@ -83,8 +87,9 @@ def test_what_is_wrong(scene, camera):
         (lambda: worlds.set_poses(["bas"], np.eye(4)[None]), "bas: the scene has no such part; did you mean 'base'"),
         (lambda: worlds.set_poses(["base"], np.eye(4)), r"poses: has shape \[4, 4\], but there are 3 worlds and 1 names; pass \(3, 1, 4, 4\)"),
         (lambda: worlds.set_poses(["base"], np.tile(np.eye(4), (2, 1, 1, 1))), r"pass \(3, 1, 4, 4\)"),
-        (lambda: worlds.set_poses(["base"], flat), "poses: the 3x3 part is not a rotation"),
-        (lambda: worlds.set_poses(["base"], broken), "poses: has non-finite values"),
+        (lambda: worlds.set_poses(["base"], flat), r"poses\[1, 0\]: the 3x3 part is not a rotation"),
+        (lambda: worlds.set_poses(["base"], broken), r"poses\[2, 0\]: has non-finite values"),
+        (lambda: worlds.set_poses(["base"], broken[2]), r"poses\[0\]: has non-finite values"),
         (lambda: worlds.set_poses(["base"], np.eye(4)[None], worlds=[3]), "there is no world 3; they are numbered from 0 to 2"),
         (lambda: worlds.render(camera, np.stack([view] * 2)), "has 2 poses, but there are 3 worlds"),
         (lambda: worlds.render(camera, view, backend="rays"), "did you mean 'ray'"),
@@ -100,3 +105,19 @@ def test_what_is_wrong(scene, camera):
     none = oaktwin.Worlds(scene, 0)
     none.set_poses(["base"], np.eye(4)[None])
     assert none.render(camera, view).shape == (0, 40, 64)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
+@pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning", "ignore:.*fork.*:RuntimeWarning")
+def test_a_forked_process_renders_the_same(scene, camera):
+    worlds = oaktwin.Worlds(scene, COUNT)
+    view = oaktwin.look_at((2, 0, 1.5), (0, 0, 0.4))
+    before = worlds.render(camera, view)
+    context = multiprocessing.get_context("fork")
+    answers = context.Queue()
+    child = context.Process(target=lambda: answers.put(worlds.render(camera, view).tobytes()))
+    child.start()
+    try:
+        assert answers.get(timeout=PATIENCE_S) == before.tobytes()
+    finally:
+        child.kill()

@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 
 use oaktwin_camera::math::DAffine3;
 use oaktwin_scene::Scene;
-use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
+use rayon::ThreadPoolBuilder;
 
 use crate::{Backend, Renderer, View};
 
@@ -18,7 +18,8 @@ const TRIANGLES_PER_PIXEL: usize = 4;
 /// renders whole worlds, because the images of environments are small.
 #[derive(Debug)]
 pub struct Worlds {
-    workers: Vec<Worker>,
+    /// A scene for each thread, which stands as in the world that was rendered last.
+    renderers: Vec<Mutex<Renderer>>,
     count: usize,
     /// The instances that have been moved in any world.
     moved: Vec<usize>,
@@ -28,35 +29,21 @@ pub struct Worlds {
     triangles: usize,
 }
 
-/// A thread with a scene, which stands as in the world that was rendered last.
-#[derive(Debug)]
-struct Worker {
-    pool: ThreadPool,
-    renderer: Mutex<Renderer>,
-}
-
 impl Worlds {
     /// Makes a number of worlds, in all of which the scene stands as it is.
-    ///
-    /// # Errors
-    /// Returns an error if threads cannot be started.
-    pub fn new(scene: &Scene, count: usize) -> Result<Self, ThreadPoolBuildError> {
+    #[must_use]
+    pub fn new(scene: &Scene, count: usize) -> Self {
         let triangles = |mesh: u32| {
             scene
                 .meshes
                 .get(mesh as usize)
                 .map_or(0, |mesh| mesh.triangles.len())
         };
-        let worker = |_| {
-            Ok(Worker {
-                // One thread: a world is rendered by the thread that takes it.
-                pool: ThreadPoolBuilder::new().num_threads(1).build()?,
-                renderer: Mutex::new(Renderer::new(scene.clone())),
-            })
-        };
         let threads = rayon::current_num_threads().clamp(1, count.max(1));
-        Ok(Self {
-            workers: (0..threads).map(worker).collect::<Result<_, _>>()?,
+        Self {
+            renderers: (0..threads)
+                .map(|_| Mutex::new(Renderer::new(scene.clone())))
+                .collect(),
             count,
             moved: Vec::new(),
             poses: Vec::new(),
@@ -65,7 +52,7 @@ impl Worlds {
                 .iter()
                 .map(|instance| triangles(instance.mesh))
                 .sum(),
-        })
+        }
     }
 
     /// Returns the number of worlds.
@@ -118,8 +105,11 @@ impl Worlds {
 
     /// The pose of an instance that no world has moved.
     fn first(&self, instance: usize) -> Option<DAffine3> {
-        let worker = self.workers.first()?;
-        let renderer = worker.renderer.lock().unwrap_or_else(PoisonError::into_inner);
+        let renderer = self
+            .renderers
+            .first()?
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
         renderer
             .scene()
             .instances
@@ -154,8 +144,8 @@ impl Worlds {
         let images: Vec<Mutex<&mut [f32]>> = out.chunks_exact_mut(length).map(Mutex::new).collect();
         let jobs = worlds.len().min(views.len()).min(images.len());
         let next = AtomicUsize::new(0);
-        let work = |worker: &Worker| {
-            let mut renderer = worker.renderer.lock().unwrap_or_else(PoisonError::into_inner);
+        let work = |renderer: &Mutex<Renderer>| {
+            let mut renderer = renderer.lock().unwrap_or_else(PoisonError::into_inner);
             loop {
                 let job = next.fetch_add(1, Ordering::Relaxed);
                 if job >= jobs || stop() {
@@ -170,9 +160,14 @@ impl Worlds {
             }
         };
         std::thread::scope(|scope| {
-            for worker in &self.workers {
+            for renderer in &self.renderers {
                 let work = &work;
-                scope.spawn(move || worker.pool.install(|| work(worker)));
+                // One thread: a world is rendered by the thread that takes it. The pool is made for each call, because a forked
+                // process inherits no threads.
+                scope.spawn(move || match ThreadPoolBuilder::new().num_threads(1).build() {
+                    Ok(pool) => pool.install(|| work(renderer)),
+                    Err(_) => work(renderer),
+                });
             }
         });
     }
@@ -212,7 +207,7 @@ mod tests {
     #[test]
     fn worlds_are_scenes_of_their_own() {
         let scene = scene();
-        let mut worlds = Worlds::new(&scene, 3).unwrap();
+        let mut worlds = Worlds::new(&scene, 3);
         let moved = |x: f64| DAffine3::from_translation(DVec3::new(x, 0.1, 0.0));
         worlds.set_poses(
             &[0, 2],
@@ -248,7 +243,7 @@ mod tests {
 
     #[test]
     fn what_is_out_of_range_is_left_out() {
-        let mut worlds = Worlds::new(&scene(), 2).unwrap();
+        let mut worlds = Worlds::new(&scene(), 2);
         worlds.set_poses(&[7], &[0], &[DAffine3::IDENTITY]);
         worlds.set_poses(&[0], &[], &[]);
         let view = fixture::view();
@@ -256,7 +251,7 @@ mod tests {
         worlds.depth(&[0, 1], &[view; 2], Backend::Auto, &mut out, &|| false);
         worlds.depth(&[], &[], Backend::Auto, &mut out, &|| false);
         assert!(out.iter().all(|z| *z == -1.0));
-        let none = Worlds::new(&Scene::default(), 0).unwrap();
+        let none = Worlds::new(&Scene::default(), 0);
         assert_eq!(none.count(), 0);
     }
 }
