@@ -166,6 +166,26 @@ def video_encoder(pipeline):
     assert np.array_equal(encoded.getData(), stream.getData()) and stream.getType() == Type.BITSTREAM
 
 
+def video_encoder_h264(pipeline):
+    av = pytest.importorskip("av")
+    output = pipeline.create(dai.node.Camera).build(CAM_A).requestOutput((160, 100))
+    node = pipeline.create(dai.node.VideoEncoder).build(output, frameRate=30, profile=dai.VideoEncoderProperties.Profile.H264_MAIN)
+    node.setKeyframeFrequency(4)
+    queues = output.createOutputQueue(), node.out.createOutputQueue()
+    pipeline.start()
+    pairs = [[queue.get() for queue in queues] for _ in range(8)]
+    kinds = [encoded.getFrameType().name for _, encoded in pairs]
+    assert kinds == ["I", "P", "P", "P"] * 2 and pairs[0][1].getProfile() == dai.EncodedFrame.Profile.AVC
+    # Every packet decodes to the image with its number.
+    decoder = av.CodecContext.create("h264", "r")
+    packets = [av.Packet(bytes(encoded.getData())) for _, encoded in pairs]
+    decoded = [frame.to_ndarray(format="bgr24") for packet in [*packets, None] for frame in decoder.decode(packet)]
+    assert len(decoded) == len(pairs)
+    for (image, encoded), frame in zip(pairs, decoded):
+        assert image.getSequenceNum() == encoded.getSequenceNum()
+        assert np.abs(frame.astype(int) - image.getCvFrame()).mean() < 15
+
+
 def feature_tracker(pipeline):
     pytest.importorskip("cv2")
     node = pipeline.create(dai.node.FeatureTracker)
@@ -235,7 +255,7 @@ def benchmark(pipeline):
 
 PROGRAMS = [
     image_manip, sync, host_node, threaded_host_node, script, indented_script, processing_in_the_main_thread, gate,
-    edge_detector, video_encoder, feature_tracker, undistorted_camera, legacy_cameras, calibration, device_information,
+    edge_detector, video_encoder, video_encoder_h264, feature_tracker, undistorted_camera, legacy_cameras, calibration, device_information,
     dot_projector, benchmark,
 ]  # fmt: skip
 

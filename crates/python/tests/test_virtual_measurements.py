@@ -134,6 +134,46 @@ def test_the_wall_in_the_cameras_own_frames():
     assert (moved.x, moved.y, moved.z) == pytest.approx((-3.75, 0, 1000 * WALL_M), abs=40) and moved.z == pytest.approx(1000 * WALL_M)
 
 
+TAG_M = 0.3
+
+
+def tag_scene(device, camera_from_tag):
+    """A tag of the family 36h11 with a white margin; the tag's x points to its right, y up and z out of its face."""
+    cv2 = pytest.importorskip("cv2")
+    marker = cv2.aruco.generateImageMarker(cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_APRILTAG_36h11), 7, 640)
+    texture = np.repeat(np.pad(marker, 80, constant_values=255)[..., None], 3, axis=2)
+    half = TAG_M / 2 * texture.shape[0] / marker.shape[0]
+    corners = np.array([(-half, -half, 0, 1), (half, -half, 0, 1), (half, half, 0, 1), (-half, half, 0, 1)])
+    vertices = corners @ (np.asarray(device.cameras["rgb"].body_from_camera) @ camera_from_tag).T
+    uvs = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    return oaktwin.Scene.from_meshes({"tag": oaktwin.Mesh(vertices[:, :3], [(0, 1, 2), (0, 2, 3)], uvs=uvs, texture=texture)})
+
+
+@pytest.mark.parametrize(("axis_angle", "place"), [((0.0, 0.5, 0.0), (0.2, -0.1, 1.5)), ((0.4, -0.3, 0.6), (-0.15, 0.1, 1.0))])
+def test_april_tag(axis_angle, place):
+    """The corners that DepthAI's detector finds give the pose of the tag, by OpenCV's solver and the image's own transformation."""
+    cv2 = pytest.importorskip("cv2")
+    true = np.eye(4)
+    true[:3, :3] = cv2.Rodrigues(np.array(axis_angle))[0] @ np.diag([1.0, -1.0, -1.0])
+    true[:3, 3] = place
+    with virtual_device(MODEL, scene=tag_scene(oaktwin.Device(MODEL), true), fast=True), dai.Pipeline() as pipeline:
+        image = pipeline.create(dai.node.Camera).build(CAM_A).requestOutput((1280, 720))
+        node = pipeline.create(dai.node.AprilTag)
+        image.link(node.inputImage)
+        frames, queue = image.createOutputQueue(), node.out.createOutputQueue()
+        pipeline.start()
+        described, (tag,) = frames.get().getTransformation(), queue.get().aprilTags
+    assert tag.id == 7
+    found = np.array([(one.x, one.y) for one in (tag.topLeft, tag.topRight, tag.bottomRight, tag.bottomLeft)])
+    # Tags as OpenCV draws them are upside down to DepthAI's detector.
+    corners = TAG_M / 2 * np.array([(1.0, -1, 0), (-1, -1, 0), (-1, 1, 0), (1, 1, 0)])
+    matrix, lens = np.array(described.getIntrinsicMatrix()), np.array(described.getDistortionCoefficients())
+    _, rotation, translation = cv2.solvePnP(corners, found, matrix, lens, flags=cv2.SOLVEPNP_ITERATIVE)
+    assert np.linalg.norm(translation.ravel() - place) < 0.01 * np.linalg.norm(place)
+    turned = cv2.Rodrigues(rotation)[0].T @ true[:3, :3]
+    assert np.degrees(np.linalg.norm(cv2.Rodrigues(turned)[0])) < 0.5
+
+
 @pytest.mark.skipif("OAKTWIN_TEST_DATA" not in os.environ, reason="OAKTWIN_TEST_DATA is not set")
 def test_a_units_calibration_is_the_devices():
     path = Path(os.environ["OAKTWIN_TEST_DATA"]) / "data/calibration" / CALIBRATION

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import depthai as dai
@@ -11,6 +12,7 @@ from .._findings import Error
 from ._frames import Image, grey_frame, grey_of
 from ._library import warn_once
 from ._node import VirtualNode
+from ._video import Video
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -58,7 +60,7 @@ class Gate(VirtualNode):
 
 
 class VideoEncoder(VirtualNode):
-    """DepthAI's VideoEncoder, for MJPEG."""
+    """DepthAI's VideoEncoder: MJPEG by OpenCV, H.264 and H.265 by PyAV."""
 
     Properties = getattr(_RealEncoder, "Properties", None)
 
@@ -115,43 +117,81 @@ class VideoEncoder(VirtualNode):
         return self._quality
 
     def setLossless(self, lossless: bool) -> None:
-        """Warns that MJPEG is not lossless here."""
+        """Asks for a lossless stream, which is not simulated."""
         self._lossless = lossless
 
-    setBitrate = setBitrateKbps = setKeyframeFrequency = setNumBFrames = VirtualNode.ignore
-    setRateControlMode = setNumFramesPool = setMaxOutputFrameSize = VirtualNode.ignore
+    def setBitrate(self, bitrate: int) -> None:
+        """The bits per second of H.264 and H.265; 0 for the encoder's own quality."""
+        self._bitrate = int(bitrate)
+
+    def setBitrateKbps(self, bitrateKbps: int) -> None:
+        """As `setBitrate`, in thousands."""
+        self._bitrate = 1000 * int(bitrateKbps)
+
+    def getBitrate(self) -> int:
+        """The bits per second of H.264 and H.265."""
+        return self._bitrate
+
+    def setKeyframeFrequency(self, freq: int) -> None:
+        """The number of frames from one key frame to the next."""
+        self._keyframes = int(freq)
+
+    def getKeyframeFrequency(self) -> int:
+        """The number of frames from one key frame to the next."""
+        return self._keyframes
+
+    setNumBFrames = setRateControlMode = setNumFramesPool = setMaxOutputFrameSize = VirtualNode.ignore
 
     def work(self) -> None:
         """Encodes images until the pipeline stops."""
-        if self._profile != Profile.MJPEG:
-            raise Error(f"VideoEncoder: the profile {self._profile.name} is not simulated; use MJPEG")
-        if self._lossless:
-            warn_once("VideoEncoder: lossless MJPEG is not simulated; the quality is 100")
-        cv2 = _opencv("VideoEncoder")
-        quality = 100 if self._lossless else self._quality
+        encode = self._jpeg() if self._profile == Profile.MJPEG else self._video()
         while self.runs():
             image = self.input.get()
-            done, data = cv2.imencode(".jpg", image.getCvFrame(), [cv2.IMWRITE_JPEG_QUALITY, quality])
-            if not done:
-                raise Error("VideoEncoder: OpenCV could not encode the image")
+            data, profile, kind = encode(image.getCvFrame())
             if self.is_wanted(self.out):
-                self.out.send(self._encoded(image, bytes(data)))
+                self.out.send(self._encoded(image, data, profile, kind))
             if self.is_wanted(self.bitstream):
                 stream = dai.ImgFrame()
                 stream.setMetadata(image)
                 stream.setType(dai.ImgFrame.Type.BITSTREAM)
-                stream.setData(bytes(data))
+                stream.setData(data)
                 self.bitstream.send(stream)
 
-    def _encoded(self, image: dai.ImgFrame, data: Any) -> dai.EncodedFrame:
+    def _video(self) -> Callable[[Image], Any]:
+        if self._lossless:
+            warn_once("VideoEncoder: lossless video is not simulated")
+        video = Video(self._profile, self._rate, self._bitrate, self._keyframes)
+
+        def encode(image: Image) -> Any:
+            data, kind = video.encode(image)
+            return data, video.profile, kind
+
+        return encode
+
+    def _jpeg(self) -> Callable[[Image], Any]:
+        if self._lossless:
+            warn_once("VideoEncoder: lossless MJPEG is not simulated; the quality is 100")
+        cv2 = _opencv("VideoEncoder")
+        quality = 100 if self._lossless else self._quality
+
+        def encode(image: Image) -> Any:
+            done, data = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, quality])
+            if not done:
+                raise Error("VideoEncoder: OpenCV could not encode the image")
+            return bytes(data), _Encoded.Profile.JPEG, _Encoded.FrameType.I
+
+        return encode
+
+    def _encoded(self, image: dai.ImgFrame, data: Any, profile: Any, kind: Any) -> dai.EncodedFrame:
         frame = _Encoded()
         frame.setData(data)
         frame.frameSize = len(data)
         frame.setSize(image.getWidth(), image.getHeight())
-        frame.setProfile(_Encoded.Profile.JPEG)
-        frame.setFrameType(_Encoded.FrameType.I)
+        frame.setProfile(profile)
+        frame.setFrameType(kind)
         frame.setQuality(self._quality)
         frame.setLossless(False)
+        frame.setBitrate(self._bitrate)
         frame.setInstanceNum(image.getInstanceNum())
         frame.cam = image.cam
         frame.setTransformation(image.getTransformation())
