@@ -121,7 +121,8 @@ class Case:
 
     def meshes(self):
         """The vertices and faces of the geoms, the same as ours."""
-        return {geom: shapes.shape_of(self.model, geom) for geom in range(self.model.ngeom)}
+        all_shapes = (shapes.shape_of(self.model, geom) for geom in range(self.model.ngeom))
+        return {geom: (vertices, np.asarray(faces, np.uint32)) for geom, (vertices, faces) in enumerate(all_shapes)}
 
     def renderer(self):
         """MuJoCo's renderer, with OpenGL."""

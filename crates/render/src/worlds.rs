@@ -9,9 +9,6 @@ use rayon::ThreadPoolBuilder;
 
 use crate::{Backend, Renderer, View};
 
-/// The number of triangles per pixel from which rays are faster than the rasterizer.
-const TRIANGLES_PER_PIXEL: usize = 4;
-
 /// Worlds with the same meshes, in which some instances have other poses.
 ///
 /// A world is the poses of the instances that have moved: meshes exist once for each thread, however many worlds there are. Each thread
@@ -25,20 +22,12 @@ pub struct Worlds {
     moved: Vec<usize>,
     /// Their `world_from_mesh`, world by world.
     poses: Vec<DAffine3>,
-    /// The triangles of all instances.
-    triangles: usize,
 }
 
 impl Worlds {
     /// Makes a number of worlds, in all of which the scene stands as it is.
     #[must_use]
     pub fn new(scene: &Scene, count: usize) -> Self {
-        let triangles = |mesh: u32| {
-            scene
-                .meshes
-                .get(mesh as usize)
-                .map_or(0, |mesh| mesh.triangles.len())
-        };
         let threads = rayon::current_num_threads().clamp(1, count.max(1));
         Self {
             renderers: (0..threads)
@@ -47,11 +36,6 @@ impl Worlds {
             count,
             moved: Vec::new(),
             poses: Vec::new(),
-            triangles: scene
-                .instances
-                .iter()
-                .map(|instance| triangles(instance.mesh))
-                .sum(),
         }
     }
 
@@ -120,8 +104,6 @@ impl Worlds {
     /// Renders the z-depth of some worlds, metres, `+inf` for a miss: the images of the views, one after another, into `out`. Each image has
     /// the bytes of [`Renderer::depth`] with the same backend. Worlds without room in `out` or without a view are left out, and all that
     /// are left once `stop` says so.
-    ///
-    /// [`Backend::Auto`] chooses by the number of triangles per pixel.
     pub fn depth(
         &self,
         worlds: &[usize],
@@ -136,10 +118,6 @@ impl Worlds {
         };
         let Some(length) = views.first().map(pixels).filter(|length| *length > 0) else {
             return;
-        };
-        let backend = match backend {
-            Backend::Auto if self.triangles > TRIANGLES_PER_PIXEL * length => Backend::Ray,
-            backend => backend,
         };
         let images: Vec<Mutex<&mut [f32]>> = out.chunks_exact_mut(length).map(Mutex::new).collect();
         let jobs = worlds.len().min(views.len()).min(images.len());

@@ -45,7 +45,7 @@ class Worlds:
         camera: the camera, as in `Scene.render`.
         world_from_camera: (N, 4, 4) poses of the camera, one for each of N worlds, or (4, 4) for all; the axes are OpenCV's, metres.
         worlds: the numbers of the N worlds, or a mask; by default all.
-        backend: "auto" (default: by the number of triangles per pixel), "raster" or "ray".
+        backend: "auto" (default), "raster" or "ray", as in `Scene.render`.
         out: the output array: C-contiguous float32 (N, H, W).
 
         Returns `out`, or a new (N, H, W) array: float32 metres along the optical axis, inf for a miss. Each image has the bytes of
