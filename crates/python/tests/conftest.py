@@ -46,6 +46,16 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
                 item.add_marker(pytest.mark.skip(reason="slow: run with --slow"))
 
 
+def environment_with_libusb() -> dict[str, str]:
+    """The environment of a program that imports Open3D, whose library requires a libusb: a Python package has one if the system has none."""
+    environment = dict(os.environ)
+    if find_spec("libusb_package"):
+        import libusb_package
+
+        environment["LD_PRELOAD"] = str(libusb_package.get_library_path())
+    return environment
+
+
 @contextmanager
 def skipped_without_peers() -> Iterator[None]:
     """Turns the error about a missing peer, or an error that one caused, into a skipped test."""

@@ -35,6 +35,7 @@ EXCERPTS = {
     "docs/python/record_wall.md",
     "docs/python/training.md",
     "docs/python/isaac_sim.md",
+    "docs/python/many_worlds.md",
     "docs/python/mujoco_table.md",
     "docs/python/neural_stereo.md",
     "docs/python/open3d_plane.md",

@@ -1,28 +1,21 @@
 """Compares the numbers of the Open3D example with the ground truth and the theory."""
 
 import csv
-import os
 import subprocess
 import sys
 
 import numpy as np
 import pytest
 
-from conftest import ROOT
+from conftest import ROOT, environment_with_libusb
 
 FOLDER = ROOT / "examples/python"
 
 
 @pytest.fixture(scope="module")
 def run():
-    """Runs Python with the libusb that Open3D requires, from a Python package if the system has none."""
-    environment = dict(os.environ)
-    try:
-        import libusb_package
-    except ImportError:
-        pass
-    else:
-        environment["LD_PRELOAD"] = str(libusb_package.get_library_path())
+    """Runs Python with the libusb that Open3D requires."""
+    environment = environment_with_libusb()
 
     def python(*arguments):
         command = [sys.executable, *map(str, arguments)]

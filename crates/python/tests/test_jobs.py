@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from conftest import PEERS, ROOT
+from conftest import PEERS, ROOT, environment_with_libusb
 from test_generate import RECIPE
 
 JOBS = sorted(Path(__file__).with_name("jobs").glob("*.py"))
@@ -38,7 +38,7 @@ def test_a_job_runs(job, folder):
             pytest.skip(f"{name} is not installed")
     lines = [line for line in text.splitlines()[1:] if line.strip()]
     assert len(lines) <= MOST_LINES
-    done = subprocess.run([sys.executable, job], capture_output=True, text=True, cwd=folder)
+    done = subprocess.run([sys.executable, job], capture_output=True, text=True, cwd=folder, env=environment_with_libusb())
     assert done.returncode == 0, done.stderr
 
 
