@@ -1,7 +1,7 @@
 //! Rigs: a device whose cameras all see a scene at once.
 
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use oaktwin::camera::ImageSize;
 use oaktwin::image::annotation::Annotator;
@@ -65,7 +65,12 @@ const ARGUMENTS: [&str; 5] = ["cameras", "size", "annotators", "pair", "backend"
 pub(crate) struct Rig {
     device: Py<Device>,
     spec: RigSpec,
+    /// The cameras of the rig, which threads read while others shoot.
+    cameras: Vec<PlacedCamera>,
+    /// Locked with the interpreter released only: an engine in Python needs the interpreter while the rig is locked.
     rig: Mutex<render::Rig>,
+    /// Whether the rig forgets earlier images before the next one.
+    is_reset: AtomicBool,
     next_frame: AtomicU64,
     /// The engine, if it is written in Python.
     engine: Option<Arc<PythonEngine>>,
@@ -119,7 +124,9 @@ impl Rig {
         Ok(Self {
             device: device.clone().unbind(),
             engine: PythonEngine::in_options(&spec.sensor),
+            cameras: rig.cameras().to_vec(),
             rig: Mutex::new(rig),
+            is_reset: AtomicBool::new(false),
             next_frame: AtomicU64::new(0),
             spec,
         })
@@ -178,9 +185,9 @@ impl Rig {
         let (shots, findings) = shots.map_err(error)?;
         finding::warn(py, &findings)?;
         let by_camera = PyDict::new(py);
-        for (name, one) in self.names().into_iter().zip(shots) {
+        for (camera, one) in self.cameras.iter().zip(shots) {
             let one = shot(py, one, &world_from_body, self.spec.sensor.seed, &findings)?;
-            by_camera.set_item(name, one)?;
+            by_camera.set_item(name(camera), one)?;
         }
         Ok(by_camera)
     }
@@ -225,15 +232,14 @@ impl Rig {
 
     /// Starts a new sequence: temporal filters forget earlier images. The numbering of frames continues, so that no noise repeats.
     fn reset(&self) {
-        self.rig().reset();
+        self.is_reset.store(true, Ordering::Relaxed);
     }
 
     /// The Camera of each shot, on the device, by the name of the shot.
     #[getter]
     fn cameras<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let by_name = PyDict::new(py);
-        let rig = self.rig();
-        for camera in rig.cameras() {
+        for camera in &self.cameras {
             by_name.set_item(name(camera), Camera::placed("camera", camera))?;
         }
         Ok(by_name)
@@ -252,17 +258,23 @@ impl Rig {
     }
 
     fn __repr__(&self) -> String {
-        format!("<oaktwin.Rig {}: {}>", self.rig().name(), self.names().join(", "))
+        let names: Vec<&str> = self.cameras.iter().map(name).collect();
+        format!(
+            "<oaktwin.Rig {}: {}>",
+            self.device.get().twin.device.name,
+            names.join(", ")
+        )
     }
 }
 
 impl Rig {
-    fn rig(&self) -> std::sync::MutexGuard<'_, render::Rig> {
-        self.rig.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    fn names(&self) -> Vec<String> {
-        self.rig().cameras().iter().map(name).collect()
+    /// Locks the rig for the next image. Called with the interpreter released.
+    fn rig(&self) -> MutexGuard<'_, render::Rig> {
+        let mut rig = self.rig.lock().unwrap_or_else(PoisonError::into_inner);
+        if self.is_reset.swap(false, Ordering::Relaxed) {
+            rig.reset();
+        }
+        rig
     }
 
     fn number(&self, given: Option<FrameNumber>) -> u64 {
@@ -272,8 +284,8 @@ impl Rig {
 }
 
 /// The name of a camera, and of its shots.
-fn name(camera: &PlacedCamera) -> String {
-    camera.role.clone().unwrap_or_else(|| camera.folder.clone())
+fn name(camera: &PlacedCamera) -> &str {
+    camera.role.as_deref().unwrap_or(&camera.folder)
 }
 
 /// Reads how a pair is recorded; what the mapping leaves out is as given.

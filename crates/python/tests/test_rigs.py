@@ -2,12 +2,14 @@
 
 import json
 import pickle
+import subprocess
+import sys
 
 import numpy as np
 import pytest
 
 import oaktwin
-from conftest import ROOT
+from conftest import PATIENCE_S, ROOT
 
 STAGE = ROOT / "examples/depth_sensor/depth_sensor.usda"
 SIZE = (320, 200)
@@ -94,6 +96,24 @@ def test_an_engine_in_python(device, scene, pose):
     (shot,) = oaktwin.Rig(device, size=SIZE, engine=lambda depth: depth * 2).shoot(scene, pose).values()
     seen = np.isfinite(shot.exact_depth)
     assert np.allclose(shot.depth[seen], 2 * shot.exact_depth[seen])
+
+
+def test_an_engine_may_ask_its_rig():
+    """Also from another thread, and for a new sequence. In a process of its own, because threads that wait for each other stop all."""
+    script = """
+import threading, numpy, oaktwin
+def engine(depth):
+    thread = threading.Thread(target=lambda: print(list(rig.cameras), repr(rig), rig.reset()))
+    thread.start()
+    thread.join()
+    return depth
+rig = oaktwin.Rig(oaktwin.Device("OAK4-D"), size=(64, 40), engine=engine)
+scene = oaktwin.Scene.from_triangles([[2, -9, -9], [2, 9, -9], [2, 0, 9]], [[0, 1, 2]])
+for _ in range(2):
+    rig.shoot(scene, numpy.eye(4))
+"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=PATIENCE_S)
+    assert done.stdout == 2 * "['stereo_depth'] <oaktwin.Rig OAK4-D: stereo_depth> None\n", done.stderr
 
 
 def test_what_is_wrong(device, scene, pose):

@@ -1,11 +1,14 @@
 """Animated stages."""
 
 import pickle
+import subprocess
+import sys
 
 import numpy as np
 import pytest
 
 import oaktwin
+from conftest import PATIENCE_S
 
 STAGE = """#usda 1.0
 (
@@ -79,6 +82,28 @@ def test_pickles_and_poses(path):
     assert np.array_equal(render(other), render(scene))
     scene.set_time(7)
     assert not np.array_equal(scene.poses["/Arm/Link"], np.eye(4)), "an animated part follows its animation"
+
+
+def test_threads_ask_while_others_change_the_time(path):
+    """In a process of its own, because threads that wait for each other stop all."""
+    script = f"""
+import pickle, threading, oaktwin
+scene = oaktwin.Scene.open({str(path)!r}, time=0)
+def change(first):
+    for step in range(60):
+        scene.set_time((first + step) % 11)
+threads = [threading.Thread(target=change, args=(first,)) for first in range(3)]
+for thread in threads:
+    thread.start()
+asked = 0
+while any(thread.is_alive() for thread in threads):
+    scene.render(*scene.cameras["/Arm/Eye"])
+    assert pickle.loads(pickle.dumps(scene)).time in range(11) and scene.time in range(11)
+    asked += 1
+print(asked > 0)
+"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=PATIENCE_S)
+    assert done.stdout == "True\n", done.stderr
 
 
 def test_what_has_no_time(path, tmp_path):

@@ -7,7 +7,7 @@ mod views;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Mutex, PoisonError, RwLock};
+use std::sync::{Mutex, RwLock};
 
 use numpy::PyArray2;
 use oaktwin::diagnostic;
@@ -19,7 +19,7 @@ use pyo3::types::PyDict;
 
 use self::parts::{Parts, Stage};
 pub(crate) use self::parts::{path, unknown_part};
-use self::time::{Cameras, Moments, cameras, lock};
+use self::time::{Animation, cameras};
 use crate::arguments::{Annotators, FrameNumber, Size, optional, subdivide};
 use crate::asset;
 use crate::camera::Camera;
@@ -45,8 +45,8 @@ pub(crate) struct Scene {
     /// The frame number of the next pair without one.
     next_frame: AtomicU64,
     origin: Origin,
-    moments: Mutex<Moments>,
-    cameras: RwLock<Cameras>,
+    /// The file, once it was read at another time.
+    animation: Mutex<Option<Animation>>,
     findings: Vec<diagnostic::Finding>,
 }
 
@@ -108,11 +108,10 @@ impl Scene {
         // Allows unpickling in another working directory.
         let path = std::path::absolute(&path).unwrap_or(path);
         Ok(Self {
-            stage: RwLock::new(Stage::new(file.scene)),
+            stage: RwLock::new(Stage::new(file.scene, cameras, time)),
             next_frame: AtomicU64::new(0),
             origin: Origin::File { path, options },
-            moments: Mutex::new(Moments::at(time)),
-            cameras: RwLock::new(cameras),
+            animation: Mutex::default(),
             findings: file.findings,
         })
     }
@@ -194,8 +193,8 @@ impl Scene {
 
     /// The time code, if there is one.
     #[getter]
-    fn time(&self) -> Option<f64> {
-        lock(&self.moments).time
+    fn time(&self, py: Python<'_>) -> Option<f64> {
+        self.read(py).time
     }
 
     /// The poses of all parts, a dictionary from prim path to (4, 4) float64 world_from_part, metres. It finds parts by their names,
@@ -355,8 +354,8 @@ impl Scene {
     #[getter]
     fn cameras<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let all = PyDict::new(py);
-        let cameras = self.cameras.read().unwrap_or_else(PoisonError::into_inner);
-        for placed in cameras.as_ref().map_err(error)? {
+        let stage = self.read(py);
+        for placed in stage.cameras.as_ref().map_err(error)? {
             let world_from_camera =
                 Of::Camera.array(py, &(placed.world_from_mount * placed.mount_from_camera))?;
             let camera = Camera::placed(&placed.path, placed);

@@ -12,6 +12,7 @@ use oaktwin::scene::{self, Instance, Label, MaterialSpan, Up};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
+use super::time::Cameras;
 use super::{Origin, Scene};
 use crate::choice::named;
 use crate::error::wrong;
@@ -25,18 +26,23 @@ pub(super) type Reduced<'py> = (Bound<'py, PyAny>, Bound<'py, PyTuple>, State<'p
 /// The poses that are set, and the frame number of the next pair.
 type State<'py> = (Bound<'py, PyDict>, u64);
 
-/// A renderer with the poses of its instances, which are the parts of the scene.
+/// What a scene shows at present: a renderer with the poses of its instances, which are the parts of the scene, and the cameras.
 pub(crate) struct Stage {
     pub(crate) renderer: Renderer,
+    pub(super) cameras: Cameras,
+    /// The time code, if there is one.
+    pub(super) time: Option<f64>,
     /// The pose and the rest of the transform of each instance with a given pose, by its index; see
     /// [`Instance::pose_and_rest`], which returns the others'.
     placed: BTreeMap<usize, (RigidTransform, DAffine3)>,
 }
 
 impl Stage {
-    pub(super) fn new(scene: scene::Scene) -> Self {
+    pub(super) fn new(scene: scene::Scene, cameras: Cameras, time: Option<f64>) -> Self {
         Self {
             renderer: Renderer::new(scene),
+            cameras,
+            time,
             placed: BTreeMap::new(),
         }
     }
@@ -250,15 +256,14 @@ fn add(scene: &mut scene::Scene, mesh: &Mesh) -> u32 {
 impl Scene {
     pub(super) fn of_parts(parts: Parts, up: &str) -> PyResult<Self> {
         let (scene, poses) = parts.scene(up)?;
-        let mut stage = Stage::new(scene);
+        let mut stage = Stage::new(scene, Ok(Vec::new()), None);
         let poses = poses.into_iter().map(|pose| (pose, DAffine3::IDENTITY));
         stage.placed.extend(poses.enumerate());
         Ok(Self {
             stage: RwLock::new(stage),
             next_frame: AtomicU64::new(0),
             origin: Origin::Meshes(parts.meshes),
-            moments: Mutex::default(),
-            cameras: RwLock::new(Ok(Vec::new())),
+            animation: Mutex::default(),
             findings: Vec::new(),
         })
     }
@@ -298,7 +303,7 @@ pub(super) fn reduce<'py>(scene: &Scene, py: Python<'py>) -> PyResult<Reduced<'p
             path,
             options: opened,
         } => {
-            options.set_item("time", scene.time())?;
+            options.set_item("time", stage.time)?;
             options.set_item("subdivide", opened.subdivide)?;
             options.set_item("up", opened.up.map(Up::name))?;
             options.set_item("scale", opened.scale)?;

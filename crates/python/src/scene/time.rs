@@ -1,6 +1,6 @@
 //! Animated stages.
 
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::PoisonError;
 
 use oaktwin::diagnostic;
 use oaktwin::render::{
@@ -18,19 +18,8 @@ use crate::finding;
 /// The cameras of a file, or why there are none.
 pub(super) type Cameras = Result<Vec<PlacedCamera>, CameraError>;
 
-/// The time of a scene, and the stage that can be read at others.
-#[derive(Default)]
-pub(super) struct Moments {
-    pub(super) time: Option<f64>,
-    open: Option<(AnimatedScene, SceneFile)>,
-}
-
-impl Moments {
-    /// The moment at which a file was opened.
-    pub(super) fn at(time: Option<f64>) -> Self {
-        Self { time, open: None }
-    }
-}
+/// A file that can be read at other times, with its rest at the present one.
+pub(super) type Animation = (AnimatedScene, SceneFile);
 
 /// The cameras of a file, with findings.
 pub(super) fn cameras(file: &SceneFile) -> (Cameras, Vec<diagnostic::Finding>) {
@@ -69,8 +58,9 @@ impl Scene {
             ));
         }
         let findings = py.detach(|| {
-            let mut moments = lock(&self.moments);
-            let (stage, file) = match &mut moments.open {
+            // Locked until all is changed, so that threads do not mix times.
+            let mut animation = self.animation.lock().unwrap_or_else(PoisonError::into_inner);
+            let (stage, file) = match &mut *animation {
                 Some(open) => open,
                 empty => {
                     // Opened at the same time as the scene, to whose instances changes refer.
@@ -79,7 +69,6 @@ impl Scene {
                 }
             };
             let change = stage.at(time)?;
-            // The moment is locked until all is changed, so that threads do not mix times.
             let mut drawn = self.stage.write().unwrap_or_else(PoisonError::into_inner);
             match change {
                 SceneChange::Moved(instances, cameras) => {
@@ -91,19 +80,15 @@ impl Scene {
                 SceneChange::Rebuilt(new) => {
                     let (scene, rest) = emptied(*new);
                     *file = rest;
-                    *drawn = Stage::new(scene);
+                    *drawn = Stage::new(scene, Ok(Vec::new()), time);
                 }
             }
             let (cameras, mut findings) = cameras(file);
             findings.append(&mut file.findings);
-            *self.cameras.write().unwrap_or_else(PoisonError::into_inner) = cameras;
-            moments.time = time;
+            drawn.cameras = cameras;
+            drawn.time = time;
             Ok::<_, SceneFileError>(findings)
         });
         finding::warn(py, &findings.map_err(|failed| reading(path, &failed))?)
     }
-}
-
-pub(super) fn lock(moments: &Mutex<Moments>) -> MutexGuard<'_, Moments> {
-    moments.lock().unwrap_or_else(PoisonError::into_inner)
 }
