@@ -14,6 +14,8 @@ STAGE = """#usda 1.0
 (
     metersPerUnit = 1
     upAxis = "Z"
+    startTimeCode = 0
+    endTimeCode = 10
 )
 def Xform "Arm"
 {
@@ -119,3 +121,11 @@ def test_what_has_no_time(path, tmp_path):
     path.unlink()
     with pytest.raises(FileNotFoundError):
         scene.set_time(1)
+
+
+def test_a_time_outside_the_range_is_reported(path):
+    scene = oaktwin.Scene.open(path, time=0)
+    with pytest.warns(oaktwin.FindingWarning, match="from 0 to 10; the time code 11 is outside"):
+        scene.set_time(11)
+    (found,) = oaktwin.Scene.open(path, time=-2).findings
+    assert "the time code -2 is outside" in found.message

@@ -48,7 +48,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let samples = imu::simulation(context, args, twin, &path, scene.scene.up)?;
     let samples = noted(samples, &mut findings);
     let is_alone = output.is_none();
-    let times_s = opened.times_s(&path);
+    let times_s = opened.times_s(args, &path);
     let record = |file| render::FrameRecorder::create(file, &rig, &times_s, is_alone);
     let recorder = args.record.as_deref().map(record).transpose()?;
     let mut recorder = noted(recorder, &mut findings);

@@ -147,6 +147,36 @@ fn a_mounted_device_follows_its_prim() {
 }
 
 #[test]
+fn what_a_device_cannot_follow_is_reported_at_each_time() {
+    let program = stage("");
+    for (scale, expected) in [
+        (
+            "(2, 2, 2)",
+            "its transform contains a scale, which the mounted device ignores",
+        ),
+        (
+            "(0, 0, 0)",
+            "its transform is singular; the mounted device stays where it was",
+        ),
+    ] {
+        let scaled = STAGE.replace("SHEET", "").replace(
+            "uniform token[] xformOpOrder = [\"xformOp:translate\"]\n        def Camera",
+            &format!(
+                "float3 xformOp:scale.timeSamples = {{ 0: (1, 1, 1), 20: {scale} }}\n        \
+                 uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:scale\"]\n        def Camera"
+            ),
+        );
+        program.put("scaled.usda", scaled);
+        let line = "render scaled.usda --model OAK4-D --camera depth --resolution 8x8 --mount /Arm/Hand --pose 0 0 0 0 0 0 1 \
+                    --annotators distance_to_image_plane -o out --frames";
+        let at = |frames: &str| program.run(&words(&format!("{line} {frames}"))).stderr;
+        assert!(!at("0").contains("mount-transform"));
+        let said = at("0:20:20");
+        assert!(said.contains(expected) && said.contains("/Arm/Hand"), "{said}");
+    }
+}
+
+#[test]
 fn recordings_have_the_times_of_the_stage() {
     let program = stage("");
     program.good(&words(
@@ -218,6 +248,14 @@ fn invalid_requests_are_rejected() {
         (
             "stage.usda --frames 10:30:10 --strict".to_owned(),
             "is animated from 0 to 20; 1 of 3 time codes are outside",
+        ),
+        (
+            "stage.usda --time 30 --strict".to_owned(),
+            "is animated from 0 to 20; the time code 30 is outside",
+        ),
+        (
+            format!("stage.usda --time -1 --strict {device} --mount /Arm/Hand"),
+            "is animated from 0 to 20; the time code -1 is outside",
         ),
     ] {
         let refused = program.refused(&words(&format!("render {line} --resolution 8x8 -o out")));

@@ -4,8 +4,9 @@ use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::RigidTransform;
 use oaktwin_render::Renderer;
 use oaktwin_scene::Scene;
+use oaktwin_usd::stage::StageTiming;
 
-use super::frames::{Frames, FramesError, Outputs, Written, time_ns, write};
+use super::frames::{Frames, FramesError, Outputs, Written, times_ns, write};
 use super::rig::{Rig, RigSpec};
 use super::scene_camera::{SceneCameraOptions, scene_cameras};
 use super::scene_file::{AnimatedScene, SceneChange, SceneFile};
@@ -20,17 +21,16 @@ pub const MAX_FRAMES: usize = 1_000_000;
 pub struct TimeCodes {
     /// The time codes.
     pub codes: Vec<f64>,
-    /// The time between frames, s.
-    pub period_s: f64,
+    /// The time codes from frame to frame.
+    pub step: f64,
 }
 
 impl TimeCodes {
-    /// Reads `FIRST:LAST` or `FIRST:LAST:STEP`; LAST is included if a step ends at it. A single number is one frame. Frames last as long as in
-    /// the stage, whose time codes per second are given, or as `frames_per_second` says.
+    /// Reads `FIRST:LAST` or `FIRST:LAST:STEP`; LAST is included if a step ends at it. A single number is one frame.
     ///
     /// # Errors
     /// Returns what is wrong and what to do: a text of another form, a step of 0 or away from LAST, and more than [`MAX_FRAMES`].
-    pub fn parse(text: &str, codes_per_second: f64, frames_per_second: Option<f64>) -> Result<Self, String> {
+    pub fn parse(text: &str) -> Result<Self, String> {
         let numbers: Option<Vec<f64>> = text
             .split(':')
             .map(|part| part.trim().parse().ok().filter(|number: &f64| number.is_finite()))
@@ -66,15 +66,15 @@ impl TimeCodes {
         let codes = (0..count as usize)
             .map(|number| first + number as f64 * step)
             .collect();
-        let period_s = frames_per_second.map_or(step / codes_per_second, |rate| 1.0 / rate);
-        Ok(Self { codes, period_s })
+        Ok(Self { codes, step })
     }
 
-    /// Returns the time of each frame, s, from 0.
+    /// Returns the time of each frame, s, from 0: as the stage plays it, or at a rate of frames per second.
     #[must_use]
-    pub fn times_s(&self) -> Vec<Option<f64>> {
+    pub fn times_s(&self, timing: &StageTiming, frames_per_second: Option<f64>) -> Vec<Option<f64>> {
+        let period_s = frames_per_second.map_or(self.step / timing.time_codes_per_second, |rate| 1.0 / rate);
         (0..self.codes.len())
-            .map(|number| Some(number as f64 * self.period_s))
+            .map(|number| Some(number as f64 * period_s))
             .collect()
     }
 }
@@ -84,7 +84,7 @@ impl TimeCodes {
 pub struct Animation<'a> {
     scene: &'a mut AnimatedScene,
     times: Vec<f64>,
-    times_s: Vec<Option<f64>>,
+    times_ns: Vec<u64>,
     path: &'a [TimedPose],
     renderer: Renderer,
     stage: Option<StageCameras<'a>>,
@@ -99,23 +99,24 @@ struct StageCameras<'a> {
 }
 
 impl<'a> Animation<'a> {
-    /// Makes the animation of a scene, which was read at the first time code, for the rig of an OAK. The OAK is at the poses of the path, one for
-    /// each frame, or at its own pose if the path is empty; relative to the prim that carries it, if there is one.
+    /// Makes the animation of a scene, which was read at the first time code, for the rig of an OAK. Each frame has a time code and a time, s.
+    /// The OAK is at the poses of the path, one for each frame, or at its own pose if the path is empty; relative to the prim that carries it,
+    /// if there is one.
     ///
     /// # Errors
     /// Returns what is wrong and what to do if the path has another number of poses than there are time codes.
     pub fn of_oak(
         scene: &'a mut AnimatedScene,
         first: SceneFile,
-        times: &TimeCodes,
+        times: (&TimeCodes, &[Option<f64>]),
         rig: &Rig,
         path: &'a [TimedPose],
     ) -> Result<Self, String> {
-        if !path.is_empty() && path.len() != times.codes.len() {
+        let count = times.0.codes.len();
+        if !path.is_empty() && path.len() != count {
             return Err(format!(
-                "{} poses, but {} time codes; give one pose for each frame",
-                path.len(),
-                times.codes.len()
+                "{} poses, but {count} time codes; give one pose for each frame",
+                path.len()
             ));
         }
         Ok(Self {
@@ -132,25 +133,26 @@ impl<'a> Animation<'a> {
     pub fn of_stage(
         scene: &'a mut AnimatedScene,
         mut first: SceneFile,
-        times: &TimeCodes,
+        times: (&TimeCodes, &[Option<f64>]),
         spec: &'a RigSpec,
     ) -> Self {
-        let drawn = Scene {
-            meters_per_unit: first.scene.meters_per_unit,
-            ..Scene::default()
-        };
-        let drawn = std::mem::replace(&mut first.scene, drawn);
+        let drawn = first.take_scene();
         Self {
             stage: Some(StageCameras { file: first, spec }),
             ..Self::new(scene, drawn, times, &[])
         }
     }
 
-    fn new(scene: &'a mut AnimatedScene, first: Scene, times: &TimeCodes, path: &'a [TimedPose]) -> Self {
+    fn new(
+        scene: &'a mut AnimatedScene,
+        first: Scene,
+        (times, times_s): (&TimeCodes, &[Option<f64>]),
+        path: &'a [TimedPose],
+    ) -> Self {
         Self {
             scene,
             times: times.codes.clone(),
-            times_s: times.times_s(),
+            times_ns: times_ns(times_s),
             path,
             renderer: Renderer::new(first),
             stage: None,
@@ -178,12 +180,8 @@ impl StageCameras<'_> {
 }
 
 impl Frames for Animation<'_> {
-    fn count(&self) -> usize {
-        self.times.len()
-    }
-
-    fn time_ns(&self, number: usize) -> u64 {
-        time_ns(&self.times_s, number)
+    fn times_ns(&self) -> &[u64] {
+        &self.times_ns
     }
 
     fn advance(
@@ -194,7 +192,9 @@ impl Frames for Animation<'_> {
     ) -> Result<Option<RigidTransform>, FramesError> {
         // The scene was read at the first time.
         if number > 0 {
-            match self.scene.at(Some(self.times[number]))? {
+            let (change, mut found) = self.scene.at(Some(self.times[number]))?;
+            findings.append(&mut found);
+            match change {
                 SceneChange::Moved(instances, cameras) => {
                     self.renderer.set_poses(instances);
                     if let Some(stage) = self.stage.as_mut().filter(|_| !cameras.is_empty()) {
@@ -205,10 +205,7 @@ impl Frames for Animation<'_> {
                     }
                 }
                 SceneChange::Rebuilt(mut file) => {
-                    findings.append(&mut file.findings);
-                    let meters_per_unit = file.scene.meters_per_unit;
-                    self.renderer = Renderer::new(std::mem::take(&mut file.scene));
-                    file.scene.meters_per_unit = meters_per_unit;
+                    self.renderer = Renderer::new(file.take_scene());
                     if let Some(stage) = &mut self.stage {
                         stage.file = *file;
                         findings.extend(stage.place(rig)?);
@@ -254,14 +251,22 @@ mod tests {
 
     #[test]
     fn reads_time_codes() {
-        let of = |text: &str| TimeCodes::parse(text, 24.0, None).unwrap();
+        let of = |text: &str| TimeCodes::parse(text).unwrap();
+        let timing = StageTiming {
+            time_codes_per_second: 24.0,
+            ..StageTiming::default()
+        };
         assert_eq!(of("3").codes, [3.0]);
         assert_eq!(of("0:3").codes, [0.0, 1.0, 2.0, 3.0]);
         assert_eq!(of("-1:1:0.5").codes, [-1.0, -0.5, 0.0, 0.5, 1.0]);
         assert_eq!(of("0:1:0.1").codes.len(), 11);
         assert_eq!(of("0:10:4").codes, [0.0, 4.0, 8.0]);
-        assert_eq!(of("0:10:4").times_s(), [0.0, 4.0 / 24.0, 8.0 / 24.0].map(Some));
-        assert_eq!(TimeCodes::parse("0:1", 24.0, Some(10.0)).unwrap().period_s, 0.1);
+        let times = of("0:10:4");
+        assert_eq!(
+            times.times_s(&timing, None),
+            [0.0, 4.0 / 24.0, 8.0 / 24.0].map(Some)
+        );
+        assert_eq!(times.times_s(&timing, Some(10.0)), [0.0, 0.1, 0.2].map(Some));
     }
 
     #[test]
@@ -276,7 +281,7 @@ mod tests {
             ("5:0", "0 is before 5"),
             ("0:1e9", "at most 1000000"),
         ] {
-            let error = TimeCodes::parse(text, 24.0, None).unwrap_err();
+            let error = TimeCodes::parse(text).unwrap_err();
             assert!(error.contains(expected), "{text}: {error}");
         }
     }

@@ -70,11 +70,8 @@ impl From<FileError> for FramesError {
 
 /// What the frames of a data set see.
 pub(super) trait Frames {
-    /// The number of frames.
-    fn count(&self) -> usize;
-
-    /// The time of a frame, ns.
-    fn time_ns(&self, number: usize) -> u64;
+    /// The time of each frame, ns.
+    fn times_ns(&self) -> &[u64];
 
     /// Goes on to a frame; frames are visited in order. Returns the pose of the rig if the frame moves it.
     fn advance(
@@ -92,16 +89,12 @@ pub(super) trait Frames {
 struct Still<'a> {
     renderer: &'a Renderer,
     path: &'a [TimedPose],
-    times_s: Vec<Option<f64>>,
+    times_ns: Vec<u64>,
 }
 
 impl Frames for Still<'_> {
-    fn count(&self) -> usize {
-        self.path.len().max(1)
-    }
-
-    fn time_ns(&self, number: usize) -> u64 {
-        time_ns(&self.times_s, number)
+    fn times_ns(&self) -> &[u64] {
+        &self.times_ns
     }
 
     fn advance(
@@ -137,7 +130,7 @@ pub fn write_frames(
     let mut frames = Still {
         renderer,
         path,
-        times_s: trajectory::times_s(path),
+        times_ns: times_ns(&trajectory::times_s(path)),
     };
     write(&mut frames, rig, is_strict, outputs, watch)
 }
@@ -166,7 +159,7 @@ pub(super) fn write(
     writers.extend(recorder.as_mut().map(|recorder| recorder as &mut dyn Writer));
     let mut findings = rig.cast_instead();
     let cameras = rig.cameras().len();
-    let total = frames.count() as u64 * cameras as u64;
+    let total = frames.times_ns().len() as u64 * cameras as u64;
     let written = write_while(&mut writers, output, total, watch, |producer| {
         render_all(frames, rig.clone(), is_strict, &mut findings, producer)
     })?;
@@ -190,14 +183,14 @@ fn render_all(
     producer: &mut Producer<'_>,
 ) -> Result<ControlFlow<()>, FramesError> {
     let annotators = rig.annotators().to_vec();
-    for number in 0..frames.count() {
+    let times_ns = frames.times_ns().to_vec();
+    for (number, time_ns) in times_ns.into_iter().enumerate() {
         if producer.proceed().is_break() {
             return Ok(ControlFlow::Break(()));
         }
         let mut more = Vec::new();
         let pose = frames.advance(number, &mut rig, &mut more)?;
         note(more, is_strict, findings)?;
-        let time_ns = frames.time_ns(number);
         for index in 0..rig.cameras().len() {
             if producer.proceed().is_break() {
                 return Ok(ControlFlow::Break(()));
@@ -229,15 +222,25 @@ fn note(more: Vec<Finding>, is_strict: bool, findings: &mut Vec<Finding>) -> Res
     Ok(())
 }
 
-/// The time of a frame: its own, or 30 frames per second from 0 if a frame has none.
+/// The times of frames: their own, or 30 frames per second from 0 if a frame has none. Without any, there is a single frame.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     clippy::cast_precision_loss,
     reason = "times of files; the cast saturates"
 )]
-pub(super) fn time_ns(times_s: &[Option<f64>], number: usize) -> u64 {
-    let has_times = times_s.iter().all(Option::is_some);
-    let own = times_s.get(number).copied().flatten().filter(|_| has_times);
-    (own.unwrap_or(number as f64 / FRAME_RATE) * 1e9).round() as u64
+pub(super) fn times_ns(times_s: &[Option<f64>]) -> Vec<u64> {
+    let own: Option<Vec<f64>> = times_s.iter().copied().collect();
+    let regular = || {
+        (0..times_s.len())
+            .map(|number| number as f64 / FRAME_RATE)
+            .collect()
+    };
+    let times_s = own
+        .filter(|times| !times.is_empty())
+        .unwrap_or_else(|| if times_s.is_empty() { vec![0.0] } else { regular() });
+    times_s
+        .into_iter()
+        .map(|time_s| (time_s * 1e9).round() as u64)
+        .collect()
 }

@@ -77,7 +77,7 @@ impl SceneFile {
     /// unsupported contents are findings.
     pub fn open(path: &Path, options: &OpenOptions) -> Result<Self, SceneFileError> {
         let extension = extension(path);
-        let mut opened = if USD.contains(&extension.as_str()) {
+        let opened = if USD.contains(&extension.as_str()) {
             let stage = stage::open_scene(path, &stage_options(path, options)?)?;
             Ok(Self::of_stage(path, stage))
         } else if import::is_importable(path) {
@@ -85,8 +85,7 @@ impl SceneFile {
         } else {
             Err(unknown_kind(path, &extension).into())
         }?;
-        opened.scene.micro_texture = options.micro_texture.then(|| MicroTexture::ordinary(0));
-        Ok(opened)
+        Ok(opened.with_micro_texture(options.micro_texture))
     }
 
     /// Opens a USD stage at the time of the options, and keeps it open for other times. `mount` is the path of a prim that carries a device.
@@ -107,8 +106,7 @@ impl SceneFile {
         }
         let (stage, first, world_from_mount) =
             AnimatedStage::open(path, &stage_options(path, options)?, mount)?;
-        let mut scene = Self::of_stage(path, first);
-        scene.scene.micro_texture = options.micro_texture.then(|| MicroTexture::ordinary(0));
+        let scene = Self::of_stage(path, first).with_micro_texture(options.micro_texture);
         let animated = AnimatedScene {
             path: path.to_owned(),
             micro_texture: options.micro_texture,
@@ -116,6 +114,21 @@ impl SceneFile {
             world_from_mount,
         };
         Ok((animated, scene))
+    }
+
+    /// Takes the scene out, and leaves an empty one with the same unit, in which the cameras keep their meaning.
+    #[must_use]
+    pub fn take_scene(&mut self) -> Scene {
+        let empty = Scene {
+            meters_per_unit: self.scene.meters_per_unit,
+            ..Scene::default()
+        };
+        std::mem::replace(&mut self.scene, empty)
+    }
+
+    fn with_micro_texture(mut self, is_given: bool) -> Self {
+        self.scene.micro_texture = is_given.then(|| MicroTexture::ordinary(0));
+        self
     }
 
     fn of_stage(path: &Path, stage: StageScene) -> Self {
@@ -183,34 +196,30 @@ impl AnimatedScene {
         self.stage.timing()
     }
 
-    /// Returns a finding if time codes are outside the range of the stage, or nothing changes with time.
-    #[must_use]
-    pub fn check_times(&self, times: &[f64]) -> Option<Finding> {
-        self.stage.check_times(times)
-    }
-
     /// Returns the pose of the prim that carries a device, in metres, at the time that was read last.
     #[must_use]
     pub fn world_from_mount(&self) -> Option<&RigidTransform> {
         self.world_from_mount.as_ref()
     }
 
-    /// Reads the stage at a time code.
+    /// Reads the stage at a time code, or at its default values. The findings are about this time.
     ///
     /// # Errors
     /// Returns an error if the stage cannot be read at this time.
-    pub fn at(&mut self, time: Option<f64>) -> Result<SceneChange, StageError> {
+    pub fn at(&mut self, time: Option<f64>) -> Result<(SceneChange, Vec<Finding>), StageError> {
         let change = self.stage.at(time)?;
         // A prim whose transform is singular stays where it was.
         self.world_from_mount = change.world_from_mount.or(self.world_from_mount);
-        Ok(match change.contents {
+        let mut findings = Vec::from_iter(change.mount_finding);
+        let contents = match change.contents {
             StageContents::Moved { instances, cameras } => SceneChange::Moved(instances, cameras),
             StageContents::Rebuilt(scene) => {
-                let mut scene = SceneFile::of_stage(&self.path, *scene);
-                scene.scene.micro_texture = self.micro_texture.then(|| MicroTexture::ordinary(0));
-                SceneChange::Rebuilt(Box::new(scene))
+                let mut file = SceneFile::of_stage(&self.path, *scene).with_micro_texture(self.micro_texture);
+                findings.append(&mut file.findings);
+                SceneChange::Rebuilt(Box::new(file))
             }
-        })
+        };
+        Ok((contents, findings))
     }
 }
 

@@ -7,7 +7,6 @@ use oaktwin::render::{
     AnimatedScene, CameraError, PlacedCamera, SceneCameraOptions, SceneChange, SceneFile, SceneFileError,
     scene_cameras,
 };
-use oaktwin::scene;
 use pyo3::prelude::*;
 
 use super::parts::Stage;
@@ -29,15 +28,6 @@ pub(super) fn cameras(file: &SceneFile) -> (Cameras, Vec<diagnostic::Finding>) {
         // Reported when the cameras are requested.
         Err(error) => (Err(error), Vec::new()),
     }
-}
-
-/// A file without its geometry, for its cameras.
-fn emptied(mut file: SceneFile) -> (scene::Scene, SceneFile) {
-    let rest = scene::Scene {
-        meters_per_unit: file.scene.meters_per_unit,
-        ..scene::Scene::default()
-    };
-    (std::mem::replace(&mut file.scene, rest), file)
 }
 
 impl Scene {
@@ -64,11 +54,13 @@ impl Scene {
                 Some(open) => open,
                 empty => {
                     // Opened at the same time as the scene, to whose instances changes refer.
-                    let (stage, file) = SceneFile::open_animated(path, options, None)?;
-                    empty.insert((stage, emptied(file).1))
+                    let (stage, mut file) = SceneFile::open_animated(path, options, None)?;
+                    let _ = file.take_scene();
+                    empty.insert((stage, file))
                 }
             };
-            let change = stage.at(time)?;
+            let (change, mut findings) = stage.at(time)?;
+            findings.extend(time.and_then(|time| stage.timing().check(&[time])));
             let mut drawn = self.stage.write().unwrap_or_else(PoisonError::into_inner);
             match change {
                 SceneChange::Moved(instances, cameras) => {
@@ -77,14 +69,13 @@ impl Scene {
                     }
                     drawn.animate(instances);
                 }
-                SceneChange::Rebuilt(new) => {
-                    let (scene, rest) = emptied(*new);
-                    *file = rest;
-                    *drawn = Stage::new(scene, Ok(Vec::new()), time);
+                SceneChange::Rebuilt(mut new) => {
+                    *drawn = Stage::new(new.take_scene(), Ok(Vec::new()), time);
+                    *file = *new;
                 }
             }
-            let (cameras, mut findings) = cameras(file);
-            findings.append(&mut file.findings);
+            let (cameras, more) = cameras(file);
+            findings.extend(more);
             drawn.cameras = cameras;
             drawn.time = time;
             Ok::<_, SceneFileError>(findings)

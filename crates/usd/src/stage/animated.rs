@@ -38,6 +38,30 @@ pub struct StageTiming {
     pub deforms: Option<String>,
 }
 
+impl StageTiming {
+    /// Returns a finding if some of these time codes are outside the range of the stage, or nothing changes with time.
+    #[must_use]
+    pub fn check(&self, times: &[f64]) -> Option<Finding> {
+        let warn = |message: String, remedy: &'static str| {
+            Finding::new("time", Level::Warning, "stage", message, remedy)
+        };
+        if !self.is_animated {
+            return Some(warn("is not animated: all times show the same".to_owned(), ""));
+        }
+        let (start, end) = self.range?;
+        let outside = times.iter().filter(|time| !(start..=end).contains(*time)).count();
+        let message = match times {
+            _ if outside == 0 => return None,
+            [time] => format!("is animated from {start} to {end}; the time code {time} is outside"),
+            times => format!(
+                "is animated from {start} to {end}; {outside} of {} time codes are outside",
+                times.len()
+            ),
+        };
+        Some(warn(message, "choose time codes in the range of the stage"))
+    }
+}
+
 /// What another time changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StageChange {
@@ -45,6 +69,8 @@ pub struct StageChange {
     pub contents: StageContents,
     /// The pose of the prim that carries a device, in metres.
     pub world_from_mount: Option<RigidTransform>,
+    /// What the transform of that prim contains at this time and a device cannot follow.
+    pub mount_finding: Option<Finding>,
 }
 
 /// The contents of a stage at another time.
@@ -107,7 +133,10 @@ impl AnimatedStage {
         let first = stage.receive()?;
         stage.timing = timing.recv().unwrap_or_default();
         match first.contents {
-            StageContents::Rebuilt(scene) => Ok((stage, *scene, first.world_from_mount)),
+            StageContents::Rebuilt(mut scene) => {
+                scene.findings.extend(first.mount_finding);
+                Ok((stage, *scene, first.world_from_mount))
+            }
             StageContents::Moved { .. } => Err(stage.closed()),
         }
     }
@@ -116,26 +145,6 @@ impl AnimatedStage {
     #[must_use]
     pub fn timing(&self) -> &StageTiming {
         &self.timing
-    }
-
-    /// Returns a finding if some of these time codes are outside the range of the stage, or nothing changes with time.
-    #[must_use]
-    pub fn check_times(&self, times: &[f64]) -> Option<Finding> {
-        let warn = |message: String, remedy: &'static str| {
-            Finding::new("time", Level::Warning, "stage", message, remedy)
-        };
-        if !self.timing.is_animated {
-            return Some(warn("is not animated: all times show the same".to_owned(), ""));
-        }
-        let (start, end) = self.timing.range?;
-        let outside = times.iter().filter(|time| !(start..=end).contains(*time)).count();
-        (outside > 0).then(|| {
-            let message = format!(
-                "is animated from {start} to {end}; {outside} of {} time codes are outside",
-                times.len()
-            );
-            warn(message, "choose time codes in the range of the stage")
-        })
     }
 
     /// Reads the stage at another time code, or at its default values.
@@ -200,7 +209,7 @@ fn serve(
 ) -> Result<(), StageError> {
     let opened = Opened::new(name, utf8, layer, options)?;
     let mut motion = Motion::new(mount);
-    let mut first = opened.scene(Some(&mut motion))?;
+    let first = opened.scene(Some(&mut motion))?;
     if let Some((mount, known)) = motion.missing_mount() {
         let remedy = suggest(mount, known.iter().map(String::as_str));
         return Err(StageError::new(
@@ -224,14 +233,16 @@ fn serve(
                 |(index, pose): &(usize, DAffine3)| first.scene.instances[*index].world_from_mesh == *pose;
             moved.instances.iter().all(is_same)
         });
-    first.findings.extend(moving.mount_finding(opened.reader()));
-    let change = |contents, mount| StageChange {
-        contents,
-        world_from_mount: mount,
+    let change = |contents| {
+        let (world_from_mount, mount_finding) = moving.mount(opened.reader());
+        StageChange {
+            contents,
+            world_from_mount,
+            mount_finding,
+        }
     };
-    let mount = moving.mount_at(opened.reader());
     if answers
-        .send(Ok(change(StageContents::Rebuilt(Box::new(first)), mount)))
+        .send(Ok(change(StageContents::Rebuilt(Box::new(first)))))
         .is_err()
     {
         return Ok(());
@@ -241,19 +252,13 @@ fn serve(
         let moved = is_rigid.then(|| moving.at(opened.reader())).flatten();
         is_rigid &= moved.is_some();
         let answer = match moved {
-            Some(moved) => Ok(change(
-                StageContents::Moved {
-                    instances: moved.instances,
-                    cameras: moved.cameras,
-                },
-                moving.mount_at(opened.reader()),
-            )),
-            None => opened.scene(None).map(|scene| {
-                change(
-                    StageContents::Rebuilt(Box::new(scene)),
-                    moving.mount_at(opened.reader()),
-                )
-            }),
+            Some(moved) => Ok(change(StageContents::Moved {
+                instances: moved.instances,
+                cameras: moved.cameras,
+            })),
+            None => opened
+                .scene(None)
+                .map(|scene| change(StageContents::Rebuilt(Box::new(scene)))),
         };
         if answers.send(answer).is_err() {
             break;

@@ -67,7 +67,16 @@ pub(super) fn scene(
     layer: Inspected,
     options: SceneOptions,
 ) -> Result<StageScene, StageError> {
-    Opened::new(file, path, layer, options)?.scene(None)
+    let opened = Opened::new(file, path, layer, options)?;
+    let mut scene = opened.scene(None)?;
+    if let Some(time) = options.time.filter(|_| opened.reader.budget().is_animated()) {
+        let timing = StageTiming {
+            is_animated: true,
+            ..opened.timing()
+        };
+        scene.findings.extend(timing.check(&[time]));
+    }
+    Ok(scene)
 }
 
 /// A composed stage, from which scenes are built.

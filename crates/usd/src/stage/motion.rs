@@ -225,26 +225,30 @@ impl Moving {
                 .any(|node| matches!(node.local, Local::Animated(_)))
     }
 
-    /// Returns the pose of the prim that carries a device, at the reader's time; `None` without one, and if its transform is singular.
-    pub(super) fn mount_at(&self, reader: &Reader) -> Option<RigidTransform> {
-        self.mount_pose(reader).map(|(pose, _)| pose)
-    }
-
-    /// Returns what is removed from the transform of the prim that carries a device.
-    pub(super) fn mount_finding(&self, reader: &Reader) -> Option<Finding> {
-        let path = &self.nodes[self.mount?].path;
-        let message = match self.mount_pose(reader) {
-            Some((_, None)) => return None,
-            Some((_, Some(removed))) => {
-                format!("its transform contains {removed}, which the mounted device ignores")
-            }
-            None => "its transform is singular; the mounted device stays where it was".to_owned(),
+    /// Returns the pose of the prim that carries a device, at the reader's time, and a finding about what its transform cannot pass on.
+    /// There is no pose without such a prim, and if its transform is singular.
+    pub(super) fn mount(&self, reader: &Reader) -> (Option<RigidTransform>, Option<Finding>) {
+        let Some(mount) = self.mount.map(|index| &self.nodes[index]) else {
+            return (None, None);
         };
-        Some(Finding::new("mount-transform", Level::Warning, path, message, ""))
+        let placed = self.placed(mount, reader);
+        let message = match placed {
+            Some((_, None)) => None,
+            Some((_, Some(removed))) => Some(format!(
+                "its transform contains {removed}, which the mounted device ignores"
+            )),
+            None => Some("its transform is singular; the mounted device stays where it was".to_owned()),
+        };
+        let finding =
+            message.map(|message| Finding::new("mount-transform", Level::Warning, &mount.path, message, ""));
+        (placed.map(|(pose, _)| pose), finding)
     }
 
-    fn mount_pose(&self, reader: &Reader) -> Option<(RigidTransform, Option<&'static str>)> {
-        let mut node = &self.nodes[self.mount?];
+    fn placed<'a>(
+        &'a self,
+        mut node: &'a Node,
+        reader: &Reader,
+    ) -> Option<(RigidTransform, Option<&'static str>)> {
         let mut locals = Vec::new();
         loop {
             locals.push(node.local(reader));

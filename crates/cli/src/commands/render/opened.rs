@@ -42,26 +42,20 @@ impl Opened {
         if let Some(rate) = args.fps.filter(|rate| !(rate.is_finite() && *rate > 0.0)) {
             return Err(format!("--fps: must be a number above 0 (got {rate})").into());
         }
-        // The rate of the stage is known once it is open, at the first time.
-        let parse = |rate: f64| {
-            let times = args
-                .frames
-                .as_deref()
-                .map(|text| TimeCodes::parse(text, rate, args.fps));
-            times.transpose().map_err(|error| format!("--frames: {error}"))
-        };
-        let first = parse(1.0)?.and_then(|times| times.codes.first().copied());
+        let times = args.frames.as_deref().map(TimeCodes::parse);
+        let times = times.transpose().map_err(|error| format!("--frames: {error}"))?;
+        let codes = times.as_ref().map(|times| &times.codes);
+        let codes = codes.map_or_else(|| Vec::from_iter(options.time), Clone::clone);
         let options = OpenOptions {
-            time: first.or(options.time),
+            time: codes.first().copied(),
             ..options
         };
         let (animated, scene) = SceneFile::open_animated(&args.scene, &options, args.mount.as_deref())?;
-        let times = parse(animated.timing().time_codes_per_second)?;
         Ok(Self {
             scene,
-            finding: times
-                .as_ref()
-                .and_then(|times| animated.check_times(&times.codes)),
+            finding: (!codes.is_empty())
+                .then(|| animated.timing().check(&codes))
+                .flatten(),
             animated: Some(animated),
             times,
         })
@@ -88,9 +82,11 @@ impl Opened {
     }
 
     /// Returns the time of each frame, s.
-    pub(super) fn times_s(&self, path: &[TimedPose]) -> Vec<Option<f64>> {
-        let own = self.times.as_ref().map(TimeCodes::times_s);
-        own.unwrap_or_else(|| trajectory::times_s(path))
+    pub(super) fn times_s(&self, args: &RenderArgs, path: &[TimedPose]) -> Vec<Option<f64>> {
+        match (&self.animated, &self.times) {
+            (Some(scene), Some(times)) => times.times_s(scene.timing(), args.fps),
+            _ => trajectory::times_s(path),
+        }
     }
 
     /// Writes the frames of a rig.
@@ -107,10 +103,12 @@ impl Opened {
                 progress::watched(|watch| write_frames(&renderer, rig, path, args.strict, outputs, watch))?;
             return Ok(written);
         };
+        let times_s = times.times_s(scene.timing(), args.fps);
+        let times = (&times, times_s.as_slice());
         let mut animation = match args.model {
-            Some(_) => Animation::of_oak(&mut scene, self.scene, &times, rig, path)
+            Some(_) => Animation::of_oak(&mut scene, self.scene, times, rig, path)
                 .map_err(|error| format!("--trajectory: {error}"))?,
-            None => Animation::of_stage(&mut scene, self.scene, &times, spec),
+            None => Animation::of_stage(&mut scene, self.scene, times, spec),
         };
         let written =
             progress::watched(|watch| write_animation(&mut animation, rig, args.strict, outputs, watch))?;
