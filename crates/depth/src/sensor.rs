@@ -78,6 +78,16 @@ impl Sensor {
         }
     }
 
+    /// Returns the sensor with the random numbers of an episode, in which frames count from 0 again, and without a memory of earlier
+    /// frames. Episode 0 has the random numbers of this sensor.
+    #[must_use]
+    pub fn in_episode(&self, number: u64) -> Self {
+        let mut fresh = self.clone();
+        fresh.filters.reset();
+        fresh.random = self.random.episode(number);
+        fresh
+    }
+
     /// Returns the filters and their memory.
     #[must_use]
     pub fn into_filters(self) -> Chain {

@@ -8,6 +8,7 @@ use oaktwin_dataset::{FormatKind, Needs};
 use oaktwin_image::annotation::Annotator;
 use oaktwin_pipeline::render::annotator;
 use oaktwin_pipeline::render::trajectory::{self, TimedPose};
+use oaktwin_pipeline::sensor::EngineRef;
 use oaktwin_pipeline::unit;
 
 use crate::GenerateError;
@@ -41,6 +42,8 @@ pub(crate) struct Context {
     /// The units of each model.
     units: BTreeMap<String, Units>,
     pub(crate) models: Models,
+    /// The engine instead of the recipe's.
+    pub(crate) engine: Option<EngineRef>,
     /// Findings about the recipe and its files.
     pub(crate) findings: Vec<Finding>,
 }
@@ -108,6 +111,7 @@ impl Context {
             formats,
             units,
             models: Models::default(),
+            engine: None,
             findings,
             file,
         };

@@ -12,7 +12,7 @@ use oaktwin_pipeline::pair::PairOptions;
 use oaktwin_pipeline::render::{
     OakOptions, PairUse, PlacedCamera, Rig, RigSpec, depth_sensor_of, oak_cameras,
 };
-use oaktwin_pipeline::sensor::{EngineKind, EngineRef, Sensor, SensorOptions};
+use oaktwin_pipeline::sensor::{EngineKind, Sensor, SensorOptions};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -307,14 +307,13 @@ impl Context {
         let (aligned, added) = self.find_aligned(twin, &written)?;
         let mut names = self.camera_names();
         names.extend(added);
-        let engine = recipe
-            .sensor
-            .engine
-            .as_deref()
-            .map(EngineKind::parse)
-            .transpose()?;
+        let engine = match (&self.engine, &recipe.sensor.engine) {
+            (Some(engine), _) => Some(engine.clone()),
+            (None, Some(name)) => Some(EngineKind::parse(name)?.into()),
+            (None, None) => None,
+        };
         let sensor = SensorOptions {
-            engine: engine.map(EngineRef::from),
+            engine,
             preset: recipe.sensor.preset.clone(),
             filters: recipe.sensor.filters.0.clone(),
             parameters: self.parameters(frame),

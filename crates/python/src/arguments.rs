@@ -1,5 +1,7 @@
 //! Types of arguments that always have the same name, so that errors name them.
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use oaktwin::camera::math::DVec3;
 use pyo3::prelude::*;
 use pyo3::{Borrowed, FromPyObject};
@@ -15,6 +17,13 @@ pub(crate) struct Size(pub(crate) u32, pub(crate) u32);
 /// `frame`: the number of a frame.
 #[derive(Clone, Copy)]
 pub(crate) struct FrameNumber(pub(crate) u64);
+
+impl FrameNumber {
+    /// Returns the given number, or the next one of a counter.
+    pub(crate) fn or_next(given: Option<Self>, next: &AtomicU64) -> u64 {
+        given.map_or_else(|| next.fetch_add(1, Ordering::Relaxed), |frame| frame.0)
+    }
+}
 
 /// `annotators`: names.
 pub(crate) struct Annotators(pub(crate) Vec<String>);

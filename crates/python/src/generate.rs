@@ -1,29 +1,34 @@
 use std::path::{Path, PathBuf, absolute};
+use std::sync::Arc;
 
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use oaktwin::dataset::View;
 use oaktwin::generate::recipe::{RecipeFile, Texts};
 use oaktwin::generate::{GenerateError, GenerateOptions, Generated, Generator};
+use oaktwin::sensor::EngineRef;
 use pyo3::exceptions::{PyIndexError, PyTypeError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList, PySlice, PyTuple};
+use pyo3::types::{PyDict, PyList, PyRange, PySlice, PyTuple};
 
 use crate::arguments::{formats, frame, frames, optional};
 use crate::camera::Camera;
+use crate::engine::{PythonEngine, serve_all};
 use crate::error::{error, reading, wrong};
 use crate::layers::layers;
 use crate::models::Models;
 use crate::pose::{Of, rows};
 use crate::progress::Report;
+use crate::settings::{self, mistyped};
 use crate::{finding, json, threads};
 
 /// A recipe of a data set of random scenes, with its scenes and the list of its objects.
 ///
-/// path: the TOML file.
+/// source: the TOML file, or its contents as a mapping, whose paths are relative to the working directory.
 /// formats: the names of formats instead of the recipe's, such as ["bop", "coco"].
 /// seed: the seed instead of the recipe's.
 /// save_scenes: whether each arrangement is also written as a USD scene, scenes/NUMBER.usda.
 /// catalog: a folder of TOML files with additional devices and sensors.
+/// engine: an engine instead of the recipe's: its name, or a callable as for `DepthSensor`.
 ///
 /// A frame depends only on the recipe, the seed and its number: it has the same bytes on every machine, whichever frames are made
 /// before it. Unpickling reads the files again.
@@ -33,12 +38,62 @@ use crate::{finding, json, threads};
 #[pyclass(frozen, module = "oaktwin")]
 #[derive(Debug)]
 pub(crate) struct Recipe {
-    path: PathBuf,
+    source: Source,
     formats: Option<Vec<String>>,
     seed: Option<u64>,
     save_scenes: bool,
     models: Models,
+    engine: Option<EngineRef>,
     generator: Generator,
+}
+
+/// Where a recipe is from.
+#[derive(Debug)]
+enum Source {
+    File(PathBuf),
+    /// A mapping, with the folder that its paths are relative to.
+    Mapping(Py<PyAny>),
+}
+
+impl Source {
+    fn of(object: &Bound<'_, PyAny>) -> PyResult<Self> {
+        if object.hasattr("items")? {
+            return Ok(Self::Mapping(object.clone().unbind()));
+        }
+        let path = object.extract();
+        let kinds = "the path of a TOML file, or a mapping";
+        path.map(Self::File)
+            .map_err(|_| mistyped("source", object, kinds))
+    }
+
+    fn object<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        match self {
+            Self::File(path) => Ok(path.into_pyobject(py)?.into_any()),
+            Self::Mapping(mapping) => Ok(mapping.bind(py).clone()),
+        }
+    }
+}
+
+/// Reads `frames`: a range without gaps, or its ends.
+fn frame_range(object: &Bound<'_, PyAny>) -> PyResult<Option<(u64, u64)>> {
+    if object.is_none() {
+        return Ok(None);
+    }
+    let wrong = || {
+        mistyped(
+            "frames",
+            object,
+            "a range, or the first frame and the one after the last",
+        )
+    };
+    if object.is_instance_of::<PyRange>() {
+        let part = |name: &str| object.getattr(name)?.extract::<u64>();
+        return match (part("start"), part("stop"), part("step")) {
+            (Ok(start), Ok(stop), Ok(1)) => Ok(Some((start, stop))),
+            _ => Err(wrong()),
+        };
+    }
+    object.extract().map(Some).map_err(|_| wrong())
 }
 
 /// Whether Ray makes the frames, and where.
@@ -51,51 +106,77 @@ pub(crate) enum Ray {
 #[pymethods]
 impl Recipe {
     #[new]
-    #[pyo3(signature = (path, *, formats = None, seed = None, save_scenes = false, catalog = None))]
+    #[pyo3(signature = (source, *, formats = None, seed = None, save_scenes = false, catalog = None, engine = None))]
     fn new(
         py: Python<'_>,
-        path: PathBuf,
+        source: &Bound<'_, PyAny>,
         #[pyo3(from_py_with = formats)] formats: Option<Vec<String>>,
         #[pyo3(from_py_with = optional::seed)] seed: Option<u64>,
         save_scenes: bool,
         catalog: Option<PathBuf>,
+        engine: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         let models = Models::open(catalog)?;
+        let engine = engine
+            .map(|engine| settings::engine("engine", engine))
+            .transpose()?;
+        let source = Source::of(source)?;
+        let file = match &source {
+            Source::File(path) => threads::run(py, || RecipeFile::read(path))?
+                .map_err(|cause| reading(path, &GenerateError::from(cause)))?,
+            Source::Mapping(mapping) => {
+                let values: serde_json::Value = json::from_python("source", mapping.bind(py))?;
+                let folder = std::env::current_dir()?;
+                RecipeFile::of_values(&folder, &values).map_err(error)?
+            }
+        };
+        let path = file.path.clone();
         let generator = threads::run(py, || {
-            let mut file = RecipeFile::read(&path)?;
+            let mut file = file;
             if let Some(formats) = &formats {
                 file.recipe.output.formats = Texts(formats.clone());
             }
             file.recipe.seed = seed.unwrap_or(file.recipe.seed);
             file.recipe.output.scenes |= save_scenes;
-            Generator::open(file, models.get())
+            match engine.clone() {
+                Some(engine) => Generator::open_with(file, models.get(), engine),
+                None => Generator::open(file, models.get()),
+            }
         })?;
-        let generator = generator.map_err(|cause: GenerateError| reading(&path, &cause))?;
+        let generator = generator.map_err(|cause: GenerateError| match &source {
+            Source::File(_) => reading(&path, &cause),
+            Source::Mapping(_) => error(cause),
+        })?;
         Ok(Self {
-            path,
+            source,
             formats,
             seed,
             save_scenes,
             models,
+            engine,
             generator,
         })
     }
 
-    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<((&Path,), Bound<'py, PyDict>)> {
+    fn __getnewargs_ex__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<((Bound<'py, PyAny>,), Bound<'py, PyDict>)> {
         let options = PyDict::new(py);
         options.set_item("formats", &self.formats)?;
         options.set_item("seed", self.seed)?;
         options.set_item("save_scenes", self.save_scenes)?;
         options.set_item("catalog", self.models.folder())?;
-        Ok(((&self.path,), options))
+        options.set_item("engine", self.engine_object(py)?)?;
+        Ok(((self.source.object(py)?,), options))
     }
 
     fn __repr__(&self) -> String {
-        format!(
-            "<oaktwin.Recipe {} ({} frames)>",
-            self.path.display(),
-            self.frames()
-        )
+        let name = match &self.source {
+            Source::File(path) => path.display().to_string(),
+            Source::Mapping(_) => "of a mapping".to_owned(),
+        };
+        format!("<oaktwin.Recipe {name} ({} frames)>", self.frames())
     }
 
     /// The number of frames.
@@ -184,7 +265,7 @@ impl Recipe {
         if frames == 0 {
             return Err(wrong("frames", "is 0", "pass at least 1"));
         }
-        let sheet = threads::interruptible(py, progress, |task| {
+        let sheet = serve_all(py, self.python().as_slice(), progress, |task| {
             self.generator.preview(frames, &|progress| task.watch(progress))
         })?;
         let sheet = sheet.map_err(error)?;
@@ -195,7 +276,7 @@ impl Recipe {
     /// Generates the data set, or a part of it, in a folder, as oaktwin.generate does.
     ///
     /// output: the folder of the data set.
-    /// frames: the first frame and the frame after the last one, such as (0, 100); by default all frames of the recipe.
+    /// frames: the frames, such as range(0, 100), or the first one and the one after the last: (0, 100); by default all of the recipe.
     /// resume: whether an existing data set is completed or extended.
     /// workers: the number of frames to make at once; by default one per processor, or fewer if memory is short.
     /// only_frames: whether files that span frames are left to another call with resume=True. Several processes, also on several
@@ -215,7 +296,7 @@ impl Recipe {
         &self,
         py: Python<'_>,
         output: PathBuf,
-        frames: Option<(u64, u64)>,
+        #[pyo3(from_py_with = frame_range)] frames: Option<(u64, u64)>,
         resume: bool,
         #[pyo3(from_py_with = optional::workers)] workers: Option<usize>,
         only_frames: bool,
@@ -250,9 +331,25 @@ impl Recipe {
 }
 
 impl Recipe {
+    /// The engine, if it is written in Python.
+    fn python(&self) -> Option<Arc<PythonEngine>> {
+        self.engine.as_ref().and_then(PythonEngine::behind)
+    }
+
+    fn engine_object<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
+        Ok(match (&self.engine, self.python()) {
+            (_, Some(engine)) => Some(engine.object.bind(py).clone()),
+            (Some(engine), None) => Some(engine.name.to_string().into_pyobject(py)?.into_any()),
+            (None, None) => None,
+        })
+    }
+
     /// A frame in memory.
     fn sample<'py>(&self, py: Python<'py>, frame: u64) -> PyResult<Bound<'py, PyAny>> {
-        let made = threads::interruptible(py, Report::default(), |_| self.generator.sample(frame))?;
+        let engine = self.python();
+        let made = serve_all(py, engine.as_slice(), Report::default(), |_| {
+            self.generator.sample(frame)
+        })?;
         let (shots, findings) = made.map_err(error)?;
         finding::warn(py, &findings)?;
         let all = PyDict::new(py);
@@ -303,7 +400,7 @@ impl Recipe {
         options: &GenerateOptions,
         progress: Report,
     ) -> PyResult<Generated> {
-        let made = threads::interruptible(py, progress, |task| {
+        let made = serve_all(py, self.python().as_slice(), progress, |task| {
             self.generator
                 .generate(output, options, &|progress| task.watch(progress))
         })?;
@@ -328,7 +425,12 @@ impl Recipe {
         let mut generation = generation.map_err(error)?;
         if generation.total() > 0 {
             let job = PyDict::new(py);
-            job.set_item("recipe", absolute(&self.path)?)?;
+            let recipe = match &self.source {
+                Source::File(path) => absolute(path)?.into_pyobject(py)?.into_any(),
+                Source::Mapping(mapping) => mapping.bind(py).clone(),
+            };
+            job.set_item("recipe", recipe)?;
+            job.set_item("engine", self.engine_object(py)?)?;
             job.set_item("output", absolute(output)?)?;
             job.set_item("formats", &self.formats)?;
             job.set_item("seed", self.seed)?;

@@ -99,7 +99,7 @@ mod _oaktwin {
     #[pymodule_export]
     use super::scene::coverage::coverage;
     #[pymodule_export]
-    use super::sensor::DepthSensor;
+    use super::sensor::{DepthSensor, SensorBatch};
     #[pymodule_export]
     use super::stereo::StereoMatcher;
     #[pymodule_export]
@@ -118,7 +118,7 @@ mod _oaktwin {
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         oaktwin::panics::hide_contained();
-        for class in ["DepthSensor", "Filter", "StereoMatcher"] {
+        for class in ["DepthSensor", "Filter", "SensorBatch", "StereoMatcher"] {
             let class = module.getattr(class)?;
             class.setattr("__call__", class.getattr("_call")?)?;
         }

@@ -176,7 +176,7 @@ impl Rig {
         frame: Option<FrameNumber>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let world_from_body = Of::Body.one("world_from_body", world_from_body)?;
-        let number = self.number(frame);
+        let number = FrameNumber::or_next(frame, &self.next_frame);
         let stage = scene.read(py);
         let renderer = &stage.renderer;
         let shots = serve_all(py, self.engine.as_slice(), Report::default(), |_| {
@@ -223,7 +223,7 @@ impl Rig {
         let rgb = rgba.and_then(|rgba| Image::new(width, height, rgba.into_owned()));
         let depth = Image::new(width, height, depth.slice()?.metres().into_owned()).map(ZDepth);
         let depth = depth.ok_or_else(|| wrong("depth", "has no pixels", "pass an image (H, W)"))?;
-        let number = self.number(frame);
+        let number = FrameNumber::or_next(frame, &self.next_frame);
         let measured = serve_all(py, self.engine.as_slice(), Report::default(), |_| {
             self.rig().measure(depth, rgb, number)
         })?;
@@ -275,11 +275,6 @@ impl Rig {
             rig.reset();
         }
         rig
-    }
-
-    fn number(&self, given: Option<FrameNumber>) -> u64 {
-        let next = || self.next_frame.fetch_add(1, Ordering::Relaxed);
-        given.map_or_else(next, |frame| frame.0)
     }
 }
 

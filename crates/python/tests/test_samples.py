@@ -101,3 +101,73 @@ def test_torch_loads_samples(folder: Path) -> None:
 
     batches = list(data.DataLoader(recipe, batch_size=2, collate_fn=only_depth))
     assert [batch.shape[0] for batch in batches] == [2, 2]
+
+
+def doubled(depth: np.ndarray) -> np.ndarray:
+    """An engine that pickles."""
+    return depth * 2
+
+
+def nearest(left: np.ndarray, right: np.ndarray, focal_length: float, baseline: float) -> np.ndarray:
+    """A matcher that sees a wall at 2 m."""
+    assert left.shape == right.shape and left.dtype == np.uint8
+    return np.full(left.shape, focal_length * baseline / 2)
+
+
+def test_an_engine_of_ones_own(folder: Path) -> None:
+    recipe = oaktwin.Recipe(folder / "recipe.toml", engine=doubled)
+    for sample in [recipe[1], pickle.loads(pickle.dumps(recipe))[1]]:
+        exact, measured = sample["distance_to_image_plane"], sample["depth_sensor_distance"]
+        assert np.array_equal(measured, np.where(np.isfinite(exact), exact * 2, 0))
+    oaktwin.generate(folder / "recipe.toml", folder / "set", engine=doubled, frames=range(1, 2), workers=2)
+    saved = np.load(folder / "set/depth_sensor_distance_0001.npy")
+    assert np.array_equal(saved, measured)
+    # The data set names the engine, and is not completed with another one.
+    with pytest.raises(oaktwin.Error, match="recipe"):
+        oaktwin.generate(folder / "recipe.toml", folder / "set", resume=True)
+    oaktwin.generate(folder / "recipe.toml", folder / "set", engine=doubled, resume=True)
+    matched = oaktwin.Recipe(folder / "recipe.toml", engine=nearest)[0]["depth_sensor_distance"]
+    assert np.allclose(matched[matched > 0], 2.0) and np.mean(matched > 0) > 0.5
+    by_name = oaktwin.Recipe(folder / "recipe.toml", engine="single-view")[0]["depth_sensor_distance"]
+    assert not np.array_equal(by_name, recipe[0]["depth_sensor_distance"])
+
+
+def test_an_engine_that_raises(folder: Path) -> None:
+    def broken(depth: np.ndarray) -> np.ndarray:
+        raise ValueError("no luck")
+
+    recipe = oaktwin.Recipe(folder / "recipe.toml", engine=broken)
+    with pytest.raises(oaktwin.Error) as caught:
+        recipe[0]
+    assert "no luck" in f"{caught.value} {caught.value.__cause__}"
+    with pytest.raises(oaktwin.Error):
+        recipe.generate(folder / "set")
+    with pytest.raises(oaktwin.Error, match="engine: "):
+        oaktwin.Recipe(folder / "recipe.toml", engine=3)  # type: ignore[arg-type]
+
+
+def test_a_recipe_of_a_mapping(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    tomllib = pytest.importorskip("tomllib")
+    values = tomllib.loads((folder / "recipe.toml").read_text())
+    monkeypatch.chdir(folder)
+    recipe = oaktwin.Recipe(values)
+    assert same(recipe[2], oaktwin.Recipe(folder / "recipe.toml")[2])
+    assert same(pickle.loads(pickle.dumps(recipe))[0], recipe[0])
+    assert "4 frames" in repr(recipe)
+    changed = {**values, "frames": np.int64(2), "scene": Path(values["scene"])}
+    assert oaktwin.Recipe(changed).frames == 2
+    oaktwin.generate(changed, folder / "of_mapping", frames=(0, 1))
+    oaktwin.generate(folder / "recipe.toml", folder / "of_file", frames=range(1))
+    name = "depth_sensor_distance_0000.npy"
+    assert (folder / "of_mapping" / name).read_bytes() == (folder / "of_file" / name).read_bytes()
+    for wrong, expected in [
+        ({**values, "framez": 3}, "recipe: unknown key 'framez'.*frames"),
+        ({**values, "frames": 0}, "recipe: frames: 0 is out of range"),
+        ({**values, "seed": float("nan")}, "source: contains NaN"),
+        (3, "source: invalid value 3; pass the path of a TOML file, or a mapping"),
+    ]:
+        with pytest.raises(oaktwin.Error, match=expected):
+            oaktwin.Recipe(wrong)  # type: ignore[arg-type]
+    for frames in [range(0, 4, 2), (1,), "all"]:
+        with pytest.raises(oaktwin.Error, match="frames: invalid value"):
+            recipe.generate(folder / "no", frames=frames)  # type: ignore[arg-type]

@@ -288,7 +288,7 @@ def test_bad_calls(device, room):
         (oaktwin.Error, "annotators: must be a list", lambda: sensor.annotate(depth, annotators="rgb")),
         (oaktwin.Error, "size: invalid value (-640, 400)", lambda: sensor.align(depth, size=(-640, 400))),
         (oaktwin.Error, "device_seed: is for batches", lambda: sensor(depth, device_seed=[1])),
-        (oaktwin.Error, "seed: has 2 seeds, but the batch 1", lambda: sensor(depth[None], seed=[1, 2])),
+        (oaktwin.Error, "seed: has 2 numbers for 1 images", lambda: sensor(depth[None], seed=[1, 2])),
         (oaktwin.Error, "seed: invalid value -1; pass a whole number", lambda: oaktwin.DepthSensor(device, seed=-1)),
         (oaktwin.Error, "filters: must be a list", lambda: oaktwin.DepthSensor(device, filters="median")),
         (TypeError, "did you mean 'seed'?", lambda: oaktwin.DepthSensor(device, sed=1)),

@@ -63,6 +63,17 @@ impl Stream {
         }
     }
 
+    /// Returns the random numbers of an episode, in which frames count from 0 again. Episode 0 has this stream's own.
+    #[must_use]
+    pub const fn episode(&self, number: u64) -> Self {
+        if number == 0 {
+            return *self;
+        }
+        Self {
+            key: mix(self.key ^ mix(!number)),
+        }
+    }
+
     /// Returns the random numbers of one stage of one image. Frame numbers are taken modulo 2³².
     #[must_use]
     #[expect(

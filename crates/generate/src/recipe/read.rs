@@ -6,6 +6,7 @@ use oaktwin_catalog::{CatalogError, Document};
 use oaktwin_files::{self as files, FileError};
 
 use oaktwin_base::parameter::Table;
+use serde::Serialize;
 
 use super::{
     Appearance, CameraRule, DriftRule, ObjectRule, Quantity, Recipe, RecipeFile, Region, Target, UnitRule,
@@ -41,6 +42,32 @@ impl RecipeFile {
             path: path.to_owned(),
             recipe: Recipe::parse(path, text)?,
         })
+    }
+}
+
+impl RecipeFile {
+    /// Makes a recipe of the values that a file would have. Their paths are relative to a folder.
+    ///
+    /// # Errors
+    /// Returns an error with the remedy if the values are not a valid recipe.
+    pub fn of_values(folder: &Path, values: &impl Serialize) -> Result<Self, CatalogError> {
+        let name = Path::new("recipe");
+        let parsed = toml::to_string(values)
+            .map_err(|error| CatalogError {
+                file: name.to_owned(),
+                line: None,
+                problem: error.to_string(),
+                remedy: "give tables, lists, texts and numbers".to_owned(),
+            })
+            .and_then(|text| Recipe::parse(name, &text));
+        match parsed {
+            Ok(recipe) => Ok(Self {
+                path: folder.join(name),
+                recipe,
+            }),
+            // The values have no lines.
+            Err(error) => Err(CatalogError { line: None, ..error }),
+        }
     }
 }
 

@@ -15,6 +15,7 @@ use oaktwin_base::diagnostic::Finding;
 use oaktwin_catalog::Catalog;
 use oaktwin_dataset::{Format, Shot};
 use oaktwin_pipeline::progress::Watch;
+use oaktwin_pipeline::sensor::EngineRef;
 use serde_json::Value;
 
 use crate::GenerateError;
@@ -79,6 +80,21 @@ impl Generator {
     pub fn open(file: RecipeFile, catalog: &Catalog) -> Result<Self, GenerateError> {
         Ok(Self {
             context: Arc::new(Context::open(file, catalog)?),
+            shown: Mutex::default(),
+        })
+    }
+
+    /// Measures with another engine than the recipe's, such as one of another crate. The data set names it in its recipe.
+    ///
+    /// # Errors
+    /// Returns an error if a file of the recipe cannot be read.
+    pub fn open_with(file: RecipeFile, catalog: &Catalog, engine: EngineRef) -> Result<Self, GenerateError> {
+        let mut file = file;
+        file.recipe.sensor.engine = Some(engine.name.to_string());
+        let mut context = Context::open(file, catalog)?;
+        context.engine = Some(engine);
+        Ok(Self {
+            context: Arc::new(context),
             shown: Mutex::default(),
         })
     }

@@ -28,7 +28,7 @@ from ._oaktwin import __version__, set_memory_limit
 from ._poses import BodyPose, CameraPose
 from ._rigs import Rig
 from ._scenes import Mesh, Recording, Scene, annotators
-from ._sensors import DepthSensor, StereoMatcher
+from ._sensors import DepthSensor, SensorBatch, StereoMatcher
 from ._shots import Shot
 from ._stream import Observation, Stream
 from ._worlds import Worlds
@@ -54,6 +54,7 @@ __all__ = [
     "Rig",
     "Sample",
     "Scene",
+    "SensorBatch",
     "Shot",
     "StereoMatcher",
     "Stream",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from ._cameras import Camera
     from ._poses import CameraPose
-    from ._types import _Progress
+    from ._types import _Callable, _Engine, _Progress
 
     _Layers = dict[str, Any]
 else:
@@ -59,15 +59,16 @@ class Sample(_Layers):
 
 
 def generate(
-    recipe: str | PathLike[str],
+    recipe: str | PathLike[str] | Mapping[str, object],
     output: str | PathLike[str],
     *,
-    frames: tuple[int, int] | None = None,
+    frames: range | tuple[int, int] | None = None,
     resume: bool = False,
     formats: Sequence[str] | None = None,
     seed: int | None = None,
     save_scenes: bool = False,
     catalog: str | PathLike[str] | None = None,
+    engine: _Engine | _Callable | None = None,
     workers: int | None = None,
     only_frames: bool = False,
     ray: bool | str = False,
@@ -75,14 +76,15 @@ def generate(
 ) -> dict[str, int]:
     """Generates a data set of random scenes from a recipe, as `oaktwin generate` does.
 
-    recipe: the TOML file.
+    recipe: the TOML file, or its contents as a mapping, whose paths are relative to the working directory.
     output: the folder of the data set.
-    frames: the first frame and the frame after the last one, such as (0, 100); by default all frames of the recipe.
+    frames: the frames, such as range(0, 100), or the first one and the one after the last: (0, 100); by default all of the recipe.
     resume: whether an existing data set is completed or extended.
     formats: the names of formats instead of the recipe's, such as ["bop", "coco"].
     seed: the seed instead of the recipe's.
     save_scenes: whether each arrangement is also written as a USD scene, scenes/NUMBER.usda.
     catalog: a folder of TOML files with additional devices and sensors.
+    engine: an engine instead of the recipe's: its name, or a callable as for `DepthSensor`.
     workers: the number of frames to make at once; by default one per processor, or fewer if memory is short.
     only_frames: whether files that span frames are left to another call with resume=True. Several processes, also on several
         machines with a common folder, can make different frames of one data set in this way.
@@ -97,5 +99,5 @@ def generate(
     Warns with oaktwin.FindingWarning. Raises oaktwin.Error for an invalid recipe or an impossible placement, and ImportError without
     Ray: `pip install oaktwin[ray]`; what is complete remains and can be resumed, also after Ctrl-C.
     """
-    opened = Recipe(recipe, formats=formats, seed=seed, save_scenes=save_scenes, catalog=catalog)
+    opened = Recipe(recipe, formats=formats, seed=seed, save_scenes=save_scenes, catalog=catalog, engine=engine)
     return opened.generate(output, frames=frames, resume=resume, workers=workers, only_frames=only_frames, ray=ray, progress=progress)

@@ -18,7 +18,7 @@ from ._findings import Error as Error, Finding as Finding, FindingWarning as Fin
 from ._images import Filter as Filter, align as align
 from ._rigs import Rig as Rig
 from ._scenes import Mesh as Mesh, Recipe as Recipe, Recording as Recording, Scene as Scene, annotators as annotators
-from ._sensors import DepthSensor as DepthSensor, StereoMatcher as StereoMatcher
+from ._sensors import DepthSensor as DepthSensor, SensorBatch as SensorBatch, StereoMatcher as StereoMatcher
 from ._types import _Array, _Json, _Progress, _SensorOptions
 from ._worlds import Worlds as Worlds
 
@@ -36,6 +36,7 @@ __all__ = [
     "Rectification",
     "Rig",
     "Scene",
+    "SensorBatch",
     "StereoMatcher",
     "Worlds",
     "__version__",

@@ -35,7 +35,7 @@ def opened(job: dict[str, Any]) -> Recipe:
     key = repr(job)
     if key not in last:
         last.clear()
-        options = {name: job[name] for name in ("formats", "seed", "save_scenes", "catalog")}
+        options = {name: job[name] for name in ("formats", "seed", "save_scenes", "catalog", "engine")}
         last[key] = Recipe(job["recipe"], **options)
     return last[key]
 

@@ -12,7 +12,7 @@ from ._datasets import Sample
 from ._devices import Device
 from ._findings import Finding
 from ._poses import BodyPose, CameraPose, Poses
-from ._types import _Array, _Backend, _Drift, _Float64, _Json, _Pair, _Progress, _Rendered, _SceneAnnotator, _Up
+from ._types import _Array, _Backend, _Callable, _Drift, _Engine, _Float64, _Json, _Pair, _Progress, _Rendered, _SceneAnnotator, _Up
 
 __all__ = ["Mesh", "Recipe", "Recording", "Scene", "annotators"]
 
@@ -327,11 +327,12 @@ def annotators() -> dict[str, str]:
 class Recipe:
     """A recipe of a data set of random scenes, with its scenes and the list of its objects.
 
-    path: the TOML file.
+    source: the TOML file, or its contents as a mapping, whose paths are relative to the working directory.
     formats: the names of formats instead of the recipe's, such as ["bop", "coco"].
     seed: the seed instead of the recipe's.
     save_scenes: whether each arrangement is also written as a USD scene, scenes/NUMBER.usda.
     catalog: a folder of TOML files with additional devices and sensors.
+    engine: an engine instead of the recipe's: its name, or a callable as for `DepthSensor`.
 
     A frame depends only on the recipe, the seed and its number: it has the same bytes on every machine, whichever frames are made
     before it. Unpickling reads the files again.
@@ -341,14 +342,15 @@ class Recipe:
     """
     def __new__(
         cls,
-        path: str | PathLike[str],
+        source: str | PathLike[str] | Mapping[str, object],
         *,
         formats: Sequence[str] | None = None,
         seed: int | None = None,
         save_scenes: bool = False,
         catalog: str | PathLike[str] | None = None,
+        engine: _Engine | _Callable | None = None,
     ) -> Recipe: ...
-    def __getnewargs_ex__(self) -> tuple[tuple[str], dict[str, object]]: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[object], dict[str, object]]: ...
     @property
     def frames(self) -> int:
         """The number of frames."""
@@ -373,7 +375,7 @@ class Recipe:
         self,
         output: str | PathLike[str],
         *,
-        frames: tuple[int, int] | None = None,
+        frames: range | tuple[int, int] | None = None,
         resume: bool = False,
         workers: int | None = None,
         only_frames: bool = False,
@@ -383,7 +385,7 @@ class Recipe:
         """Generates the data set, or a part of it, in a folder, as oaktwin.generate does.
 
         output: the folder of the data set.
-        frames: the first frame and the frame after the last one, such as (0, 100); by default all frames of the recipe.
+        frames: the frames, such as range(0, 100), or the first one and the one after the last: (0, 100); by default all of the recipe.
         resume: whether an existing data set is completed or extended.
         workers: the number of frames to make at once; by default one per processor, or fewer if memory is short.
         only_frames: whether files that span frames are left to another call with resume=True. Several processes, also on several

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from typing import TYPE_CHECKING, Any
 
 from . import _oaktwin
@@ -32,6 +33,8 @@ def as_json(argument: str, value: Any) -> str:
     def plain(one: Any) -> Any:
         if hasattr(one, "tolist"):
             return one.tolist()
+        if hasattr(one, "__fspath__"):
+            return os.fspath(one)
         raise TypeError(f"{argument}: contains {type(one).__name__}; pass texts, numbers, lists and dictionaries")
 
     if not hasattr(value, "items"):

@@ -62,7 +62,12 @@ impl PythonEngine {
 
     /// Returns the engine of options, if it is written in Python.
     pub(crate) fn in_options(options: &SensorOptions) -> Option<Arc<Self>> {
-        let Some(EngineRef::Shared(kind)) = &options.engine else {
+        options.engine.as_ref().and_then(Self::behind)
+    }
+
+    /// Returns an engine, if it is written in Python.
+    pub(crate) fn behind(engine: &EngineRef) -> Option<Arc<Self>> {
+        let EngineRef::Shared(kind) = engine else {
             return None;
         };
         let engine = kind.create(&Setup::new(1.0, 1, 1.0)).ok()?;

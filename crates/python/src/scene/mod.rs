@@ -328,8 +328,7 @@ impl Scene {
         };
         let options = settings.options(device)?;
         let world_from_body = Of::Body.one("world_from_body", world_from_body)?;
-        let next = || self.next_frame.fetch_add(1, Ordering::Relaxed);
-        let frame = frame.map_or_else(next, |frame| frame.0);
+        let frame = FrameNumber::or_next(frame, &self.next_frame);
         py.check_signals()?;
         let stage = self.read(py);
         let renderer = &stage.renderer;

@@ -8,6 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use super::DepthSensor;
+use super::units::notice_image;
 use crate::arguments::{Annotators, FrameNumber};
 use crate::engine::away;
 use crate::error::{error, wrong};
@@ -53,7 +54,7 @@ impl DepthSensor {
         })?;
         let distance = seen.depth_sensor_distance.as_ref();
         let is_lost = distance.is_some_and(|z| z.0.pixels().iter().all(|metres| *metres == 0.0));
-        self.notice_image(py, depth.slice()?, is_lost, pictures.is_some())?;
+        notice_image(&self.notices, py, depth.slice()?, is_lost, pictures.is_some())?;
         let all = PyDict::new(py);
         for annotator in asked {
             let data = seen.take(annotator).ok_or_else(|| not_made(annotator))?;
@@ -67,13 +68,13 @@ impl DepthSensor {
     }
 }
 
-fn not_made(annotator: Annotator) -> PyErr {
+pub(super) fn not_made(annotator: Annotator) -> PyErr {
     let remedy = "give rgb=, or use the engine single-view";
     wrong(annotator.name(), "is not made of what was given", remedy)
 }
 
 /// Returns the depth sensor annotator with a name.
-fn sensor_annotator(name: &str) -> PyResult<Annotator> {
+pub(super) fn sensor_annotator(name: &str) -> PyResult<Annotator> {
     let found = annotator(name).map_err(error)?;
     if found.is_depth_sensor() {
         return Ok(found);

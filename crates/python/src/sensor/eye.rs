@@ -34,6 +34,18 @@ pub(super) struct Source {
 }
 
 impl Source {
+    /// The same settings for another unit.
+    pub(super) fn of_twin(&self, twin: &Arc<Twin>) -> PyResult<Self> {
+        let kind = self.depth.spec.kind.as_str();
+        Ok(Self {
+            twin: Arc::clone(twin),
+            depth: sensor::depth_sensor(twin, Some(kind)).map_err(error)?.clone(),
+            options: self.options(),
+            seed: AtomicU64::new(self.seed()),
+            field_of_view: self.field_of_view,
+        })
+    }
+
     /// The camera of the model whose images the sensor measures.
     fn own(&self) -> PyResult<TwinCamera> {
         let spec = &self.depth.spec;

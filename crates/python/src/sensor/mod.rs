@@ -1,6 +1,8 @@
 mod annotate;
+mod batch;
 mod eye;
 mod image_camera;
+mod many;
 mod memory;
 mod sense;
 mod shoot;
@@ -9,7 +11,7 @@ mod units;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 
-use oaktwin::align::{self, AlignTo};
+use oaktwin::align::AlignTo;
 use oaktwin::camera::ImageSize;
 use oaktwin::sense::{self as sensing, FieldOfView};
 use oaktwin::sensor::{SensorOptions, depth_sensor};
@@ -17,21 +19,20 @@ use oaktwin::usd::asset::LensChoice;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+pub(crate) use batch::SensorBatch;
 use eye::{Eye, Source};
 use image_camera::field_of_view;
 use memory::Memory;
 use shoot::{Light, Shooting};
 use units::Units;
 
-use crate::align::aligned;
-use crate::arguments::{Annotators, FrameNumber, Size};
+use crate::arguments::{self, Annotators, FrameNumber, Size};
 use crate::camera::Camera;
 use crate::choice::named;
 use crate::device::Device;
 use crate::engine::PythonEngine;
 use crate::error::{error, wrong};
 use crate::finding::{self, Finding, Notices};
-use crate::images::{Depth, Out, Pictures};
 use crate::parameters::by_name;
 use crate::scene::Scene;
 use crate::settings::{fresh_seed, item_numbers, keywords, sensor_options, whole};
@@ -195,36 +196,7 @@ impl DepthSensor {
         device_seed: Option<&Bound<'py, PyAny>>,
         out: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let (depth, shape) = Depth::read("depth", depth)?;
-        self.check_measures_depth()?;
-        let pictures = rgb.map(|rgb| Pictures::read(rgb, shape)).transpose()?;
-        let sensor = self.of_size(py, shape.size)?;
-        let (width, height) = sensor.filters().size(shape.size.width, shape.size.height);
-        let out_shape = shape.sized(ImageSize::new(width, height));
-        let (result, mut out) = Out::of(py, out, out_shape, &depth)?;
-        let values = depth.slice()?;
-        let mut room = out.slice()?;
-        let items = self.items(shape, &sensor, seed, device_seed)?;
-        let frame = self.frame(frame);
-        let rgb = pictures.as_ref().map(Pictures::rgba).transpose()?;
-        let rgb = rgb.as_deref();
-        if shape.batch.is_some() {
-            self.batch(
-                py,
-                &items,
-                values,
-                rgb,
-                shape,
-                frame,
-                out_shape.pixels(),
-                &mut room,
-            )?;
-        } else {
-            drop(items);
-            self.image(py, sensor, values, rgb, shape.size, frame, &mut room)?;
-        }
-        self.notice(py, values, shape, &room, rgb.is_some())?;
-        Ok(result)
+        self.measured(py, depth, rgb, frame, (seed, device_seed), out)
     }
 
     /// The outputs of Isaac Sim's depth sensor annotators for one image, from one measurement.
@@ -297,6 +269,39 @@ impl DepthSensor {
         )
     }
 
+    /// The sensors of `count` simultaneous images, such as the environments of a simulator, each with its own unit, parameters and episodes.
+    ///
+    /// count: the number of items.
+    /// seeds, device_seeds: a seed for each item, as in a call.
+    /// parameters: parameters of the engine that differ between items, by name, such as `{"jitter": array}`: an array with a value for each
+    ///     item, or one value for all. They override those of the sensor.
+    /// drift: the same for the change of the stereo pair, such as `{"yaw": array}`.
+    /// units: a `Device` for each item, such as `device.population(count)`: units of one model with their calibrations.
+    ///
+    /// Returns a `SensorBatch`, which has this sensor's settings, and numbers frames from 0 on.
+    ///
+    /// Raises oaktwin.Error for sequences of another length, and for values that the sensor would reject, with the number of the item.
+    #[pyo3(signature = (count, *, seeds = None, device_seeds = None, parameters = None, drift = None, units = None))]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
+    fn batch(
+        slf: &Bound<'_, Self>,
+        #[pyo3(from_py_with = arguments::count)] count: u64,
+        seeds: Option<&Bound<'_, PyAny>>,
+        device_seeds: Option<&Bound<'_, PyAny>>,
+        parameters: Option<&Bound<'_, PyAny>>,
+        drift: Option<&Bound<'_, PyAny>>,
+        units: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<SensorBatch> {
+        let given = [
+            ("seeds", seeds),
+            ("device_seeds", device_seeds),
+            ("parameters", parameters),
+            ("drift", drift),
+            ("units", units),
+        ];
+        SensorBatch::new(slf, count, given)
+    }
+
     /// Starts a new sequence: temporal filters forget earlier images. The numbering of frames continues, so that no noise repeats.
     ///
     /// items: the numbers of the items of batches that start a new sequence, or a mask; the others, and the (H, W) images, go on.
@@ -359,21 +364,7 @@ impl DepthSensor {
             fill: named("fill", fill)?,
             z: z.map(|z| named("z", z)).transpose()?,
         };
-        let (depth, shape) = Depth::read("depth", depth)?;
-        let eye = self.now(py, None)?;
-        let seen = eye.camera.intrinsics.size;
-        let filters = eye.sensor.filters();
-        // The output of a decimating sensor belongs to larger images.
-        let of_images = if filters.size(seen.width, seen.height) == (shape.size.width, shape.size.height) {
-            seen
-        } else {
-            shape.size
-        };
-        let eye = self.source.eye(Some(of_images))?;
-        let (twin, depth_sensor) = (&self.source.twin, &self.source.depth);
-        let align = align::align_to(twin, depth_sensor, &eye.sensor, &eye.camera, &to, self.lens);
-        let align = align.map_err(error)?;
-        aligned(py, &align, &depth, shape, out)
+        self.aligned_to(py, depth, &to, out)
     }
 
     /// The Camera that the outputs are images of, for the most recent image size: the images' camera, made smaller by a

@@ -1,23 +1,90 @@
+//! The measurement of images, and its alignment.
+
 use std::sync::Arc;
 
+use oaktwin::align::{self, AlignTo};
 use oaktwin::camera::ImageSize;
 use oaktwin::image::ImageView;
 use oaktwin::sensor::{Sensor, Shot};
 use pyo3::prelude::*;
-use rayon::prelude::*;
 
 use super::DepthSensor;
-use super::memory::Images;
-use super::units::Items;
+use super::many::Batch;
+use super::units::notice;
+use crate::align::aligned;
+use crate::arguments::FrameNumber;
 use crate::engine::away;
 use crate::error::{error, wrong};
-use crate::images::{DepthSlice, OutSlice, Shape, part};
+use crate::images::{Depth, DepthSlice, Out, OutSlice, Pictures};
 use crate::threads;
 
-/// The number of pixels of a batch between two checks for signals.
-const PIXELS_AT_ONCE: usize = 1 << 23;
-
 impl DepthSensor {
+    /// Measures a depth image or a batch.
+    pub(super) fn measured<'py>(
+        &self,
+        py: Python<'py>,
+        depth: &Bound<'py, PyAny>,
+        rgb: Option<&Bound<'py, PyAny>>,
+        frame: Option<FrameNumber>,
+        (seed, device_seed): (Option<&Bound<'py, PyAny>>, Option<&Bound<'py, PyAny>>),
+        out: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let (depth, shape) = Depth::read("depth", depth)?;
+        self.check_measures_depth()?;
+        let pictures = rgb.map(|rgb| Pictures::read(rgb, shape)).transpose()?;
+        let sensor = self.of_size(py, shape.size)?;
+        let (width, height) = sensor.filters().size(shape.size.width, shape.size.height);
+        let out_shape = shape.sized(ImageSize::new(width, height));
+        let (result, mut out) = Out::of(py, out, out_shape, &depth)?;
+        let values = depth.slice()?;
+        let mut room = out.slice()?;
+        let frame = self.frame(frame);
+        let items = self.items(shape, &sensor, frame, seed, device_seed)?;
+        let rgb = pictures.as_ref().map(Pictures::rgba).transpose()?;
+        let rgb = rgb.as_deref();
+        if shape.batch.is_some() {
+            let batch = Batch {
+                items: &items,
+                memory: &self.memory,
+                engine: self.engine.as_ref(),
+                depth: values,
+                rgb,
+                shape,
+            };
+            batch.sense(py, out_shape.pixels(), &mut room)?;
+        } else {
+            drop(items);
+            self.image(py, sensor, values, rgb, shape.size, frame, &mut room)?;
+        }
+        notice(&self.notices, py, values, shape, &room, rgb.is_some())?;
+        Ok(result)
+    }
+
+    /// Reprojects the outputs of the sensor to another camera.
+    pub(super) fn aligned_to<'py>(
+        &self,
+        py: Python<'py>,
+        depth: &Bound<'py, PyAny>,
+        to: &AlignTo,
+        out: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let (depth, shape) = Depth::read("depth", depth)?;
+        let eye = self.now(py, None)?;
+        let seen = eye.camera.intrinsics.size;
+        let filters = eye.sensor.filters();
+        // The output of a decimating sensor belongs to larger images.
+        let of_images = if filters.size(seen.width, seen.height) == (shape.size.width, shape.size.height) {
+            seen
+        } else {
+            shape.size
+        };
+        let eye = self.source.eye(Some(of_images))?;
+        let (twin, depth_sensor) = (&self.source.twin, &self.source.depth);
+        let align = align::align_to(twin, depth_sensor, &eye.sensor, &eye.camera, to, self.lens);
+        let align = align.map_err(error)?;
+        aligned(py, &align, &depth, shape, out)
+    }
+
     /// Measures one image with a copy of the sensor, or with the sensor itself if it has memory.
     #[expect(clippy::too_many_arguments, reason = "an image and where it goes")]
     pub(super) fn image(
@@ -73,72 +140,5 @@ impl DepthSensor {
                 Ok(())
             })
         })
-    }
-
-    #[expect(clippy::too_many_arguments, reason = "a batch and where it goes")]
-    pub(super) fn batch(
-        &self,
-        py: Python<'_>,
-        items: &Items,
-        depth: DepthSlice<'_>,
-        rgb: Option<&[[u8; 4]]>,
-        shape: Shape,
-        frame: u64,
-        out_pixels: usize,
-        out: &mut OutSlice<'_>,
-    ) -> PyResult<()> {
-        let [count, height, width] = shape.of_batch();
-        let pixels = shape.pixels();
-        let at_once = (PIXELS_AT_ONCE / pixels).max(1);
-        for first in (0..count).step_by(at_once) {
-            py.check_signals()?;
-            let many = at_once.min(count - first);
-            let depth = depth.part(first * pixels, many * pixels);
-            let rgb = rgb.map(|rgb| part(rgb, first * pixels, many * pixels));
-            let item = u32::try_from(first).map_err(|_| {
-                wrong(
-                    "depth",
-                    format_args!("has {count} images"),
-                    "give fewer than 2^32 at once",
-                )
-            })?;
-            if items.remember() || self.engine.is_some() {
-                away(py, self.engine.as_ref(), || {
-                    let metres = depth.metres();
-                    let images = Images {
-                        metres: &metres,
-                        rgb,
-                        size: shape.size,
-                        frame,
-                        first,
-                        count: many,
-                    };
-                    out.fill(first * out_pixels, many * out_pixels, |room| {
-                        self.memory.sense(items, &images, room)
-                    })
-                })?;
-                continue;
-            }
-            threads::run(py, || {
-                let metres = depth.metres();
-                out.fill(first * out_pixels, many * out_pixels, |room| match items {
-                    Items::Same(sensor) => {
-                        sensor.sense_batch(&metres, rgb, [many, height, width], frame, item, room)
-                    }
-                    Items::Own(items) => {
-                        let own = part(items, first, many)
-                            .par_iter()
-                            .zip(room.par_chunks_mut(out_pixels.max(1)));
-                        own.enumerate().try_for_each(|(index, ((sensor, number), room))| {
-                            let depth = part(&metres, index * pixels, pixels);
-                            let rgb = rgb.map(|rgb| part(rgb, index * pixels, pixels));
-                            sensor.sense_batch(depth, rgb, [1, height, width], frame, *number, room)
-                        })
-                    }
-                })
-            })?
-            .map_err(error)?;
-        }
-        Ok(())
     }
 }

@@ -1,7 +1,6 @@
-//! The items of a batch: each with the sensor of its own unit, or all with the same.
+//! The items of a call with a batch: each with the sensor of its own unit, or all with the same.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use oaktwin::camera::ImageSize;
@@ -10,8 +9,10 @@ use oaktwin::sensor::{Sensor, SensorOptions};
 use pyo3::prelude::*;
 
 use super::DepthSensor;
+use super::many::{Item, Items};
 use crate::arguments::FrameNumber;
 use crate::error::wrong;
+use crate::finding::Notices;
 use crate::images::{DepthSlice, OutSlice, Shape};
 use crate::settings::mistyped;
 
@@ -21,34 +22,10 @@ pub(super) struct Units(Mutex<(Option<ImageSize>, BySeeds)>);
 
 type BySeeds = BTreeMap<(u64, Option<u64>), Arc<Sensor>>;
 
-/// The items of a batch.
-pub(super) enum Items {
-    /// All with one sensor.
-    Same(Arc<Sensor>),
-    /// Each with its own sensor and item number.
-    Own(Vec<(Arc<Sensor>, u32)>),
-}
-
-impl Items {
-    /// The sensor of an item, and its number for the noise.
-    pub(super) fn of(&self, item: usize) -> Option<(&Sensor, u32)> {
-        match self {
-            Self::Same(sensor) => Some((sensor, u32::try_from(item).unwrap_or(u32::MAX))),
-            Self::Own(items) => items.get(item).map(|(sensor, number)| (&**sensor, *number)),
-        }
-    }
-
-    /// Whether the sensors have temporal filters.
-    pub(super) fn remember(&self) -> bool {
-        self.of(0).is_some_and(|(sensor, _)| sensor.remembers())
-    }
-}
-
 impl DepthSensor {
     /// Returns the frame number of a call.
     pub(super) fn frame(&self, given: Option<FrameNumber>) -> u64 {
-        let next = || self.next_frame.fetch_add(1, Ordering::Relaxed);
-        given.map_or_else(next, |frame| frame.0)
+        FrameNumber::or_next(given, &self.next_frame)
     }
 
     /// Returns the sensors of the items of a batch.
@@ -56,27 +33,21 @@ impl DepthSensor {
         &self,
         shape: Shape,
         sensor: &Arc<Sensor>,
+        frame: u64,
         seed: Option<&Bound<'_, PyAny>>,
         device_seed: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Items> {
-        let read = |name: &str, seeds: &Bound<'_, PyAny>| -> PyResult<Vec<u64>> {
-            let Some(count) = shape.batch else {
-                return Err(wrong(name, "is for batches", "set it in the constructor"));
-            };
-            let seeds: Vec<u64> = seeds
-                .try_iter()
-                .and_then(|all| all.map(|one| one?.extract()).collect())
-                .map_err(|_| mistyped(name, seeds, "a sequence of whole numbers from 0 to 2**64 - 1"))?;
-            if seeds.len() == count {
-                return Ok(seeds);
-            }
-            let is = format!("has {} seeds, but the batch {count} images", seeds.len());
-            Err(wrong(name, is, "pass a seed for each image"))
+        let read = |name: &str, seeds: &Bound<'_, PyAny>| match shape.batch {
+            Some(count) => numbers_of(name, seeds, count),
+            None => Err(wrong(name, "is for batches", "set it in the constructor")),
         };
         let seeds = seed.map(|seeds| read("seed", seeds)).transpose()?;
         let device_seeds = device_seed.map(|seeds| read("device_seed", seeds)).transpose()?;
         if seeds.is_none() && device_seeds.is_none() {
-            return Ok(Items::Same(Arc::clone(sensor)));
+            return Ok(Items::Same {
+                sensor: Arc::clone(sensor),
+                frame,
+            });
         }
         let mut items = Vec::with_capacity(shape.count());
         for item in 0..shape.count() {
@@ -85,13 +56,11 @@ impl DepthSensor {
             let device_seed = device_seeds
                 .as_ref()
                 .map_or(own.device_seed, |seeds| Some(seeds[item]));
-            // An item with its own seed is the only image of its sensor.
-            let number = if seeds.is_some() {
-                0
-            } else {
-                u32::try_from(item).unwrap_or(u32::MAX)
-            };
-            items.push((self.unit(shape.size, seed, device_seed)?, number));
+            items.push(Item {
+                sensor: self.unit(shape.size, seed, device_seed)?,
+                number: number(item, seeds.is_some()),
+                frame,
+            });
         }
         Ok(Items::Own(items))
     }
@@ -116,42 +85,62 @@ impl DepthSensor {
         sensors.insert((seed, device_seed), Arc::clone(&sensor));
         Ok(sensor)
     }
+}
 
-    /// Reports depth that is probably in another unit, and images that were lost.
-    pub(super) fn notice(
-        &self,
-        py: Python<'_>,
-        depth: DepthSlice<'_>,
-        shape: Shape,
-        out: &OutSlice<'_>,
-        has_rgb: bool,
-    ) -> PyResult<()> {
-        let pixels = shape.pixels();
-        let lost = out.first_empty(shape.count());
-        let image = depth.part(lost.unwrap_or(0) * pixels, pixels);
-        self.notice_image(py, image, lost.is_some(), has_rgb)
-    }
+/// Reports depth that is probably in another unit, and images that were lost.
+pub(super) fn notice(
+    notices: &Notices,
+    py: Python<'_>,
+    depth: DepthSlice<'_>,
+    shape: Shape,
+    out: &OutSlice<'_>,
+    has_rgb: bool,
+) -> PyResult<()> {
+    let pixels = shape.pixels();
+    let lost = out.first_empty(shape.count());
+    let image = depth.part(lost.unwrap_or(0) * pixels, pixels);
+    notice_image(notices, py, image, lost.is_some(), has_rgb)
+}
 
-    /// Reports an image that is probably in another unit, or that was lost.
-    pub(super) fn notice_image(
-        &self,
-        py: Python<'_>,
-        depth: DepthSlice<'_>,
-        is_lost: bool,
-        has_rgb: bool,
-    ) -> PyResult<()> {
-        let unit = match depth {
-            DepthSlice::Metres(_) => DepthUnit::Metres,
-            DepthSlice::Millimetres(_) => DepthUnit::Millimetres,
-        };
-        if let Some(finding) = sensing::check_unit(&depth.sampled(), unit) {
-            return self.notices.notice(py, Some(finding));
-        }
-        if is_lost {
-            return self
-                .notices
-                .notice(py, sensing::check_measured(&depth.metres(), &[], has_rgb));
-        }
-        Ok(())
+/// Reports an image that is probably in another unit, or that was lost.
+pub(super) fn notice_image(
+    notices: &Notices,
+    py: Python<'_>,
+    depth: DepthSlice<'_>,
+    is_lost: bool,
+    has_rgb: bool,
+) -> PyResult<()> {
+    let unit = match depth {
+        DepthSlice::Metres(_) => DepthUnit::Metres,
+        DepthSlice::Millimetres(_) => DepthUnit::Millimetres,
+    };
+    if let Some(finding) = sensing::check_unit(&depth.sampled(), unit) {
+        return notices.notice(py, Some(finding));
     }
+    if is_lost {
+        return notices.notice(py, sensing::check_measured(&depth.metres(), &[], has_rgb));
+    }
+    Ok(())
+}
+
+/// The number of an item for its noise. An item with its own seed is the only image of its sensor.
+pub(super) fn number(item: usize, has_own_seed: bool) -> u32 {
+    if has_own_seed {
+        0
+    } else {
+        u32::try_from(item).unwrap_or(u32::MAX)
+    }
+}
+
+/// Reads a number, such as a seed, for each item of a batch.
+pub(super) fn numbers_of(name: &str, numbers: &Bound<'_, PyAny>, count: usize) -> PyResult<Vec<u64>> {
+    let numbers: Vec<u64> = numbers
+        .try_iter()
+        .and_then(|all| all.map(|one| one?.extract()).collect())
+        .map_err(|_| mistyped(name, numbers, "a sequence of whole numbers from 0 to 2**64 - 1"))?;
+    if numbers.len() == count {
+        return Ok(numbers);
+    }
+    let is = format!("has {} numbers for {count} images", numbers.len());
+    Err(wrong(name, is, "pass one for each image"))
 }
