@@ -24,8 +24,9 @@ use state::State;
 /// pixel is (0, 0), so the centre of the image is ((width - 1) / 2, (height - 1) / 2).
 ///
 /// size, height: (width, height) of the image, px, or two numbers.
-/// K: camera matrix (3, 3), px; or give hfov_deg.
+/// K: camera matrix (3, 3), px; or give hfov_deg or vfov_deg.
 /// hfov_deg: horizontal field of view of an ideal centred camera, degrees between 0 and 180.
+/// vfov_deg: the vertical one instead, such as the `fovy` of MuJoCo.
 /// distortion: OpenCV's coefficients, up to 14 of the lens "opencv" (k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tx ty), up to 4 of
 ///     "fisheye"; none by default.
 /// lens: "pinhole", "opencv" or "fisheye"; by default "opencv" if distortion is given, otherwise "pinhole".
@@ -84,8 +85,8 @@ fn adapter<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
 #[pymethods]
 impl Camera {
     #[new]
-    #[pyo3(signature = (size, height = None, *, K = None, hfov_deg = None, distortion = None, lens = None, body_from_camera = None,
-        near = 0.01, far = 1e7, name = "camera"))]
+    #[pyo3(signature = (size, height = None, *, K = None, hfov_deg = None, vfov_deg = None, distortion = None, lens = None,
+        body_from_camera = None, near = 0.01, far = 1e7, name = "camera"))]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
     #[expect(non_snake_case, reason = "the usual name of the camera matrix")]
     #[expect(clippy::needless_pass_by_value, reason = "what PyO3 hands over")]
@@ -94,6 +95,7 @@ impl Camera {
         height: Option<&Bound<'_, PyAny>>,
         K: Option<Bound<'_, PyAny>>,
         hfov_deg: Option<f64>,
+        vfov_deg: Option<f64>,
         #[pyo3(from_py_with = distortion)] distortion: Option<Vec<f64>>,
         lens: Option<&str>,
         body_from_camera: Option<Bound<'_, PyAny>>,
@@ -106,7 +108,7 @@ impl Camera {
         let size = ImageSize::new(width, height);
         check_size(size).map_err(|found| error(format!("size: {found}")))?;
         warn(py, hfov_deg.and_then(check_hfov).as_slice())?;
-        let intrinsics = intrinsics::read(size, K.as_ref(), hfov_deg)?;
+        let intrinsics = intrinsics::read(size, K.as_ref(), hfov_deg, vfov_deg)?;
         let default = if distortion.is_some() { "opencv" } else { "pinhole" };
         let coefficients = distortion.unwrap_or_default();
         let lens = intrinsics::lens(lens.unwrap_or(default), &coefficients)?;

@@ -140,3 +140,15 @@ def test_wrong_shapes():
         camera.unproject(np.zeros((32, 24), np.float32))
     with pytest.raises(oaktwin.Error, match="has 3 poses for 2 images"):
         camera.unproject(np.zeros((2, 24, 32), np.float32), np.stack([np.eye(4)] * 3))
+
+
+def test_a_vertical_field_of_view():
+    camera = oaktwin.Camera((640, 480), vfov_deg=45)
+    assert camera.vfov_deg == pytest.approx(45, abs=1e-9)
+    assert camera.K[0, 0] == camera.K[1, 1] == pytest.approx(240 / np.tan(np.radians(22.5)))
+    for arguments, expected in [
+        ({"vfov_deg": 180}, "vfov_deg: 180 is out of range"),
+        ({"vfov_deg": 45, "hfov_deg": 60}, "K, hfov_deg, vfov_deg: exactly one is required"),
+    ]:
+        with pytest.raises(oaktwin.Error, match=expected):
+            oaktwin.Camera((640, 480), **arguments)

@@ -1,5 +1,6 @@
 """What people do with the package, each job as a short script: it runs, and is strictly typed."""
 
+import json
 import os
 import re
 import shutil
@@ -54,3 +55,17 @@ def test_they_are_strictly_typed(tmp_path):
         command = [sys.executable, "-m", "mypy", *options, *map(str, files)]
         done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, env=environment)
         assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_pyright_is_content(tmp_path):
+    pytest.importorskip("pyright")
+    started = subprocess.run([sys.executable, "-m", "pyright", "--version"], capture_output=True, text=True)
+    if started.returncode != 0:
+        # The package loads the program from npm when it first runs.
+        pytest.skip(f"pyright does not start: {started.stderr.strip()[-200:]}")
+    shutil.copytree(JOBS[0].parent, tmp_path / "jobs")
+    settings = {"include": ["jobs"], "typeCheckingMode": "strict"}
+    (tmp_path / "pyrightconfig.json").write_text(json.dumps(settings))
+    command = [sys.executable, "-m", "pyright", "--pythonpath", sys.executable, "--project", tmp_path]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr

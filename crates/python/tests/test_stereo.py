@@ -399,3 +399,12 @@ def test_parameters():
 def test_a_field_of_view_in_radians_is_reported():
     with pytest.warns(oaktwin.FindingWarning, match="looks like radians"):
         oaktwin.StereoMatcher(hfov_deg=1.2, baseline=0.075)
+
+
+def test_the_distortion_that_a_homography_leaves_is_reported(unit):
+    for rectify in ["homography", "mesh", "full"]:
+        matcher = oaktwin.StereoMatcher(unit, raw=True, rectify=rectify)
+        found = [finding for finding in matcher.findings if finding.code == "rectified-distortion"]
+        assert len(found) == (rectify == "homography")
+    (found,) = [one for one in oaktwin.StereoMatcher(unit, rectify="homography").findings if one.code == "rectified-distortion"]
+    assert "% of the pixels are off by more than 1 px" in found.message and 'rectify="mesh"' in found.remedy

@@ -14,8 +14,11 @@ import numpy.typing as npt
 from typing_extensions import assert_type
 
 import oaktwin
+from oaktwin.typing import SensorOptions
 
 device = oaktwin.Device("OAK4-D")
+options: SensorOptions = {"engine": "stereo-noise", "filters": ["median"]}
+oaktwin.DepthSensor(device, **options)
 camera = device.cameras["left"].resized(640, 400)
 assert_type(camera.K, npt.NDArray[np.float64])
 sensor = oaktwin.DepthSensor(device, engine="stereo-noise", filters=["median"], parameters={"window": 5}, seed=1)
@@ -48,9 +51,11 @@ assert_type(oaktwin.coverage(scene, device, np.eye(4), region="/World", height=[
 
 WRONG = '''
 import oaktwin
+import oaktwin.typing
 
 oaktwin.DepthSensor(oaktwin.Device("OAK4-D"), engine="none")
 oaktwin.DepthSensor(oaktwin.Device("OAK4-D"), None)
+options: oaktwin.typing.SensorOptions = {"engin": "stereo-noise"}
 oaktwin.Device("OAK4-D").nme
 oaktwin.StereoMatcher(fx=300, baseline=0.075, platform="rvc3")
 '''
@@ -76,7 +81,7 @@ def test_strict_users(tmp_path):
     assert done.returncode == 0, done.stdout + done.stderr
     (tmp_path / "wrong.py").write_text(WRONG)
     done = python(tmp_path, "mypy", "--strict", "wrong.py")
-    assert done.stdout.count("error:") == 4, done.stdout
+    assert done.stdout.count("error:") == 5, done.stdout
 
 
 def test_the_package_is_strict_itself(tmp_path):

@@ -20,6 +20,6 @@ mod rows;
 mod tests;
 
 pub use options::{EdgeFill, Method, RectifyOptions};
-pub use pair::StereoRectify;
+pub use pair::{RemainingDistortion, StereoRectify};
 pub use remap::Rectify;
 pub use rows::Grey;

@@ -27,6 +27,41 @@ pub(super) fn positions(
     }
 }
 
+/// The distances in pixels between the positions of a homography and of the lens, for pixels [`STEP`] apart.
+pub(super) fn remaining(
+    camera: &Camera,
+    rectified_from_camera: DMat3,
+    rectified: &Intrinsics,
+) -> impl Iterator<Item = f32> {
+    let coarse = coarse(rectified, 0);
+    let [straight, bent] = [Method::Homography, Method::Full]
+        .map(|method| positions(camera, rectified_from_camera, &coarse, method));
+    let inside = |x: f32, side: u32| x >= 0.0 && x <= side as f32;
+    let ImageSize { width, height } = camera.intrinsics.size;
+    straight
+        .into_iter()
+        .zip(bent)
+        // A pixel outside the raw image has no error.
+        .filter(move |([x, y], _)| inside(*x, width) && inside(*y, height))
+        .map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]))
+}
+
+/// The intrinsics of every [`STEP`]th pixel, with further ones at the end of rows and columns. The first pixel centre coincides.
+fn coarse(rectified: &Intrinsics, further: u32) -> Intrinsics {
+    let size = rectified.size;
+    let step = f64::from(STEP);
+    let centre = rectified.principal_point::<OpenCv>();
+    Intrinsics::new(
+        ImageSize::new(
+            size.width.div_ceil(STEP) + further,
+            size.height.div_ceil(STEP) + further,
+        ),
+        rectified.fx / step,
+        rectified.fy / step,
+        PixelPoint::<OpenCv>::new(centre.x / step, centre.y / step),
+    )
+}
+
 fn mesh(camera: &Camera, rectified_from_camera: DMat3, rectified: &Intrinsics) -> Vec<[f32; 2]> {
     let lens = match camera.lens {
         LensModel::OpenCvPinhole(lens) => LensModel::OpenCvPinhole(first_eight(&lens)),
@@ -34,16 +69,8 @@ fn mesh(camera: &Camera, rectified_from_camera: DMat3, rectified: &Intrinsics) -
     };
     let camera = Camera::new(camera.intrinsics, lens);
     let size = rectified.size;
-    let nodes = ImageSize::new(size.width.div_ceil(STEP) + 1, size.height.div_ceil(STEP) + 1);
-    // The nodes are the pixels of a smaller image whose first pixel centre coincides.
-    let step = f64::from(STEP);
-    let centre = rectified.principal_point::<OpenCv>();
-    let coarse = Intrinsics::new(
-        nodes,
-        rectified.fx / step,
-        rectified.fy / step,
-        PixelPoint::<OpenCv>::new(centre.x / step, centre.y / step),
-    );
+    let coarse = coarse(rectified, 1);
+    let nodes = coarse.size;
     let at: Vec<[f32; 2]> = undistort_rectify_map(&camera, rectified_from_camera, &coarse).collect();
     let node = |x: u32, y: u32| {
         at.get(y as usize * nodes.width as usize + x as usize)

@@ -126,6 +126,46 @@ fn a_homography_keeps_the_lens_distortion() {
 }
 
 #[test]
+fn measures_the_distortion_that_a_homography_leaves() {
+    let transform = RigidTransform::new(DMat3::IDENTITY, DVec3::new(-0.075, 0.0, 0.0));
+    let of = |k1: f64, method: Method| {
+        let mut coefficients = [0.0; 14];
+        coefficients[0] = k1;
+        let lens = LensModel::OpenCvPinhole(OpenCvPinhole::new(coefficients));
+        let camera = camera(SIZE, 800.0, 640.0, 400.0, lens);
+        let options = RectifyOptions {
+            method,
+            ..RectifyOptions::default()
+        };
+        StereoRectify::new(&camera, &camera, &transform, &options)
+            .unwrap()
+            .remaining()
+    };
+    // With r the normalized radius, k1 moves a pixel by f k1 r^3. The first pixel is in the corner.
+    let k1 = 0.1;
+    let corner = (320.0_f64 / 400.0).hypot(200.0 / 400.0);
+    let left = of(k1, Method::Homography);
+    assert!(
+        (left.max_px - 400.0 * k1 * corner.powi(3)).abs() < 1e-3,
+        "{left:?}"
+    );
+    // The share is what lies outside a circle of this radius.
+    let radius = (1.0 / (400.0 * k1)).cbrt() * 400.0;
+    let mut outside = 0;
+    for y in (0..400).step_by(16) {
+        for x in (0..640).step_by(16) {
+            outside += u32::from((f64::from(x) - 320.0).hypot(f64::from(y) - 200.0) > radius);
+        }
+    }
+    assert!(
+        (left.share - f64::from(outside) / (40.0 * 25.0)).abs() < 1e-9,
+        "{left:?}"
+    );
+    assert_eq!(of(0.0, Method::Homography).share, 0.0);
+    assert_eq!(of(k1, Method::Full), RemainingDistortion::default());
+}
+
+#[test]
 fn chooses_the_method_by_field_of_view() {
     let options = RectifyOptions::default();
     let method = |f| {

@@ -11,16 +11,19 @@ use crate::sensor::{
     Capture, Input, OutputCamera, ParameterError, Sensor, SensorOptions, foreign_processing,
     stereo_matching as sensor,
 };
-use oaktwin_base::diagnostic::Finding;
+use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 use oaktwin_camera::{Camera, ImageSize, Intrinsics, LensModel, RigidTransform, StereoGeometry};
 use oaktwin_catalog::{Role, Twin};
 use oaktwin_depth::filter::Chain;
 use oaktwin_depth::imager::Recorded;
 use oaktwin_depth::preset::Platform;
-use oaktwin_depth::rectify::{Method, RectifyOptions, StereoRectify};
+use oaktwin_depth::rectify::{Method, RectifyOptions, RemainingDistortion, StereoRectify};
 use oaktwin_depth::stereo_matching::{self, Pair, VERTICAL_OFFSET};
 use oaktwin_image::annotation::Annotator;
 use oaktwin_usd::asset::LensChoice;
+
+/// The share of distorted pixels above which they are reported.
+const MAX_DISTORTED: f64 = 0.05;
 
 /// The cameras of a pair.
 #[derive(Clone, Copy, Debug)]
@@ -133,6 +136,11 @@ impl Matcher {
         if let PairOf::Twin { twin, .. } = *of {
             findings.extend(foreign_processing(twin, sensor.engine().kind(), place));
         }
+        findings.extend(
+            rectify
+                .as_ref()
+                .and_then(|rectify| still_distorted(rectify, place)),
+        );
         Ok(Self {
             size,
             rectify,
@@ -293,6 +301,24 @@ impl Matcher {
         }
         Ok(rectified.unwrap_or([left, right]))
     }
+}
+
+/// Reports the lens distortion that a homography leaves in the images.
+fn still_distorted(rectify: &StereoRectify, place: &str) -> Option<Finding> {
+    let RemainingDistortion { share, max_px } = rectify.remaining();
+    (share > MAX_DISTORTED).then(|| {
+        Finding::new(
+            "rectified-distortion",
+            Level::Note,
+            place,
+            format!(
+                "the homography with which RVC2 rectifies leaves lens distortion: {:.0} % of the pixels are off by more than 1 px, at most \
+                 {max_px:.1} px, so that depth is wrong there, as on the device",
+                100.0 * share
+            ),
+            message!["rectify with ", opt("rectify").with("mesh"), ", and set a mesh on the device"],
+        )
+    })
 }
 
 /// Matches a rectified pair. If the matcher has rectified it, findings do not advise to do so.

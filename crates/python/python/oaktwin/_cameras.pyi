@@ -17,8 +17,9 @@ class Camera:
     pixel is (0, 0), so the centre of the image is ((width - 1) / 2, (height - 1) / 2).
 
     size, height: (width, height) of the image, px, or two numbers.
-    K: camera matrix (3, 3), px; or give hfov_deg.
+    K: camera matrix (3, 3), px; or give hfov_deg or vfov_deg.
     hfov_deg: horizontal field of view of an ideal centred camera, degrees between 0 and 180.
+    vfov_deg: the vertical one instead, such as the `fovy` of MuJoCo.
     distortion: OpenCV's coefficients, up to 14 of the lens "opencv" (k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4 tx ty), up to 4 of
         "fisheye"; none by default.
     lens: "pinhole", "opencv" or "fisheye"; by default "opencv" if distortion is given, otherwise "pinhole".
@@ -35,6 +36,7 @@ class Camera:
         *,
         K: npt.ArrayLike | None = None,
         hfov_deg: float | None = None,
+        vfov_deg: float | None = None,
         distortion: Sequence[float] | _Float64 | None = None,
         lens: _LensModel | None = None,
         body_from_camera: npt.ArrayLike | None = None,

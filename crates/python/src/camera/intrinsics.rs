@@ -17,14 +17,23 @@ pub(super) fn lens(name: &str, coefficients: &[f64]) -> PyResult<LensModel> {
     (family.from_coefficients)(coefficients).map_err(|found| error(format!("distortion: {found}")))
 }
 
-/// Reads a camera matrix, or a field of view.
+/// Reads a camera matrix, or a field of view: horizontal, or vertical.
 pub(super) fn read(
     size: ImageSize,
     k: Option<&Bound<'_, PyAny>>,
     hfov_deg: Option<f64>,
+    vfov_deg: Option<f64>,
 ) -> PyResult<Intrinsics> {
-    match (k, hfov_deg) {
-        (Some(k), None) => {
+    let angle = |name: &str, degrees: f64| match degrees > 0.0 && degrees < 180.0 {
+        true => Ok(degrees.to_radians()),
+        false => Err(wrong(
+            name,
+            format_args!("{degrees} is out of range"),
+            "pass degrees above 0 and below 180",
+        )),
+    };
+    match (k, hfov_deg, vfov_deg) {
+        (Some(k), None, None) => {
             let (shape, array) = numbers("K", k)?;
             let values = array.as_slice().map_err(error)?;
             let (rows, _) = values.as_chunks::<3>();
@@ -59,15 +68,15 @@ pub(super) fn read(
                 ))
             }
         }
-        (None, Some(hfov)) if hfov > 0.0 && hfov < 180.0 => {
-            Ok(Intrinsics::from_hfov(size, hfov.to_radians()))
-        }
-        (None, Some(hfov)) => {
-            let is = format!("{hfov} is out of range");
-            Err(wrong("hfov_deg", is, "pass degrees above 0 and below 180"))
+        (None, Some(hfov), None) => Ok(Intrinsics::from_hfov(size, angle("hfov_deg", hfov)?)),
+        (None, None, Some(vfov)) => {
+            // Pixels are square.
+            let aspect = f64::from(size.width) / f64::from(size.height);
+            let half_width = (angle("vfov_deg", vfov)? / 2.0).tan() * aspect;
+            Ok(Intrinsics::from_hfov(size, 2.0 * half_width.atan()))
         }
         _ => Err(wrong(
-            "K, hfov_deg",
+            "K, hfov_deg, vfov_deg",
             "exactly one is required",
             "pass one of them",
         )),

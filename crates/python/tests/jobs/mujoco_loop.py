@@ -1,5 +1,7 @@
 """A closed loop in MuJoCo: a box is pushed until the measured depth says that it is near."""
 
+# pyright: basic, reportAttributeAccessIssue=false
+
 import mujoco
 import numpy as np
 
@@ -18,12 +20,12 @@ scene = oaktwin.Scene.from_meshes({"box": box})
 pose, eye = np.eye(4), scene.look_at((0, 0, 0), (1, 0, 0), camera)
 
 mujoco.mj_forward(model, data)
-for step in range(1000):
+step, distance = 0, np.inf
+while distance >= 1.0 and step < 1000:
     pose[:3, 3] = data.body("box").xpos - [0.2, 0, 0]
     scene.set_pose("box", pose)
     measured = sensor(scene.render(camera, eye)["distance_to_image_plane"])
-    if measured[100, 160] < 1.0:
-        break
+    step, distance = step + 1, measured[100, 160]
     data.qfrc_applied[0] = -20.0
     mujoco.mj_step(model, data, 10)
-assert 0.5 < measured[100, 160] < 1.0 and step > 3
+assert 0.5 < distance < 1.0 and step > 3

@@ -1,5 +1,8 @@
 """The measured cloud of a wall in Open3D."""
 
+# pyright: reportUnknownMemberType=false
+# Open3D's types are incomplete.
+
 from typing import Any
 
 import numpy as np
