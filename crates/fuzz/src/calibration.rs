@@ -100,7 +100,7 @@ fn document(bytes: &[u8], nominal: &Twin) {
 }
 
 /// Whether a number in a text is not finite, found by its letters.
-fn has_other_numbers(text: &str) -> bool {
+pub(crate) fn has_other_numbers(text: &str) -> bool {
     let numbers = text.lines().filter(|line| !line.contains("name"));
     let mut words = numbers.flat_map(|line| line.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')));
     words.any(|word| ["nan", "inf", "infinity"].contains(&word.to_lowercase().as_str()))

@@ -7,8 +7,10 @@ mod calibration;
 mod codec;
 mod engine;
 mod filter;
+mod foreign;
 mod import;
 mod json;
+mod list;
 mod message;
 mod page;
 mod random;
@@ -44,6 +46,27 @@ pub const TARGETS: &[Target] = &[
         max_len: 16384,
         check: calibration::check,
         seeds: calibration::seeds,
+    },
+    Target {
+        name: "foreign-calibration",
+        about: "imports calibrations of ROS, Kalibr and OpenCV; the document is finite and round-trips",
+        max_len: 16384,
+        check: foreign::check,
+        seeds: foreign::seeds,
+    },
+    Target {
+        name: "trajectory",
+        about: "reads a trajectory; poses are rotations at finite places",
+        max_len: 4096,
+        check: list::trajectory,
+        seeds: list::trajectory_seeds,
+    },
+    Target {
+        name: "curve",
+        about: "reads a measured curve of errors; numbers are in the ranges of the manual",
+        max_len: 4096,
+        check: list::curve,
+        seeds: list::curve_seeds,
     },
     Target {
         name: "filters",

@@ -32,8 +32,15 @@ pub struct Curve {
 /// # Errors
 /// Returns an error if the file cannot be read, a column is missing, a number is invalid, or there are no rows.
 pub fn read(path: &Path) -> Result<Curve, AccuracyError> {
-    let text = table::text(path, "a measured curve")?;
-    let points = parse(&text).map_err(|wrong| wrong.of(path))?;
+    of_text(path, &table::text(path, "a measured curve")?)
+}
+
+/// Reads the content of such a file; `path` is its name in errors.
+///
+/// # Errors
+/// Returns an error if a column is missing, a number is invalid, or there are no rows.
+pub fn of_text(path: &Path, text: &str) -> Result<Curve, AccuracyError> {
+    let points = parse(text).map_err(|wrong| wrong.of(path))?;
     let is_absolute = points.iter().all(|point| point.error_percent >= 0.0);
     Ok(Curve { points, is_absolute })
 }

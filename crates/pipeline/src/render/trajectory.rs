@@ -38,9 +38,16 @@ pub fn times_s(path: &[TimedPose]) -> Vec<Option<f64>> {
 /// # Errors
 /// Returns an error if the file cannot be read, has no poses or has an invalid pose, with its line or index.
 pub fn read(path: &Path) -> Result<Vec<TimedPose>, FileError> {
-    let bytes = files::read(path, MAX_BYTES, "a trajectory")?;
+    parse(path, &files::read(path, MAX_BYTES, "a trajectory")?)
+}
+
+/// Reads the content of a trajectory; `path` is its name in errors.
+///
+/// # Errors
+/// Returns an error if there are no poses, or one is invalid, with its line or index.
+pub fn parse(path: &Path, bytes: &[u8]) -> Result<Vec<TimedPose>, FileError> {
     let wrong = |message: String, remedy: &str| FileError::new(path, message, remedy);
-    let text = std::str::from_utf8(&bytes)
+    let text = std::str::from_utf8(bytes)
         .map_err(|_| wrong("is not text".to_owned(), "give a TUM or JSON trajectory"))?;
     let text = text.trim_start_matches('\u{feff}');
     let poses = if text.trim_start().starts_with(['[', '{']) {
