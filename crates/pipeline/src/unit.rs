@@ -2,11 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use oaktwin_base::diagnostic::{Finding, Level, message, opt};
+use oaktwin_base::diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_base::parameter::Platform;
 use oaktwin_calibration::raw::MAX_BYTES;
 use oaktwin_calibration::{self as calibration, Calibration, CalibrationError, Raw, Socket};
-use oaktwin_catalog::{Catalog, Device, Twin};
+use oaktwin_catalog::{Catalog, Device, Twin, UnknownModel};
 use oaktwin_files::{self as files, FileError};
 
 /// An error that prevents a unit's twin from being created.
@@ -103,12 +103,46 @@ pub fn open_rig(
     platform: Platform,
     force: bool,
 ) -> Result<(Twin, Vec<Finding>), UnitError> {
-    let (_, calibration, mut findings) = read_calibration(path)?;
+    let (raw, _, _) = read_calibration(path)?;
+    rig_of_raw(&raw, path, pair, platform, force)
+}
+
+/// Returns the twin of a rig with a calibration that was read from `path`, and the findings.
+///
+/// # Errors
+/// Returns an error if the calibration is invalid, or does not determine a stereo pair.
+pub fn rig_of_raw(
+    raw: &Raw,
+    path: &Path,
+    pair: Option<(Socket, Socket)>,
+    platform: Platform,
+    force: bool,
+) -> Result<(Twin, Vec<Finding>), UnitError> {
+    let (calibration, mut findings) = Calibration::from_raw(raw)?;
     accept(path, &mut findings, force)?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let (twin, more) = calibration::rig(&calibration, pair, platform, &name)?;
     findings.extend(more);
     Ok((twin, findings))
+}
+
+/// Says that a calibration is of no model in the catalog, so that its rig is known from it alone.
+#[must_use]
+pub fn no_model(unknown: &UnknownModel) -> Finding {
+    let remedy = match unknown.nearest.is_empty() {
+        true => Message::default(),
+        false => message![
+            opt("model"),
+            format!(" compares them with a model: {}", unknown.nearest.join(" or "))
+        ],
+    };
+    Finding::new(
+        "no-model",
+        Level::Note,
+        "productName",
+        "of no model in the catalog; the cameras are the calibration's alone",
+        remedy,
+    )
 }
 
 /// Rejects errors; `force` turns those that can be ignored into warnings.

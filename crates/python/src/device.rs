@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use numpy::PyArray2;
 use oaktwin::camera::RectifiedIntrinsics;
-use oaktwin::catalog::{ImuFrame, Origin, Role, Twin};
+use oaktwin::catalog::{Origin, Role, Twin};
 use oaktwin::diagnostic;
 use oaktwin::report::DeviceReport;
 use oaktwin::sensor::depth_sensor;
@@ -47,7 +47,7 @@ use crate::robot;
 pub(crate) struct Device {
     pub(crate) twin: Arc<Twin>,
     pub(crate) lens: LensChoice,
-    imu_frame: ImuFrame,
+    choices: Choices,
     pub(crate) findings: Vec<diagnostic::Finding>,
     pub(crate) models: Models,
     calibration: Option<Calibrated>,
@@ -78,7 +78,10 @@ impl Device {
     ///
     /// calibration: the path of the file; its text, as a string or bytes; its content as a dictionary; or a `CalibrationHandler` of
     ///     DepthAI.
-    /// model: the model of the unit; by default the product name in the calibration.
+    /// model: the model of the unit; by default the product name in the calibration. A calibration of no model is a rig, such as two cameras on
+    ///     an FFC board, whose cameras are known from it alone: `StereoMatcher` matches their images.
+    /// pair: the sockets of the left and the right camera of a rig, such as ("CAM_B", "CAM_C"); by default those that the calibration names.
+    /// platform: the processor of a rig, "rvc2" (default) or "rvc4".
     /// force: whether to ignore calibration errors, which become findings.
     /// lens: see `Device`; a calibrated camera always has its own lens.
     /// imu_frame: see `Device`; a finding says if the calibration has its own.
@@ -87,16 +90,19 @@ impl Device {
     /// Warnings about the file are in `findings`. Raises FileNotFoundError and other OSErrors for files that cannot be read,
     /// oaktwin.Error for an invalid calibration or one of another model.
     #[staticmethod]
-    #[pyo3(signature = (calibration, model = None, *, force = false, lens = "pinhole", imu_frame = "driver", catalog = None))]
+    #[expect(clippy::too_many_arguments, reason = "options of Python")]
+    #[pyo3(signature = (calibration, model = None, *, pair = None, platform = None, force = false, lens = "pinhole", imu_frame = "driver", catalog = None))]
     fn from_calibration(
         calibration: &Bound<'_, PyAny>,
         model: Option<&str>,
+        pair: Option<(String, String)>,
+        platform: Option<&str>,
         force: bool,
         lens: &str,
         imu_frame: &str,
         catalog: Option<PathBuf>,
     ) -> PyResult<Self> {
-        let choices = Choices::new(lens, imu_frame)?;
+        let choices = Choices::new(lens, imu_frame)?.with_rig(pair.as_ref(), platform)?;
         let raw = parts::calibration(calibration)?;
         let path = PathBuf::from(&raw.name);
         Self::unit(Models::open(catalog)?, raw, model, &path, force, choices)
@@ -123,8 +129,9 @@ impl Device {
         let calibration = self.calibration.as_ref();
         let calibration = calibration.map(|own| (&own.raw.name, own.raw.to_text(), own.force));
         let restore = py.import("oaktwin._oaktwin")?.getattr("_device")?;
-        let choices = (self.lens.name(), self.imu_frame.name());
-        let state = (self.name(), choices, self.models.folder(), calibration);
+        let is_rig = self.calibration.as_ref().is_some_and(|own| own.is_rig);
+        let model = (!is_rig).then(|| self.name());
+        let state = (model, self.choices.names(), self.models.folder(), calibration);
         Ok((restore, state).into_pyobject(py)?.into_any())
     }
 

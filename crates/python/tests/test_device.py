@@ -1,5 +1,6 @@
 import copy
 import json
+import pickle
 import re
 
 import numpy as np
@@ -292,3 +293,28 @@ def test_rectification_is_the_devices(calibration):
     # Another maker's has no processor that is known.
     other = oaktwin.Device("D435i")
     assert np.array_equal(other.rectification().P1, other.rectification(intrinsics="zero-disparity").P1)
+
+
+def test_a_rig_is_of_no_model():
+    content = json.loads((ROOT / "crates/calibration/fixtures/example-oak-d-pro-poe.json").read_text())
+    content |= {"productName": "BENCH", "boardName": "FFC"}
+    k = {socket: np.array(camera["intrinsicMatrix"]) for socket, camera in content["cameraData"]}
+    rig = oaktwin.Device.from_calibration(content, pair=("CAM_B", "cam_c"), platform="rvc4")
+    assert "no-model" in [finding.code for finding in rig.findings]
+    assert np.allclose(rig.cameras["left"].K, k[1]) and np.allclose(rig.cameras["right"].K, k[2])
+    matcher = oaktwin.StereoMatcher(rig)
+    assert matcher.parameters["baseline"] == pytest.approx(0.0746, abs=5e-4)
+    again = pickle.loads(pickle.dumps(rig))
+    assert np.array_equal(again.cameras["left"].K, rig.cameras["left"].K)
+    assert oaktwin.StereoMatcher(again).parameters == matcher.parameters
+    with pytest.raises(oaktwin.Error, match="BENCH has no depth sensor"):
+        oaktwin.DepthSensor(rig)
+    for arguments, expected in [
+        ({"pair": ("CAM_B", "CAM_X")}, "pair: 'CAM_X' is not a socket; pass names such as CAM_B"),
+        ({"pair": ("CAM_B", "CAM_E")}, "CAM_E"),
+        ({"pair": ("CAM_B", "CAM_C"), "model": "OAK-D"}, "pair: is for rigs"),
+        ({"platform": "rvc4", "model": "OAK-D", "force": True}, "platform: is for rigs"),
+        ({"platform": "rvc3"}, "platform: "),
+    ]:
+        with pytest.raises(oaktwin.Error, match=expected):
+            oaktwin.Device.from_calibration(content, **arguments)

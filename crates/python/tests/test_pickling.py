@@ -199,4 +199,4 @@ def test_a_pickle_of_nonsense():
             restore(*state)
     restore, state = oaktwin.Device("OAK4-D").__reduce__()
     with pytest.raises(oaktwin.Error):
-        restore("OAK4-D", ("pinhole", "driver"), None, ("a.json", "{", False))
+        restore("OAK4-D", ("pinhole", "driver", None, None), None, ("a.json", "{", False))

@@ -5,7 +5,7 @@ use std::path::Path;
 use oaktwin::catalog::{Device, Twin, UnknownModel};
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::RectifyOptions;
-use oaktwin::diagnostic::{Finding, Level, Message, message, opt, suggest};
+use oaktwin::diagnostic::{Finding, suggest};
 use oaktwin::render;
 use oaktwin::sense::FieldOfView;
 use oaktwin::sensor::stereo_cameras;
@@ -106,22 +106,7 @@ fn rig(
     let platform = args.platform.or(own).unwrap_or(Platform::Rvc2);
     let (twin, mut findings) = unit::open_rig(file, pair, platform, args.unit.force)?;
     render::check_lens(&twin, args.unit.lens)?;
-    if let Err(unknown) = known {
-        let remedy = match unknown.nearest.is_empty() {
-            true => Message::default(),
-            false => message![
-                opt("model"),
-                format!(" compares them with a model: {}", unknown.nearest.join(" or "))
-            ],
-        };
-        findings.push(Finding::new(
-            "no-model",
-            Level::Note,
-            "productName",
-            "of no model in the catalog; the cameras are the calibration's alone",
-            remedy,
-        ));
-    }
+    findings.extend(known.err().as_ref().map(unit::no_model));
     Ok((twin, findings))
 }
 

@@ -69,6 +69,8 @@ class Device:
         calibration: str | PathLike[str] | bytes | bytearray | Mapping[str, object] | _CalibrationHandler,
         model: str | None = None,
         *,
+        pair: tuple[str, str] | None = None,
+        platform: _Platform | None = None,
         force: bool = False,
         lens: _Lens = "pinhole",
         imu_frame: _ImuFrame = "driver",
@@ -78,7 +80,10 @@ class Device:
 
         calibration: the path of the file; its text, as a string or bytes; its content as a dictionary; or a `CalibrationHandler` of
             DepthAI.
-        model: the model of the unit; by default the product name in the calibration.
+        model: the model of the unit; by default the product name in the calibration. A calibration of no model is a rig, such as two cameras on
+            an FFC board, whose cameras are known from it alone: `StereoMatcher` matches their images.
+        pair: the sockets of the left and the right camera of a rig, such as ("CAM_B", "CAM_C"); by default those that the calibration names.
+        platform: the processor of a rig, "rvc2" (default) or "rvc4".
         force: whether to ignore calibration errors, which become findings.
         lens: see `Device`; a calibrated camera always has its own lens.
         imu_frame: see `Device`; a finding says if the calibration has its own.
@@ -235,8 +240,8 @@ def presets(platform: Literal["rvc2", "rvc4", "tof"] = "rvc2") -> list[_Preset]:
     """
 
 def _device(
-    model: str,
-    choices: tuple[str, str],
+    model: str | None,
+    choices: tuple[str, str, tuple[str, str] | None, str | None],
     catalog: str | PathLike[str] | None,
     calibration: tuple[str, str, bool] | None,
 ) -> Device: ...

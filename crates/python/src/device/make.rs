@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use oaktwin::calibration::{Calibration, Raw};
+use oaktwin::calibration::{Calibration, Raw, Socket};
 use oaktwin::catalog::{ImuFrame, Twin};
+use oaktwin::depth::preset::Platform;
 use oaktwin::diagnostic;
 use oaktwin::render::check_lens;
 use oaktwin::unit;
@@ -21,6 +22,8 @@ pub(super) struct Calibrated {
     pub(super) raw: Raw,
     pub(super) calibration: Calibration,
     pub(super) force: bool,
+    /// Whether the calibration is of a rig.
+    pub(super) is_rig: bool,
 }
 
 /// What a calibration does not determine.
@@ -28,6 +31,9 @@ pub(super) struct Calibrated {
 pub(super) struct Choices {
     pub(super) lens: LensChoice,
     pub(super) imu_frame: ImuFrame,
+    /// The pair of a rig, which is of no model, and its processor.
+    pub(super) pair: Option<(Socket, Socket)>,
+    pub(super) platform: Option<Platform>,
 }
 
 impl Choices {
@@ -35,9 +41,43 @@ impl Choices {
         Ok(Self {
             lens: named("lens", lens)?,
             imu_frame: named("imu_frame", imu_frame)?,
+            pair: None,
+            platform: None,
         })
     }
+
+    /// The choices for a rig: the names of its sockets and of its processor.
+    pub(super) fn with_rig(self, pair: Option<&(String, String)>, platform: Option<&str>) -> PyResult<Self> {
+        let socket = |name: &String| {
+            Socket::from_name(name).ok_or_else(|| {
+                wrong(
+                    "pair",
+                    format_args!("'{name}' is not a socket"),
+                    "pass names such as CAM_B",
+                )
+            })
+        };
+        let pair = pair.map(|(left, right)| Ok::<_, PyErr>((socket(left)?, socket(right)?)));
+        Ok(Self {
+            pair: pair.transpose()?,
+            platform: platform.map(|name| named("platform", name)).transpose()?,
+            ..self
+        })
+    }
+
+    /// As the arguments of a pickle.
+    pub(super) fn names(&self) -> ChoiceNames {
+        let pair = self
+            .pair
+            .map(|(left, right)| (left.to_string(), right.to_string()));
+        let platform = self.platform.map(|platform| platform.name().to_owned());
+        let (lens, imu_frame) = (self.lens.name(), self.imu_frame.name());
+        (lens.to_owned(), imu_frame.to_owned(), pair, platform)
+    }
 }
+
+/// The lens, the frame of the inertial unit, and the pair and the processor of a rig.
+pub(super) type ChoiceNames = (String, String, Option<(String, String)>, Option<String>);
 
 impl Device {
     pub(super) fn new(
@@ -47,19 +87,18 @@ impl Device {
         calibration: Option<Calibrated>,
         findings: Vec<diagnostic::Finding>,
     ) -> PyResult<Self> {
-        let Choices { lens, imu_frame } = choices;
-        check_lens(&twin, lens).map_err(error)?;
+        check_lens(&twin, choices.lens).map_err(error)?;
         Ok(Self {
             twin: Arc::new(twin),
-            lens,
-            imu_frame,
+            lens: choices.lens,
+            choices,
             models,
             calibration,
             findings,
         })
     }
 
-    /// Creates the twin of a calibrated unit.
+    /// Creates the twin of a calibrated unit, or of a rig: of a calibration of no model, or whose pair is named.
     pub(super) fn unit(
         models: Models,
         raw: Raw,
@@ -69,19 +108,40 @@ impl Device {
         choices: Choices,
     ) -> PyResult<Self> {
         let (calibration, _) = Calibration::from_raw(&raw).map_err(error)?;
-        let device = match model {
-            Some(model) => models.entry(model)?,
-            None => {
+        let device = match (model, choices.pair) {
+            (Some(_), Some(_)) => {
+                let is = "is for rigs, which are of no model";
+                return Err(wrong("pair", is, "omit model, or the pair"));
+            }
+            (Some(model), None) => models.entry(model)?,
+            (None, pair) => {
                 let board = &calibration.board;
-                let device = models
+                let known = models
                     .get()
                     .device_of_unit(&board.product_name, &board.board_name);
-                device.map_err(|unknown| {
-                    let place = format!("{}: productName", path.display());
-                    wrong(place, unknown, "pass model=")
-                })?
+                match known {
+                    Ok(device) if pair.is_none() => device,
+                    known => {
+                        let own = known.as_ref().ok().and_then(|device| device.depthai_platform());
+                        let platform = choices.platform.or(own).unwrap_or(Platform::Rvc2);
+                        let rig = unit::rig_of_raw(&raw, path, pair, platform, force);
+                        let (twin, mut findings) = rig.map_err(error)?;
+                        findings.extend(known.err().as_ref().map(unit::no_model));
+                        let calibrated = Calibrated {
+                            raw,
+                            calibration,
+                            force,
+                            is_rig: true,
+                        };
+                        return Self::new(twin, choices, models, Some(calibrated), findings);
+                    }
+                }
             }
         };
+        if choices.platform.is_some() {
+            let is = "is for rigs, which are of no model";
+            return Err(wrong("platform", is, "omit it; a model has its own"));
+        }
         let device = &device.with_imu_frame(choices.imu_frame);
         let (twin, mut findings) = unit::of_raw(models.get(), device, &raw, path, force).map_err(error)?;
         if choices.imu_frame != ImuFrame::default() {
@@ -91,6 +151,7 @@ impl Device {
             raw,
             calibration,
             force,
+            is_rig: false,
         };
         Self::new(twin, choices, models, Some(calibrated), findings)
     }
@@ -100,22 +161,22 @@ impl Device {
 #[pyfunction]
 pub(crate) fn _device(
     py: Python<'_>,
-    model: &str,
-    choices: (String, String),
+    model: Option<&str>,
+    choices: ChoiceNames,
     catalog: Option<PathBuf>,
     calibration: Option<(String, String, bool)>,
 ) -> PyResult<Device> {
-    let (lens, imu_frame) = choices;
+    let (lens, imu_frame, pair, platform) = choices;
     let Some((name, text, force)) = calibration else {
-        return Device::py_new(py, model, &lens, &imu_frame, catalog);
+        return Device::py_new(py, model.unwrap_or_default(), &lens, &imu_frame, catalog);
     };
     let raw = Raw::parse(text.as_bytes(), &name).map_err(error)?;
     Device::unit(
         Models::open(catalog)?,
         raw,
-        Some(model),
+        model,
         Path::new(&name),
         force,
-        Choices::new(&lens, &imu_frame)?,
+        Choices::new(&lens, &imu_frame)?.with_rig(pair.as_ref(), platform.as_deref())?,
     )
 }

@@ -13,7 +13,6 @@ use pyo3::prelude::*;
 use pyo3::types::{PyByteArray, PyBytes, PyDict};
 
 use super::Device;
-use super::make::Choices;
 use crate::camera::Camera;
 use crate::error::{error, reading, wrong};
 use crate::export::export;
@@ -136,11 +135,7 @@ impl Device {
             raw.name = unit.file_name();
             let path = PathBuf::from(&raw.name);
             let models = self.models.clone();
-            let choices = Choices {
-                lens: self.lens,
-                imu_frame: self.imu_frame,
-            };
-            let mut device = Self::unit(models, raw, Some(self.name()), &path, false, choices)?;
+            let mut device = Self::unit(models, raw, Some(self.name()), &path, false, self.choices)?;
             device.findings.push(population.finding());
             Ok(device)
         };
