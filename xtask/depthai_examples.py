@@ -1,4 +1,4 @@
-"""Runs DepthAI's own examples on a virtual device: `python depthai_examples.py EXAMPLES --scene room.usd`, and prints a table for the manual.
+"""Runs DepthAI's own examples on a virtual device, and prints a table for the manual. Run by `cargo xtask depthai-examples`.
 
 EXAMPLES is the folder examples/python of a checkout of luxonis/depthai-core. Needs oaktwin, depthai and OpenCV 4.
 """
@@ -11,7 +11,21 @@ import subprocess
 import sys
 from pathlib import Path
 
-NETWORKS = ("runs a neural network", "getModelFromZoo", "NNArchive", "NNModelDescription", "blobconverter", "Failed to download")
+# What examples expect on their command lines, and the models that some folders need.
+ARGUMENTS = {
+    "camera_multiple_outputs.py": "640 480 0 30 CAM_A 300 300 0 30 CAM_A 300 300 1 30 CAM_A".split(),
+    "camera_timings.py": "640 480 0 30".split(),
+}
+MODELS = {"ToF": "OAK-D ToF"}
+NETWORKS = (
+    "runs a neural network",
+    "without a network of yours",
+    "getModelFromZoo",
+    "NNArchive",
+    "NNModelDescription",
+    "blobconverter",
+    "Failed to download",
+)
 
 
 def main() -> None:
@@ -34,8 +48,10 @@ def main() -> None:
 def run(script: Path, options: argparse.Namespace) -> str:
     """Runs one example and says what became of it."""
     place = ["--look-at", "0", "0", "1.15", "1", "0", "1.03"]
-    command = [sys.executable, "-m", "oaktwin.depthai", "--model", options.model, "--scene", str(Path(options.scene).resolve()), *place]
-    command += ["--headless", "3", "--seconds", str(options.seconds), "--", script.name]
+    model = next((model for folder, model in MODELS.items() if folder in script.parts), options.model)
+    command = [sys.executable, "-m", "oaktwin.depthai", "--model", model, "--scene", str(Path(options.scene).resolve()), *place]
+    command += ["--engine", "stereo-noise", "--headless", "3", "--seconds", str(options.seconds)]
+    command += ["--", script.name, *ARGUMENTS.get(script.name, [])]
     try:
         done = subprocess.run(
             command,

@@ -5,6 +5,7 @@
 mod bench;
 mod conformance;
 mod counts;
+mod depthai_examples;
 mod docs;
 mod fuzz;
 mod licenses;
@@ -44,6 +45,8 @@ enum Task {
     Bench(bench::Bench),
     /// Compare renderings with Isaac Sim's; exit code 1 if they differ, 2 without the data.
     Conformance(conformance::Args),
+    /// Run the examples of a checkout of depthai-core on a virtual device, and print the table of the manual.
+    DepthaiExamples(depthai_examples::Args),
     /// Build the manual into target/docs and check its links.
     Docs,
     /// Run the program and the Python package for an hour: memory must stay flat, and results the same.
@@ -65,6 +68,7 @@ fn main() -> ExitCode {
         Task::Test(args) => return test::run(&args),
         Task::Conformance(args) => return conformance::run(&args),
         Task::Bench(bench) => bench::run(&bench),
+        Task::DepthaiExamples(args) => depthai_examples::run(&args),
         Task::Docs => docs::run(),
         Task::Soak(args) => soak::run(&args),
         Task::Fuzz(args) => fuzz::run(&args),

@@ -186,6 +186,66 @@ def video_encoder_h264(pipeline):
         assert np.abs(frame.astype(int) - image.getCvFrame()).mean() < 15
 
 
+def warp(pipeline):
+    """A mesh that mirrors an image, and one that shows its left half in twice the width."""
+    output = pipeline.create(dai.node.Camera).build(CAM_B).requestOutput((80, 50))
+    mirror, half = pipeline.create(dai.node.Warp), pipeline.create(dai.node.Warp)
+    mirror.setWarpMesh([dai.Point2f(79, 0), dai.Point2f(0, 0), dai.Point2f(79, 49), dai.Point2f(0, 49)], 2, 2)
+    half.setWarpMesh([(0, 0), (20, 0), (40, 0), (0, 49), (20, 49), (40, 49)], 3, 2)
+    half.setOutputSize((81, 50))
+    half.setInterpolation(dai.Interpolation.BILINEAR)
+    for node in (mirror, half):
+        output.link(node.inputImage)
+    queues = output.createOutputQueue(), mirror.out.createOutputQueue(), half.out.createOutputQueue()
+    pipeline.start()
+    image, mirrored, doubled = (first(queue).getCvFrame().astype(int) for queue in queues)
+    assert np.array_equal(mirrored, image[:, ::-1])
+    assert np.array_equal(doubled[:, ::2], image[:, :41])
+    assert np.abs(doubled[:, 1::2] - (image[:, :40] + image[:, 1:41]) / 2).max() <= 0.5
+
+
+def raw_images(pipeline):
+    """Four pixels in five bytes; the grey camera's values are those of its image, the colour camera's grow linearly with light."""
+    queues = []
+    for socket in (CAM_B, CAM_A):
+        camera = pipeline.create(dai.node.Camera).build(socket, sensorFps=10)
+        kind = Type.GRAY8 if socket == CAM_B else Type.RGB888i
+        queues += [camera.raw.createOutputQueue(), camera.requestOutput(camera.twin.camera(socket)[1].size, kind).createOutputQueue()]
+    pipeline.start()
+    raw, grey, mosaic, colours = (first(queue) for queue in queues)
+
+    def unpacked(frame):
+        groups = np.asarray(frame.getData()).reshape(-1, 5).astype(int)
+        values = (groups[:, :4] << 2) | ((groups[:, 4:] >> np.array([0, 2, 4, 6])) & 3)
+        return values.reshape(frame.getHeight(), frame.getStride())
+
+    assert raw.getType() == Type.RAW10 and np.array_equal(unpacked(raw) >> 2, grey.getCvFrame())
+    values, rgb = unpacked(mosaic), colours.getCvFrame()[..., ::-1] / 255
+    linear = np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4)
+    for (row, column), channel in {(0, 0): 0, (0, 1): 1, (1, 0): 1, (1, 1): 2}.items():
+        assert np.abs(values[row::2, column::2] - 1023 * linear[row::2, column::2, channel]).max() <= 0.5 + 1e-6
+
+
+def point_cloud_of_another_camera(pipeline):
+    """DepthAI's node asks its pipeline for the calibration."""
+    stereo = pipeline.create(dai.node.StereoDepth).build(True, size=SIZE)
+    queues = []
+    for socket in (CAM_A, None):
+        node = pipeline.create(dai.node.PointCloud)
+        node.setRunOnHost(True)
+        node.initialConfig.setLengthUnit(dai.LengthUnit.METER)
+        if socket is not None:
+            node.initialConfig.setTargetCoordinateSystem(socket)
+        stereo.depth.link(node.inputDepth)
+        queues.append(node.outputPointCloud.createOutputQueue())
+    handler = pipeline.getDefaultDevice().readCalibration()
+    pipeline.start()
+    moved, own = (first(queue).getPoints() for queue in queues)
+    # The cameras are parallel: points are shifted by the distance between them.
+    shift = handler.getCameraTranslationVector(CAM_B, CAM_A, useSpecTranslation=False)
+    assert np.allclose(moved - own, np.array(shift) / 100, atol=2e-3)
+
+
 def feature_tracker(pipeline):
     pytest.importorskip("cv2")
     node = pipeline.create(dai.node.FeatureTracker)
@@ -256,7 +316,7 @@ def benchmark(pipeline):
 PROGRAMS = [
     image_manip, sync, host_node, threaded_host_node, script, indented_script, processing_in_the_main_thread, gate,
     edge_detector, video_encoder, video_encoder_h264, feature_tracker, undistorted_camera, legacy_cameras, calibration, device_information,
-    dot_projector, benchmark,
+    dot_projector, benchmark, warp, raw_images, point_cloud_of_another_camera,
 ]  # fmt: skip
 
 

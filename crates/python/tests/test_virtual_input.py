@@ -97,7 +97,7 @@ def test_sizes_and_types_that_a_camera_does_not_send(pipeline):
         camera.build(CAM_B)
 
 
-@pytest.mark.parametrize("name", ["NeuralNetwork", "DetectionNetwork", "NeuralDepth", "Thermal", "UVC", "SPIOut", "SystemLogger", "BasaltVIO", "RTABMapVIO", "DynamicCalibration", "AutoCalibration", "Warp"])
+@pytest.mark.parametrize("name", ["NeuralNetwork", "DetectionNetwork", "NeuralDepth", "Thermal", "UVC", "SPIOut", "SystemLogger", "BasaltVIO", "RTABMapVIO", "DynamicCalibration", "AutoCalibration"])
 def test_nodes_that_cannot_be_simulated(pipeline, name):
     with pytest.raises(oaktwin.Error, match=f"{name}: this node cannot be simulated: "):
         pipeline.create(getattr(dai.node, name))
@@ -110,6 +110,12 @@ def test_nodes_that_cannot_be_simulated(pipeline, name):
 def test_nodes_that_the_model_lacks(model, name, message):
     with virtual_device(model, scene=textured_scene()), dai.Pipeline() as pipeline, pytest.raises(oaktwin.Error, match=message):
         pipeline.create(getattr(dai.node, name))
+
+
+@pytest.mark.parametrize("model", ["OAK-1", "OAK4-S"])
+def test_a_model_without_a_pair_has_a_calibration(model):
+    with virtual_device(model, scene=textured_scene()), dai.Device() as device:
+        assert device.readCalibration().getCameraIntrinsics(dai.CameraBoardSocket.CAM_A, 640, 480)[0][0] > 0
 
 
 def test_images_for_stereo_that_the_calibration_does_not_describe():

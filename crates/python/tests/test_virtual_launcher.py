@@ -87,7 +87,83 @@ asyncio.run(main())
     assert launch("import os\nos._exit(5)").returncode == 5
 
 
+VIEWERS = {
+    "open3d.py": "class visualization:\n    class Visualizer:\n        def __init__(self):\n            raise SystemExit('a window was opened')\n",
+    "rerun.py": "def init(name, spawn):\n    raise SystemExit('a viewer was started')\ndef log(path, value):\n    raise SystemExit('no')\n",
+}
+
+
+def test_viewers_are_recorded(launch, tmp_path):
+    for name, text in VIEWERS.items():
+        (tmp_path / "modules" / name).write_text(text, "utf-8")
+    app = """
+import open3d as o3d
+import rerun as rr
+
+rr.init("app", spawn=True)
+window = o3d.visualization.Visualizer()
+window.create_window("points")
+window.get_render_option().point_size = 2
+window.get_view_control().set_zoom(0.3)
+window.add_geometry(object())
+while window.poll_events():
+    window.update_geometry(object())
+    window.update_renderer()
+    rr.log("world/points", object())
+"""
+    done = launch(app, "--headless", "3")
+    assert done.returncode == 0, done.stderr
+    assert "oaktwin: Open3D window 'points': 3 updates" in done.stderr
+    assert "oaktwin: Rerun path 'world/points': 2 updates" in done.stderr
+
+
+def test_a_program_that_forks(launch):
+    """The parent runs on; a child that does not use the device ends on its own."""
+    if not hasattr(os, "fork"):
+        pytest.skip("this system has no fork")
+    app = """
+import os
+import depthai as dai
+
+with dai.Pipeline() as pipeline:
+    queue = pipeline.create(dai.node.Camera).build(dai.CameraBoardSocket.CAM_B).requestOutput((80, 50)).createOutputQueue()
+    pipeline.start()
+    queue.get()
+    child = os.fork()
+    if child == 0:
+        os._exit(7)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 7
+    print("width", queue.get().getWidth())
+"""
+    done = launch(app, "--fast")
+    assert done.returncode == 0 and "width 80" in done.stdout, done.stderr
+
+
+def test_a_program_with_processes(launch):
+    """A spawned process is a new one, without the virtual device; a forked one has its copy of the device, before a pipeline was started."""
+    app = """
+import multiprocessing
+import depthai as dai
+
+def width(_):
+    with dai.Pipeline() as pipeline:
+        queue = pipeline.create(dai.node.Camera).build(dai.CameraBoardSocket.CAM_B).requestOutput((80, 50)).createOutputQueue()
+        pipeline.start()
+        return queue.get().getWidth()
+
+if __name__ == "__main__":
+    with multiprocessing.get_context("fork").Pool(1) as pool:
+        print("width", pool.map_async(width, [0]).get(60))
+"""
+    if not hasattr(os, "fork"):
+        pytest.skip("this system has no fork")
+    done = launch(app, "--fast")
+    assert done.returncode == 0 and "width [80]" in done.stdout, done.stderr
+
+
 def test_wrong_options(launch):
+    done = launch("", "--network", "model.onnx")
+    assert done.returncode == 1 and "write NAME=FILE.onnx" in done.stderr
     done = launch("", "--trajectory", "no.tum")
     assert done.returncode == 1 and "no.tum" in done.stderr
     command = [sys.executable, "-m", "oaktwin.depthai", "--model", MODEL, "--scene", "x.usd", "--", "no_app.py"]

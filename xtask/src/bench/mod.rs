@@ -3,6 +3,7 @@
 mod assets;
 mod bridge;
 mod depth;
+mod depthai;
 mod generate;
 mod load;
 mod python;
@@ -25,6 +26,8 @@ pub(crate) enum Bench {
     Render(render::Args),
     /// The engines and filters, compared with NumPy and DepthAI
     Depth(depth::Args),
+    /// A virtual OAK for DepthAI programs: frames per second of the pipeline of its stereo example
+    Depthai(depthai::Args),
     /// Data sets from a recipe, compared with Open3D and NumPy
     Generate(generate::Args),
     /// The stereo matcher, compared with OpenCV's
@@ -49,6 +52,7 @@ pub(crate) fn run(bench: &Bench) -> Result<(), String> {
         Bench::Bridge(args) => bridge::run(args),
         Bench::Render(args) => render::run(args),
         Bench::Depth(args) => depth::run(args),
+        Bench::Depthai(args) => depthai::run(args),
         Bench::Generate(args) => generate::run(args),
         Bench::Stereo(args) => stereo::run(args),
         Bench::Load(args) => load::run(args),

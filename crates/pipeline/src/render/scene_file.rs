@@ -97,7 +97,7 @@ impl SceneFile {
         options: &OpenOptions,
         mount: Option<&str>,
     ) -> Result<(AnimatedScene, Self), SceneFileError> {
-        if !USD.contains(&extension(path).as_str()) {
+        if !Self::is_stage(path) {
             let message = match mount {
                 Some(_) => message![opt("mount"), " requires a USD stage"],
                 None => message!["is not animated, because only USD stages are"],
@@ -129,6 +129,12 @@ impl SceneFile {
     fn with_micro_texture(mut self, is_given: bool) -> Self {
         self.scene.micro_texture = is_given.then(|| MicroTexture::ordinary(0));
         self
+    }
+
+    /// Returns whether a file is a USD stage, by its extension: only stages can be animated.
+    #[must_use]
+    pub fn is_stage(path: &Path) -> bool {
+        USD.contains(&extension(path).as_str())
     }
 
     fn of_stage(path: &Path, stage: StageScene) -> Self {

@@ -133,6 +133,13 @@ class Scene:
     def time(self) -> float | None:
         """The time code, if there is one."""
     @property
+    def animation(self) -> tuple[float, float, float] | None:
+        """The first and the last time code of an animated USD stage, and its time codes per second; None for other scenes. Without a range
+        in the stage, the first is 0 and the last infinity.
+
+        Raises oaktwin.Error if the stage cannot be read again.
+        """
+    @property
     def poses(self) -> Poses:
         """The poses of all parts, a dictionary from prim path to (4, 4) float64 world_from_part, metres. It finds parts by their names,
         too: `scene.poses["link"]` is `scene.poses["/World/link"]`.

@@ -197,6 +197,15 @@ impl Scene {
         self.read(py).time
     }
 
+    /// The first and the last time code of an animated USD stage, and its time codes per second; None for other scenes. Without a range
+    /// in the stage, the first is 0 and the last infinity.
+    ///
+    /// Raises oaktwin.Error if the stage cannot be read again.
+    #[getter]
+    fn animation(&self, py: Python<'_>) -> PyResult<Option<(f64, f64, f64)>> {
+        self.timing(py)
+    }
+
     /// The poses of all parts, a dictionary from prim path to (4, 4) float64 world_from_part, metres. It finds parts by their names,
     /// too: `scene.poses["link"]` is `scene.poses["/World/link"]`.
     #[getter]

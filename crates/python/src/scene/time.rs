@@ -1,11 +1,12 @@
 //! Animated stages.
 
+use std::path::Path;
 use std::sync::PoisonError;
 
 use oaktwin::diagnostic;
 use oaktwin::render::{
-    AnimatedScene, CameraError, PlacedCamera, SceneCameraOptions, SceneChange, SceneFile, SceneFileError,
-    scene_cameras,
+    AnimatedScene, CameraError, OpenOptions, PlacedCamera, SceneCameraOptions, SceneChange, SceneFile,
+    SceneFileError, scene_cameras,
 };
 use pyo3::prelude::*;
 
@@ -30,7 +31,42 @@ pub(super) fn cameras(file: &SceneFile) -> (Cameras, Vec<diagnostic::Finding>) {
     }
 }
 
+/// The open stage, which is opened at the same time as the scene, to whose instances changes refer.
+fn opened<'a>(
+    animation: &'a mut Option<Animation>,
+    path: &Path,
+    options: &OpenOptions,
+) -> Result<&'a mut Animation, SceneFileError> {
+    match animation {
+        Some(open) => Ok(open),
+        empty => {
+            let (stage, mut file) = SceneFile::open_animated(path, options, None)?;
+            let _ = file.take_scene();
+            Ok(empty.insert((stage, file)))
+        }
+    }
+}
+
 impl Scene {
+    /// The first and the last time code, and the time codes per second, of a stage that is animated.
+    pub(super) fn timing(&self, py: Python<'_>) -> PyResult<Option<(f64, f64, f64)>> {
+        let Origin::File { path, options } = &self.origin else {
+            return Ok(None);
+        };
+        if !SceneFile::is_stage(path) {
+            return Ok(None);
+        }
+        let timing = py.detach(|| {
+            let mut animation = self.animation.lock().unwrap_or_else(PoisonError::into_inner);
+            Ok::<_, SceneFileError>(opened(&mut animation, path, options)?.0.timing().clone())
+        });
+        let timing = timing.map_err(|failed| reading(path, &failed))?;
+        let (first, last) = timing.range.unwrap_or((0.0, f64::INFINITY));
+        Ok(timing
+            .is_animated
+            .then_some((first, last, timing.time_codes_per_second)))
+    }
+
     /// Reads the stage at another time.
     pub(super) fn go_to(&self, py: Python<'_>, time: Option<f64>) -> PyResult<()> {
         let Origin::File { path, options } = &self.origin else {
@@ -50,15 +86,7 @@ impl Scene {
         let findings = py.detach(|| {
             // Locked until all is changed, so that threads do not mix times.
             let mut animation = self.animation.lock().unwrap_or_else(PoisonError::into_inner);
-            let (stage, file) = match &mut *animation {
-                Some(open) => open,
-                empty => {
-                    // Opened at the same time as the scene, to whose instances changes refer.
-                    let (stage, mut file) = SceneFile::open_animated(path, options, None)?;
-                    let _ = file.take_scene();
-                    empty.insert((stage, file))
-                }
-            };
+            let (stage, file) = opened(&mut animation, path, options)?;
             let (change, mut findings) = stage.at(time)?;
             findings.extend(time.and_then(|time| stage.timing().check(&[time])));
             let mut drawn = self.stage.write().unwrap_or_else(PoisonError::into_inner);

@@ -17,7 +17,8 @@ from ._library import TESTED, check_version
 check_version()
 
 from ._mujoco import from_mujoco  # noqa: E402
+from ._recording import record  # noqa: E402
 from ._virtual import VirtualDevice, virtual_device  # noqa: E402
 from ._world import World  # noqa: E402
 
-__all__ = ["TESTED", "VirtualDevice", "World", "from_mujoco", "virtual_device"]
+__all__ = ["TESTED", "VirtualDevice", "World", "from_mujoco", "record", "virtual_device"]

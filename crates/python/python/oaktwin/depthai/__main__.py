@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from .._findings import Error
+from ._recording import record
 from ._run import Run, run_program
 from ._twin import ENGINES
 from ._world import Pose
@@ -24,9 +25,12 @@ def main(arguments: list[str] | None = None) -> int:
         program = []
     parser = _parser()
     options = parser.parse_args(given)
-    if not program:
+    if options.record is not None:
+        if program or options.seconds is None:
+            parser.error("--record takes --seconds, and no program")
+    elif not program:
         parser.error("the program is missing; put it after --: ... -- my_app.py")
-    if not Path(program[0]).is_file():
+    elif not Path(program[0]).is_file():
         parser.error(f"{program[0]}: this file does not exist; put the program after --")
     try:
         pose = _pose(options)
@@ -38,8 +42,14 @@ def main(arguments: list[str] | None = None) -> int:
             "fast": options.fast,
             "seed": options.seed,
             "ambient": options.ambient,
+            "networks": dict(map(_network, options.network)),
         }
-        run = Run(options.calibration or options.model, settings, program, options.headless, options.seconds)
+        device = options.calibration or options.model
+        if options.record is not None:
+            world = {name: settings[name] for name in ("scene", "pose", "look_at", "seed", "ambient")}
+            record(options.record, device, seconds=options.seconds, fps=options.fps, **world)
+            return 0
+        run = Run(device, settings, program, options.headless, options.seconds)
         return run_program(run)
     except (Error, OSError) as error:
         print(f"oaktwin: {error}", file=sys.stderr)
@@ -66,9 +76,19 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--fast", action="store_true", help="do not wait between frames, and drop none")
     parser.add_argument("--headless", type=int, metavar="N", help="do not open windows, and press q after N frames; 0 for never")
     parser.add_argument("--seconds", type=float, metavar="T", help="end the program after T seconds, with the exit code 0")
+    parser.add_argument("--network", metavar="NAME=FILE", action="append", default=[], help="an ONNX file for the model or node NAME; repeatable")
+    parser.add_argument("--record", metavar="DIR", help="record T seconds for DepthAI's holistic replay instead of running a program")
+    parser.add_argument("--fps", type=float, default=30.0, help="the images per second of --record (default: %(default)s)")
     parser.add_argument("--seed", type=int, default=0, help="the noise seed (default: %(default)s)")
     parser.add_argument("--ambient", type=float, default=1.0, help="the scale of the scene's lights (default: %(default)s)")
     return parser
+
+
+def _network(text: str) -> tuple[str, str]:
+    name, separator, path = text.partition("=")
+    if not (name and separator and path):
+        raise Error(f"--network: {text!r}; write NAME=FILE.onnx, where NAME is the model that the program asks for, or the node")
+    return name, path
 
 
 def _pose(options: argparse.Namespace) -> Pose | None:

@@ -11,8 +11,8 @@ import numpy as np
 from .._cameras import Camera as Lens
 from .._findings import Error
 from ._capability import Capability
-from ._exposure import UNIT_ISO, Shutter, expose_colour
-from ._frames import CAMERA_TYPES, Image, Type, colour_frame, grey_frame, resample, transformation
+from ._exposure import UNIT_ISO, Shutter, expose_colour, mosaic
+from ._frames import CAMERA_TYPES, Image, Type, colour_frame, grey_frame, raw_frame, resample, transformation
 from ._library import warn_once
 from ._node import VirtualNode
 
@@ -43,6 +43,8 @@ class Request:
 class CameraNode(VirtualNode):
     """Takes the images of one socket and sends them to the outputs that were requested: the common part of all camera nodes."""
 
+    is_source = True
+
     def __init__(self) -> None:
         super().__init__()
         self.requests: list[Request] = []
@@ -55,10 +57,7 @@ class CameraNode(VirtualNode):
         self.role, self.lens = self.twin.camera(socket)
         self.socket = socket
         self.is_of_pair = bool(self.twin.stereo_sockets and socket in self.twin.stereo_sockets)
-
-    def view(self, request: Request) -> Lens:
-        """The camera of the images of an output."""
-        return view_of(self.lens, request)
+        self.has_colour = self.twin.has_colour(socket)
 
     def work(self) -> None:
         """Takes frames until the pipeline stops."""
@@ -68,10 +67,9 @@ class CameraNode(VirtualNode):
         self._wants_still = exposure.apply(self.initialControl)
         fps = max(request.fps for request in self.requests)
         schedule = self.twin.clock.schedule(fps)
-        origin_socket, origin = self.twin.origin
         for one in self.requests:
             one.is_cut = self.is_of_pair
-        described = [transformation(self.view(one), origin, origin_socket) for one in self.requests]
+        device, described = self.twin.described, self._described()
         needed = [self._shows_its_image(one.output) for one in self.requests]
         frame = -1
         sent = [-1] * len(self.requests)
@@ -81,6 +79,8 @@ class CameraNode(VirtualNode):
                 self._wants_still |= exposure.apply(control)
             if not exposure.is_streaming:
                 continue
+            if device is not self.twin.described:
+                device, described = self.twin.described, self._described()
             seconds = schedule.time(frame)
             shutter = self.twin.shutter(self.socket, seconds, frame) if any(needed) else exposure.shutter
             for index, request in enumerate(self.requests):
@@ -96,6 +96,12 @@ class CameraNode(VirtualNode):
                 request.output.send(message)
             self._wants_still = False
 
+    def _described(self) -> list[dai.ImgTransformation]:
+        """What the messages of each output say about their images: what the device takes for its calibration."""
+        socket, origin = self.twin.origin
+        lens = self.twin.described.cameras[self.role]
+        return [transformation(view_of(lens, one), origin, socket) for one in self.requests]
+
     def _shows_its_image(self, output: dai.Node.Output) -> bool:
         """Whether anything looks at the images of an output: not if only StereoDepth receives them, which measures exact depth."""
         if self.twin.settings.engine != "stereo-noise" or output.getName() in self.queued_outputs:
@@ -105,17 +111,17 @@ class CameraNode(VirtualNode):
         return any(getattr(pipeline.getNode(one.inputId), "needs_images", True) for one in links)
 
     def _message(self, request: Request, seconds: float, frame: int, shutter: Shutter) -> dai.ImgFrame:
-        if self.is_of_pair and not request.undistort:
+        if not self.has_colour and not request.undistort:
             grey = self._grey(request, seconds, frame, shutter)
-            return grey_frame(grey, request.kind)
+            return raw_frame(grey.astype(np.uint16) << 2) if request.kind == Type.RAW10 else grey_frame(grey, request.kind)
         if self.twin.light.dots and self.is_of_pair:
-            warn_once("Camera: undistorted images of the stereo pair do not show the dots of the projector")
+            warn_once("Camera: undistorted images and colour images of the stereo pair do not show the dots of the projector")
         view = inner_view(self.lens, request)
         image = self.twin.shots.colour(seconds, view)
         light = self.twin.settings.ambient * shutter.light
         seed = (self.twin.settings.seed, int(self.socket), frame)
         image = expose_colour(image, light, shutter.iso / UNIT_ISO, seed)
-        return colour_frame(letterboxed(image, request), request.kind)
+        return raw_frame(mosaic(image)) if request.kind == Type.RAW10 else colour_frame(letterboxed(image, request), request.kind)
 
     def _grey(self, request: Request, seconds: float, frame: int, shutter: Shutter) -> Image:
         """The image of a camera of the stereo pair, whose imager also shows the dots of the projector."""
@@ -288,8 +294,7 @@ class Camera(CameraNode):
         width, height = (int(value) for value in size)
         if width <= 0 or height <= 0:
             raise RuntimeError(f"Camera: the size {width}x{height} has no pixels")
-        is_grey = self.is_of_pair
-        kind = type if type is not None else Type.GRAY8 if is_grey else Type.NV12
+        kind = type if type is not None else Type.NV12 if self.has_colour else Type.GRAY8
         if kind not in CAMERA_TYPES:
             raise RuntimeError(f"Camera: the type {kind.name} is not one that a camera sends")
         if kind in (Type.NV12, Type.YUV420p) and (width % 2 or height % 2):
@@ -302,9 +307,9 @@ class Camera(CameraNode):
         return output
 
     def work(self) -> None:
-        """Takes frames until the pipeline stops; `raw` are the values before any processing."""
+        """Takes frames until the pipeline stops; `raw` has the values before any processing."""
         if self.is_wanted(self.raw):
-            raise Error("Camera: raw images are not simulated; request an output of another type")
+            self.requests.append(Request(self.raw, self.lens.size, Type.RAW10, fps=self._fps or _DEFAULT_FPS))
         super().work()
 
     def getMaxWidth(self) -> int:
@@ -330,8 +335,8 @@ class Camera(CameraNode):
         return max((one.size[1] for one in self.requests), default=0)
 
     def getSensorType(self) -> dai.CameraSensorType:
-        """Whether the sensor has colour filters, by the place of its socket."""
-        return dai.CameraSensorType.MONO if self.is_of_pair else dai.CameraSensorType.COLOR
+        """Whether the sensor has colour filters."""
+        return dai.CameraSensorType.COLOR if self.has_colour else dai.CameraSensorType.MONO
 
     def setSensorType(self, sensorType: dai.CameraSensorType) -> Self:
         """Has no effect: the twin knows its sensor."""

@@ -28,6 +28,8 @@ class Clock:
 
     def __init__(self, *, fast: bool) -> None:
         self.fast = fast
+        # The time after which no sensor measures, in seconds.
+        self.end = float("inf")
         self._start: float | None = None
         self._host_start = timedelta(0)
         self._lock = threading.Lock()
@@ -74,15 +76,19 @@ class Schedule:
         """The time in seconds at which a frame is taken."""
         return frame / self.fps
 
+    def is_over(self, frame: int) -> bool:
+        """Whether a frame is after the end of the clock."""
+        return self.time(frame) >= self.clock.end - 1e-9
+
     def next(self, last: int, is_running: Callable[[], bool]) -> int | None:
         """Waits for the frame after frame `last`, and returns its number, or None if the pipeline stops before."""
         if self.clock.fast:
-            return last + 1 if is_running() else None
+            return last + 1 if is_running() and not self.is_over(last + 1) else None
         with self._lock:
             if self._current <= last:
                 self._current = max(last + 1, int(self.clock.now() * self.fps))
             frame = self._current
-        while is_running():
+        while is_running() and not self.is_over(frame):
             remaining = self.time(frame) - self.clock.now()
             if remaining <= 0:
                 return frame

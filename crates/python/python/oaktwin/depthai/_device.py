@@ -165,10 +165,14 @@ class DeviceStandIn(metaclass=_DeviceKind):
 
     isEepromAvailable = isCalibrationAvailable
 
+    def setCalibration(self, calibrationDataHandler: dai.CalibrationHandler) -> None:
+        """Sets what the device takes for its calibration until it is closed. Images stay as they are, because the cameras do."""
+        self.twin.set_calibration(calibrationDataHandler)
+
     def _refuse_to_flash(self, *_: Any, **__: Any) -> bool:
         raise Error("Device: a virtual device has no memory to write to; pass the calibration to virtual_device instead")
 
-    flashCalibration = tryFlashCalibration = setCalibration = flashFactoryCalibration = _refuse_to_flash
+    flashCalibration = tryFlashCalibration = flashFactoryCalibration = _refuse_to_flash
     factoryResetCalibration = flashEepromClear = flashFactoryEepromClear = _refuse_to_flash
 
     # Its light and its inertial sensor.
@@ -185,6 +189,12 @@ class DeviceStandIn(metaclass=_DeviceKind):
     def getIrDrivers(self) -> list[tuple[str, int, int]]:
         """The driver of the dot projector, if there is one."""
         return [("LM3644", 2, 0x63)] if self.twin.shots.has_projector else []
+
+    def getIMUFirmwareVersion(self) -> dai.Version:
+        """A plausible constant, 0.0.0."""
+        return dai.Version(0, 0, 0)
+
+    getEmbeddedIMUFirmwareVersion = getIMUFirmwareVersion
 
     def getConnectedIMU(self) -> str:
         """The first inertial part, or NONE."""
@@ -301,8 +311,7 @@ def _features(twin: Twin, socket: dai.CameraBoardSocket) -> dai.CameraFeatures:
     if role == "tof":
         kind = dai.CameraSensorType.TOF
     else:
-        is_mono = bool(twin.stereo_sockets and socket in twin.stereo_sockets)
-        kind = dai.CameraSensorType.MONO if is_mono else dai.CameraSensorType.COLOR
+        kind = dai.CameraSensorType.COLOR if twin.has_colour(socket) else dai.CameraSensorType.MONO
     features = dai.CameraFeatures()
     features.socket, features.sensorName, features.name = socket, sensor, "tof" if role == "tof" else _NAMES[socket]
     features.width, features.height = camera.size

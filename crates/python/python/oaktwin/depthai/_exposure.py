@@ -153,11 +153,27 @@ def expose_colour(rgb: Image, light: float, gain: float, seed: tuple[int, ...]) 
     return _encode(mean_table[rgb] + spread_table[rgb] * noise)
 
 
+def mosaic(rgb: Image) -> npt.NDArray[np.uint16]:
+    """The raw values of an sRGB image (H, W, 3): (H, W) uint16 from 0 to 1023, which grow linearly with light, behind filters in the order
+    red, green, green, blue.
+    """
+    linear = np.round(1023 * _linear()).astype(np.uint16)
+    raw = linear[rgb[..., 1]]
+    raw[::2, ::2], raw[1::2, 1::2] = linear[rgb[::2, ::2, 0]], linear[rgb[1::2, 1::2, 2]]
+    return raw
+
+
+@functools.cache
+def _linear() -> npt.NDArray[np.float64]:
+    """The light of each sRGB value, from 0 to 1."""
+    values = np.arange(256) / 255
+    return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+
+
 @functools.lru_cache(maxsize=8)
 def _tables(light: float, gain: float) -> tuple[npt.NDArray[np.float32], npt.NDArray[np.float32]]:
     """The mean and the standard deviation of the linear signal for each rendered value."""
-    values = np.arange(256) / 255
-    linear = np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4) * light
+    linear = _linear() * light
     electrons = _imager()["fullWell"] / gain
     variance = linear / electrons + (_imager()["readNoise"] / electrons) ** 2
     return linear.astype(np.float32), np.sqrt(variance).astype(np.float32)

@@ -74,6 +74,23 @@ def grey_frame(grey: Image, kind: dai.ImgFrame.Type = Type.GRAY8) -> dai.ImgFram
     return frame
 
 
+def raw_frame(values: npt.NDArray[np.uint16]) -> dai.ImgFrame:
+    """An image message of raw values (H, W) from 0 to 1023, packed like MIPI's RAW10: four pixels in five bytes, the last of which has the
+    lowest bits. The stride is that of DepthAI, in pixels.
+    """
+    height, width = values.shape
+    groups = values.reshape(-1, 4)
+    packed = np.empty((len(groups), 5), np.uint8)
+    packed[:, :4] = groups >> 2
+    packed[:, 4] = ((groups & 3) << np.arange(0, 8, 2, dtype=np.uint16)).sum(axis=1)
+    frame = dai.ImgFrame()
+    frame.setSize(width, height)
+    frame.setType(Type.RAW10)
+    frame.setStride(width)
+    frame.setData(packed.ravel())
+    return frame
+
+
 def depth_frame(millimetres: npt.NDArray[np.uint16]) -> dai.ImgFrame:
     """An image message of depth or of subpixel disparity, (H, W) uint16."""
     frame = dai.ImgFrame()

@@ -26,6 +26,7 @@ _LONGEST_BATCH = 20
 class IMU(VirtualNode):
     """DepthAI's IMU. Its packets have the samples of all sensors at one time."""
 
+    is_source = True
     Properties = getattr(dai.node.IMU, "Properties", None)
 
     def __init__(self) -> None:
@@ -79,6 +80,8 @@ class IMU(VirtualNode):
         while self.runs():
             # In real time, packets that are late are sent together; none is lost.
             target = sent + batch - 1
+            if schedule.is_over(target):
+                return
             if self.twin.clock.fast:
                 latest = target
             else:

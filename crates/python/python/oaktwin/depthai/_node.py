@@ -40,6 +40,8 @@ class VirtualNode(dai.node.ThreadedHostNode):
         if twin is None:
             raise Error(f"{type(self).__name__}: it is created outside a pipeline; use pipeline.create(dai.node.{type(self).__name__})")
         self.twin: Twin = twin
+        # Whether its work is done, before the pipeline has stopped.
+        self.has_ended = False
         # The names of the outputs whose messages a program reads.
         self.queued_outputs: set[str] = set()
 
@@ -76,6 +78,7 @@ class VirtualNode(dai.node.ThreadedHostNode):
         """Runs `work`, and reports what it raises."""
         try:
             self.work()
+            self.has_ended = True
         except Closed:
             pass
         except BaseException as error:

@@ -15,27 +15,33 @@ from ._device import DeviceStandIn
 from ._image_nodes import EdgeDetector, FeatureTracker, Gate, VideoEncoder
 from ._imu import IMU
 from ._legacy_cameras import ColorCamera, MonoCamera
+from ._network_nodes import DetectionNetwork, NeuralDepth, NeuralNetwork
 from ._node import VirtualNode
 from ._pipeline import VirtualPipeline
 from ._script import Script
 from ._stereo import StereoDepth
 from ._tof import ToF, ToFBase
 from ._twin import Twin
+from ._warp import Warp
 
 _NODES = (
     Camera,
     ColorCamera,
     Depth,
+    DetectionNetwork,
     EdgeDetector,
     FeatureTracker,
     Gate,
     IMU,
     MonoCamera,
+    NeuralDepth,
+    NeuralNetwork,
     Script,
     StereoDepth,
     ToF,
     ToFBase,
     VideoEncoder,
+    Warp,
 )
 _lock = threading.RLock()
 _before: list[tuple[Any, str, Any]] = []

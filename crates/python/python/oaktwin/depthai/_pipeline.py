@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import depthai as dai
 
 from .._findings import Error
+from ._holistic import add_recorders
 from ._library import warn_once
 from ._node import Closed, VirtualNode, creating_for
 
@@ -22,7 +23,10 @@ RealPipeline = dai.Pipeline
 # Seconds after which `run` notices that the pipeline has stopped, if no host node sends it anything.
 _TASK_PATIENCE_S = 0.1
 # Why nodes of the device cannot run here, and what helps.
-_NETWORK = "it runs a neural network on the device's processor; test the rest of the program without this node"
+_NETWORK = "it runs a neural network on the device's processor; "
+_OWN_NETWORK = _NETWORK + "name an ONNX file of yours to run instead, with --network {name}=FILE.onnx or networks={{'{name}': ...}}"
+# The nodes that run networks of the user's.
+_WITH_NETWORK = ("NeuralNetwork", "DetectionNetwork", "NeuralDepth")
 _HARDWARE = "it needs hardware that is not simulated; leave it out"
 _CALIBRATION = "DepthAI's own code reads the calibration from hardware there; record images, and run it on them elsewhere"
 _REASONS = {
@@ -30,12 +34,8 @@ _REASONS = {
     "RTABMapVIO": _CALIBRATION,
     "RTABMapSLAM": _CALIBRATION,
     "DynamicCalibration": _CALIBRATION,
-    "Warp": "warping on the device is not simulated; use ImageManip",
-    "NeuralNetwork": _NETWORK,
-    "DetectionNetwork": _NETWORK,
-    "SpatialDetectionNetwork": _NETWORK,
-    "NeuralDepth": _NETWORK + ", or use StereoDepth",
-    "NeuralAssistedStereo": _NETWORK + ", or use StereoDepth",
+    "SpatialDetectionNetwork": _NETWORK + "use DetectionNetwork with an ONNX file of yours, and SpatialLocationCalculator",
+    "NeuralAssistedStereo": _NETWORK + "use StereoDepth, or NeuralDepth with an ONNX file of yours",
     "GPUStereo": "it runs on the graphics processor of an OAK 4; use StereoDepth",
     "Vpp": "its virtual patterns are not simulated; use StereoDepth",
     "AutoCalibration": "the calibration of a twin is exact or drifted as chosen, and does not change; leave it out",
@@ -47,6 +47,7 @@ class VirtualPipeline(RealPipeline):
     """A pipeline whose device nodes are simulated by a twin, and whose other nodes run on the host."""
 
     _is_started = False
+    _record_config: dai.RecordConfig | None = None
 
     def __init__(self, device: DeviceStandIn | bool | None = None, createImplicitDevice: bool = True) -> None:
         super().__init__(createImplicitDevice=False)
@@ -62,6 +63,11 @@ class VirtualPipeline(RealPipeline):
         self._nodes: list[Any] = []
         if self._device is not None:
             self._device.twin.pipelines.append(weakref.ref(self))
+            self.update_calibration()
+
+    def update_calibration(self) -> None:
+        """Passes the device's calibration to DepthAI, whose nodes on the host ask their pipeline for it."""
+        super().setCalibrationData(self.twin.calibration())
 
     @property
     def twin(self) -> Twin:
@@ -78,6 +84,8 @@ class VirtualPipeline(RealPipeline):
         name = getattr(kind, "__name__", str(kind))
         if name in _REASONS:
             raise Error(f"{name}: this node cannot be simulated: {_REASONS[name]}")
+        if name in _WITH_NETWORK and not self.twin.settings.networks:
+            raise Error(f"{name}: this node cannot be simulated: {_OWN_NETWORK.format(name=name)}")
         if isinstance(kind, type) and issubclass(kind, VirtualNode):
             with creating_for(self.twin):
                 node = super().create(kind, *arguments, **named)
@@ -103,6 +111,8 @@ class VirtualPipeline(RealPipeline):
 
     def start(self) -> None:
         """Starts all nodes on the host."""
+        if self._record_config is not None and not self._is_started:
+            add_recorders(self, self.twin, self._record_config)
         for node in self.getAllNodes():
             if hasattr(node, "setRunOnHost"):
                 node.setRunOnHost(True)
@@ -147,9 +157,9 @@ class VirtualPipeline(RealPipeline):
         """Whether the device has a calibration, which a twin always has."""
         return self._device is not None
 
-    def setCalibrationData(self, *arguments: Any) -> None:
-        """Is refused: images come from the twin's calibration."""
-        raise Error("Pipeline: its calibration is the twin's; pass the calibration to virtual_device instead")
+    def setCalibrationData(self, calibrationDataHandler: dai.CalibrationHandler) -> None:
+        """Sets what the device takes for its calibration, see `dai.Device.setCalibration`."""
+        self.twin.set_calibration(calibrationDataHandler)
 
     def _ignored(self, *_: Any, **__: Any) -> None:
         warn_once("Pipeline: settings of the device's memory, tuning and connection have no effect")
@@ -162,8 +172,8 @@ class VirtualPipeline(RealPipeline):
         raise Error("Pipeline: recordings are not replayed by a virtual device; its images come from the scene")
 
     def enableHolisticRecord(self, recordConfig: dai.RecordConfig) -> None:
-        """Is refused: DepthAI records device nodes only."""
-        raise Error("Pipeline: holistic recording is not simulated; record with the nodes RecordVideo and RecordMetadataOnly")
+        """Records all cameras and the inertial sensor into the folder of the configuration, as `enableHolisticReplay` reads it."""
+        self._record_config = recordConfig
 
     def __enter__(self) -> Self:
         super().__enter__()

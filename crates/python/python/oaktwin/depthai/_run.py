@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ._viewers import Viewers
 from ._virtual import VirtualDevice, virtual_device
 from ._windows import Windows
 
@@ -42,10 +43,10 @@ def run_program(run: Run) -> int:
     """Runs a program in this process and returns its exit code."""
     with contextlib.ExitStack() as stack:
         if run.frames is not None:
-            windows = Windows(run.frames or None)
-            windows.open()
-            stack.callback(windows.report)
-            stack.callback(windows.close)
+            for screen in (Windows(run.frames or None), Viewers(run.frames or None)):
+                screen.open()
+                stack.callback(screen.report)
+                stack.callback(screen.close)
         virtual = virtual_device(run.device, **run.settings)
         device = virtual.__enter__()
         timer = _Timer(device, run.seconds)

@@ -13,7 +13,7 @@ import depthai as dai
 from ._node import Closed, VirtualNode
 
 
-class _Ports(dict[str, Any]):
+class Ports(dict[str, Any]):
     """Inputs or outputs, each made when it is first named."""
 
     def __init__(self, make: Any) -> None:
@@ -53,8 +53,8 @@ class Script(VirtualNode):
 
     def __init__(self) -> None:
         super().__init__()
-        self.inputs = _Ports(lambda name: self.createInput(name=name, blocking=True, queueSize=8))
-        self.outputs = _Ports(lambda name: self.createOutput(name=name))
+        self.inputs = Ports(lambda name: self.createInput(name=name, blocking=True, queueSize=8))
+        self.outputs = Ports(lambda name: self.createOutput(name=name))
         self._text, self._name = "", "<script>"
 
     def setScript(self, script: str, name: str = "<script>") -> None:

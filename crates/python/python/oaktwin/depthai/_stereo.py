@@ -70,6 +70,8 @@ class StereoDepth(VirtualNode):
         self._rectifies = True
         self._rectify: Any = None
         self._aligned: dai.ImgFrame | None = None
+        # The calibration that the engine has.
+        self._device = self.twin.described
 
     def build(self, *arguments: Any, **named: Any) -> Self:
         """Links the outputs of two cameras, or creates the cameras."""
@@ -175,8 +177,11 @@ class StereoDepth(VirtualNode):
         wants_align = self.is_linked(self.inputAlignTo)
         checked: set[tuple[int, int]] = set()
         while self.runs():
-            left, right = self._synchronized()
+            left, right = synchronized(self.left, self.right)
             size = left.getWidth(), left.getHeight()
+            if self._device is not self.twin.described:
+                engine = self._engine(config)
+                checked.clear()
             if size not in checked:
                 checked.add(size)
                 self._check(left, "left")
@@ -198,7 +203,7 @@ class StereoDepth(VirtualNode):
 
     def _check(self, image: dai.ImgFrame, role: str) -> None:
         """Raises an error for an image that the calibration does not describe, whose depth would be wrong."""
-        own = self.twin.device.cameras[role].resized(image.getWidth(), image.getHeight(), rule="depthai")
+        own = self.twin.described.cameras[role].resized(image.getWidth(), image.getHeight(), rule="depthai")
         described: Any = image.getTransformation()
         if not described.isValid():
             warn_once("StereoDepth: an image has no transformation; it is taken as one of the whole sensor")
@@ -209,19 +214,10 @@ class StereoDepth(VirtualNode):
             )
 
     def _engine(self, config: Config) -> Matching | FromDepth:
+        self._device = self.twin.described
         if self.twin.settings.engine == "stereo-noise":
             return FromDepth(self, config)
         return Matching(self, config)
-
-    def _synchronized(self) -> tuple[dai.ImgFrame, dai.ImgFrame]:
-        """The next two images that were taken at the same time; others are dropped."""
-        left, right = self.left.get(), self.right.get()
-        while (apart := (left.getTimestampDevice() - right.getTimestampDevice()).total_seconds()) and abs(apart) > 1e-3:
-            if apart < 0:
-                left = self.left.get()
-            else:
-                right = self.right.get()
-        return left, right
 
     def _pass_on(self, left: dai.ImgFrame, right: dai.ImgFrame, config: Config) -> None:
         self.syncedLeft.send(left)
@@ -302,11 +298,11 @@ class StereoDepth(VirtualNode):
     @property
     def baseline(self) -> float:
         """The baseline of the rectified pair, metres."""
-        return float(self.twin.device.rectification().baseline)
+        return float(self.twin.described.rectification().baseline)
 
     def rectified_cameras(self, size: tuple[int, int]) -> tuple[Lens, Lens]:
         """The cameras of the rectified images."""
-        left = self.twin.device.depth_camera("stereo").resized(*size, rule="depthai")
+        left = self.twin.described.depth_camera("stereo").resized(*size, rule="depthai")
         return left, _shifted(left, self.baseline)
 
 
@@ -321,6 +317,17 @@ def _disparity(depth: Metres, focal_baseline: float) -> Metres:
     return np.where(depth > 0, focal_baseline / np.maximum(depth, 1e-6), 0).astype(np.float32)
 
 
+def synchronized(left_input: Any, right_input: Any) -> tuple[dai.ImgFrame, dai.ImgFrame]:
+    """The next images of two inputs that were taken at the same time; others are dropped."""
+    left, right = left_input.get(), right_input.get()
+    while (apart := (left.getTimestampDevice() - right.getTimestampDevice()).total_seconds()) and abs(apart) > 1e-3:
+        if apart < 0:
+            left = left_input.get()
+        else:
+            right = right_input.get()
+    return left, right
+
+
 class Matching:
     """Matches the images that the node receives."""
 
@@ -328,9 +335,9 @@ class Matching:
         self.node = node
         raw = None if node._rectifies else False
         self.matcher = StereoMatcher(
-            node.twin.device,
+            node.twin.described,
             raw=raw,
-            rectify=node._rectify if raw is not False and node.twin.device.origin != "nominal" else None,
+            rectify=node._rectify if raw is not False and node.twin.described.origin != "nominal" else None,
             parameters=parameters_of(config, node.twin.platform),
             filters=filters_of(config),
         )

@@ -64,9 +64,9 @@ class ToF(VirtualNode):
 
     def work(self) -> None:
         """Measures until the pipeline stops."""
-        for output in (self.phase, self.raw, self.confidence):
+        for output in (self.phase, self.raw):
             if self.is_wanted(output):
-                raise Error(f"ToF: the output {output.getName()} is not simulated; use depth, rawDepth, amplitude or intensity")
+                raise Error(f"ToF: the output {output.getName()} is not simulated; use depth, rawDepth, amplitude, confidence or intensity")
         twin = self.twin
         camera = twin.device.depth_camera("tof")
         filtered = DepthSensor(twin.device, sensor="tof", camera=camera, preset=self._preset, seed=twin.settings.seed)  # type: ignore[arg-type]
@@ -82,7 +82,8 @@ class ToF(VirtualNode):
                 if self.is_wanted(output):
                     measured = np.clip(np.round(1000 * sensor(exact, frame=frame)), 0, 65535).astype(np.uint16)
                     self._deliver(output, depth_frame(measured), transformation(sensor.camera, origin, socket), seconds, frame)
-            for output in (self.amplitude, self.intensity):
+            # On RVC2, the confidence is the amplitude.
+            for output in (self.amplitude, self.confidence, self.intensity):
                 if self.is_wanted(output):
                     self._deliver(output, self._brightness(seconds, exact, output), transformation(camera, origin, socket), seconds, frame)
 

@@ -10,12 +10,14 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import depthai as dai
+import numpy as np
 
 from .._cameras import Camera
 from .._devices import Device
 from .._findings import Error
 from ._clock import Clock
 from ._exposure import Exposure, Shutter
+from ._library import warn_once
 from ._shots import Shots
 from ._world import World
 
@@ -26,6 +28,8 @@ Socket = dai.CameraBoardSocket
 _SETTLING_SIZE, _SETTLING_STEPS = (80, 50), 6
 # The frames whose exposures are remembered, for the other camera of the pair.
 _DECIDED = 64
+# Colour sensors that stereo pairs have.
+_COLOUR_SENSORS = ("OV9782",)
 # Where the cameras of a device are connected, by their roles.
 _SOCKETS = {"rgb": Socket.CAM_A, "left": Socket.CAM_B, "right": Socket.CAM_C}
 
@@ -38,6 +42,8 @@ class Settings:
     fast: bool = False
     seed: int = 0
     ambient: float = 1.0
+    # The ONNX files of networks, by the names of models or nodes.
+    networks: dict[str, str] = field(default_factory=dict)
     # A fixed number in the identifier of the device, which distinguishes several.
     number: int = 0
 
@@ -69,6 +75,17 @@ class Twin:
         self.clock = Clock(fast=self.settings.fast)
         self.report: dict[str, Any] = self.device.report()
         self.calibration_json: dict[str, Any] = json.loads(next(iter(self.device.to_depthai().values())))
+        if not self.calibration_json["stereoRectificationData"]:
+            # Without a pair. DepthAI requires the keys.
+            turned: list[list[float]] = np.eye(3).tolist()
+            self.calibration_json["stereoRectificationData"] = {
+                "leftCameraSocket": -1,
+                "rightCameraSocket": -1,
+                "rectifiedRotationLeft": turned,
+                "rectifiedRotationRight": turned,
+            }
+        # The device as its calibration describes it: another one than that which takes the images after a program has set a calibration.
+        self.described = self.device
         self.cameras = self._cameras()
         self.shots = Shots(self.device, self.world, self.settings.seed, self.settings.ambient, self.light)
         self._exposures: dict[Socket, Exposure] = {}
@@ -115,6 +132,13 @@ class Twin:
         if "stereo" in self.device.depth_sensors:
             return Socket.CAM_B, Socket.CAM_C
         return None
+
+    def has_colour(self, socket: Socket) -> bool:
+        """Whether the sensor of a socket has colour filters: those of stereo pairs usually have none."""
+        role, _ = self.camera(socket)
+        if self.stereo_sockets is None or socket not in self.stereo_sockets:
+            return True
+        return any(one["role"] == role and one["sensor"].startswith(_COLOUR_SENSORS) for one in self.report["cameras"])
 
     @property
     def origin(self) -> tuple[Socket, Camera]:
@@ -168,6 +192,18 @@ class Twin:
     def calibration(self) -> dai.CalibrationHandler:
         """The calibration of the device, as DepthAI's own class."""
         return dai.CalibrationHandler.fromJson(self.calibration_json)
+
+    def set_calibration(self, calibration: dai.CalibrationHandler) -> None:
+        """Sets what the device and its nodes take for its calibration. Its cameras stay as they are."""
+        content = calibration.eepromToJson()
+        described = Device.from_calibration(content, force=True)
+        if described.depth_sensors != self.device.depth_sensors:
+            raise Error(f"Device: the calibration is one of another model than {self.device.name}; pass one of this model")
+        self.calibration_json, self.described = content, described
+        warn_once("Device: a calibration that a program sets changes what nodes calculate, not the images; with stereo-noise, depth stays as it was")
+        for reference in self.pipelines:
+            if (pipeline := reference()) is not None:
+                pipeline.update_calibration()
 
     def fail(self, error: BaseException, node: str) -> None:
         """Records the error of a node, shows it, and stops all pipelines."""

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from os import PathLike
+from os import PathLike, fspath
+from pathlib import Path
 from typing import Any
 
 from .._devices import Device
+from .._findings import Error
 from .._scenes import Scene
 from ._patch import plug, unplug
 from ._twin import Engine, Settings, Twin
@@ -64,6 +66,7 @@ def virtual_device(
     fast: bool = False,
     seed: int = 0,
     ambient: float = 1.0,
+    networks: Mapping[str, str | PathLike[str]] | None = None,
 ) -> Iterator[VirtualDevice]:
     """Plugs in a virtual device: within the context, programs for DepthAI find it instead of hardware.
 
@@ -76,12 +79,17 @@ def virtual_device(
         every queue that it creates.
     seed: the noise seed.
     ambient: the scale of the scene's lights, 0 is darkness.
+    networks: ONNX files for NeuralNetwork, DetectionNetwork and NeuralDepth, by the name of the model that a program asks for, or of the node.
 
     Raises oaktwin.Error for invalid arguments, and at the end of the context for what a node raised.
     """
     device = device_of(model_or_calibration)
+    files = {name: fspath(path) for name, path in (networks or {}).items()}
+    missing = next((path for path in files.values() if not Path(path).is_file()), None)
+    if missing is not None:
+        raise Error(f"{missing}: networks: this file does not exist; pass ONNX files by their names")
     world = make_world(scene, pose=pose, look_at=look_at, update=update)
-    twin = Twin(device, world, Settings(engine=engine, fast=fast, seed=seed, ambient=ambient, number=next(_numbers)))
+    twin = Twin(device, world, Settings(engine=engine, fast=fast, seed=seed, ambient=ambient, networks=files, number=next(_numbers)))
     plug(twin)
     try:
         yield VirtualDevice(twin)

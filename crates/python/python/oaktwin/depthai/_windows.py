@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import sys
+import time
 from typing import Any
 
 import numpy as np
 
 _NO_KEY = -1
+# A program that waits longer for a key waits again.
+_LONGEST_MS = 10
 # The functions of windows that have no effect without a screen, and what they return.
 _SILENT: dict[str, Any] = {
     "namedWindow": None,
@@ -79,10 +82,13 @@ class Windows:
         self.images[name] = array.copy()
         self._is_new = True
 
-    def _wait(self, *_: Any, **__: Any) -> int:
+    def _wait(self, delay: int = 0, *_: Any, **__: Any) -> int:
         if self._is_new:
             self._waits += 1
             self._is_new = False
+        elif delay > 0:
+            # A program that asks again and again leaves the processor to the others meanwhile, as with a real window.
+            time.sleep(min(delay, _LONGEST_MS) / 1000)
         return ord("q") if self.frames is not None and self._waits >= self.frames else _NO_KEY
 
     def report(self) -> None:

@@ -21,7 +21,8 @@ Pose = Union[npt.ArrayLike, Callable[[float], npt.ArrayLike], tuple[npt.ArrayLik
 
 
 class World:
-    """A scene and the motion of a device's body in it.
+    """A scene and the motion of a device's body in it. An animated USD stage plays from its first time code to its last one, and then stands
+    still.
 
     scene: an `oaktwin.Scene`, or the path of its file.
     pose: world_from_body, (4, 4) metres, the body's x forward, y left, z up; a function of the time in seconds that returns one; or
@@ -43,6 +44,7 @@ class World:
             raise Error("pose, look_at: both say where the device is; pass one of them")
         self._pose = self._motion(pose, look_at)
         self._update = update
+        self._animation = self.scene.animation
 
     def _motion(self, pose: Pose | None, look_at: Sequence[float] | None) -> Callable[[float], Float64]:
         if look_at is not None:
@@ -67,6 +69,11 @@ class World:
 
     def advance(self, seconds: float) -> None:
         """Moves the parts of the scene to where they are at a time."""
+        if self._animation is not None:
+            first, last, per_second = self._animation
+            code = min(first + seconds * per_second, last)
+            if code != self.scene.time:
+                self.scene.set_time(code)
         if self._update is not None:
             try:
                 self._update(seconds)
