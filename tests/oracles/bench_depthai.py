@@ -16,13 +16,13 @@ WARM_UP, FPS = 5, 200
 
 
 def main(seconds, room):
-    print("| scene | engine | size | frames/s |\n|---|---|---|---:|")
+    print("| scene | engine | size | frames/s | processor time of a frame |\n|---|---|---|---:|---:|")
     for scene, path in (("demo room", room), ("textured wall", "")):
         for engine in ENGINES:
             for width, height in SIZES:
                 command = [sys.executable, __file__, str(seconds), path, engine, str(width), str(height)]
-                rate = subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()[-1]
-                print(f"| {scene} | `{engine}` | {width} × {height} | {rate} |", flush=True)
+                rate, cost = subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()[-2:]
+                print(f"| {scene} | `{engine}` | {width} × {height} | {rate} | {cost} ms |", flush=True)
 
 
 def wall():
@@ -55,11 +55,11 @@ def measure(seconds, path, engine, size):
         pipeline.start()
         for _ in range(WARM_UP):
             queue.get()
-        start, count = time.perf_counter(), 0
+        start, used, count = time.perf_counter(), time.process_time(), 0
         while time.perf_counter() < start + seconds:
             queue.get()
             count += 1
-        print(f"{count / (time.perf_counter() - start):.1f}")
+        print(f"{count / (time.perf_counter() - start):.1f} {1000 * (time.process_time() - used) / count:.0f}")
 
 
 if __name__ == "__main__":

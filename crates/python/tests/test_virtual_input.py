@@ -119,9 +119,13 @@ def test_a_model_without_a_pair_has_a_calibration(model):
 
 
 def test_images_for_stereo_that_the_calibration_does_not_describe():
-    with pytest.raises(oaktwin.Error, match="such as 640x400"):
+    with pytest.raises(oaktwin.Error, match="with the resize mode CROP"):
         with virtual_device(MODEL, scene=textured_scene(), fast=True), dai.Pipeline() as pipeline:
-            queue = pipeline.create(dai.node.StereoDepth).build(True, size=(160, 160)).depth.createOutputQueue()
+            node = pipeline.create(dai.node.StereoDepth)
+            for socket, port in ((dai.CameraBoardSocket.CAM_B, node.left), (dai.CameraBoardSocket.CAM_C, node.right)):
+                camera = pipeline.create(dai.node.Camera).build(socket)
+                camera.requestOutput((160, 160), resizeMode=dai.ImgResizeMode.LETTERBOX).link(port)
+            queue = node.depth.createOutputQueue()
             pipeline.start()
             queue.get()
 

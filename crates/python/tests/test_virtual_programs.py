@@ -234,6 +234,29 @@ PROGRAMS = [
 ]  # fmt: skip
 
 
+@pytest.mark.parametrize("engine", ["stereo-matching", "stereo-noise"])
+def test_stereo_of_narrower_images(engine):
+    """Depth of images of 4:3, which the sensor's are cut to, is the middle of the depth of whole images."""
+    found = {}
+    for size in ((320, 200), (266, 200)):
+        with virtual_device(MODEL, scene=textured_scene(), fast=True, engine=engine), dai.Pipeline() as pipeline:
+            stereo = pipeline.create(dai.node.StereoDepth).build(True, size=size)
+            stereo.initialConfig.postProcessing.decimationFilter.decimationFactor = 1
+            queues = stereo.depth.createOutputQueue(), stereo.rectifiedLeft.createOutputQueue()
+            pipeline.start()
+            found[size] = [first(queue) for queue in queues]
+    (whole, whole_image), (narrow, narrow_image) = found.values()
+    assert narrow.getFrame().shape == narrow_image.getCvFrame().shape == (200, 266)
+    assert np.array_equal(narrow_image.getCvFrame(), whole_image.getCvFrame()[:, 27:-27])
+    expected, measured = (frame.getFrame().astype(float) for frame in (whole, narrow))
+    expected = expected[:, 27:-27]
+    is_both = (expected > 0) & (measured > 0)
+    # The engines' noise and edges differ, the wall and the box do not.
+    assert is_both.mean() > 0.6 and np.mean(np.abs(expected - measured)[is_both] < 0.05 * expected[is_both]) > 0.97
+    matrices = [np.array(frame.getTransformation().getIntrinsicMatrix()) for frame in (whole, narrow)]
+    assert matrices[0] - matrices[1] == pytest.approx(np.array([[0, 0, 27], [0, 0, 0], [0, 0, 0]]), abs=1e-3)
+
+
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda program: program.__name__)
 def test_program(program):
     run(program)

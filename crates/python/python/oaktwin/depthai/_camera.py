@@ -113,7 +113,7 @@ class CameraNode(VirtualNode):
     def _message(self, request: Request, seconds: float, frame: int, shutter: Shutter) -> dai.ImgFrame:
         if not self.has_colour and not request.undistort:
             grey = self._grey(request, seconds, frame, shutter)
-            return raw_frame(grey.astype(np.uint16) << 2) if request.kind == Type.RAW10 else grey_frame(grey, request.kind)
+            return raw_frame(np.left_shift(grey, 2, dtype=np.uint16)) if request.kind == Type.RAW10 else grey_frame(grey, request.kind)
         if self.twin.light.dots and self.is_of_pair:
             warn_once("Camera: undistorted images and colour images of the stereo pair do not show the dots of the projector")
         view = inner_view(self.lens, request)
@@ -176,12 +176,17 @@ def corner(whole: tuple[int, int], part: tuple[int, int]) -> tuple[int, int]:
     return (whole[0] - part[0]) // 2, (whole[1] - part[1]) // 2
 
 
+def cut(camera: Lens, size: tuple[int, int]) -> Lens:
+    """The camera of the middle of an image that is scaled to cover an output of this size."""
+    whole = cover_size(camera, size)
+    return camera.resized(*whole, rule="depthai", keep_aspect_ratio=False).cropped(*corner(whole, size), *size)
+
+
 def inner_view(lens: Lens, request: Request) -> Lens:
     """The camera of the part of an output's image that shows the scene: all but the bars of a letterbox."""
     width, height = request.size
     if request.resize == Resize.CROP and request.is_cut:
-        size = cover_size(lens, request.size)
-        view = lens.resized(*size, rule="depthai", keep_aspect_ratio=False).cropped(*corner(size, request.size), width, height)
+        view = cut(lens, request.size)
     elif request.resize == Resize.CROP:
         view = lens.resized(width, height, rule="depthai")
     elif request.resize == Resize.STRETCH:

@@ -87,7 +87,7 @@ def raw_frame(values: npt.NDArray[np.uint16]) -> dai.ImgFrame:
     frame.setSize(width, height)
     frame.setType(Type.RAW10)
     frame.setStride(width)
-    frame.setData(packed.ravel())
+    frame.setData(packed.tobytes())
     return frame
 
 

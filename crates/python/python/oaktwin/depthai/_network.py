@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import ast
+from dataclasses import dataclass
 from os import PathLike, fspath
 from typing import Any
 
-import dataclasses
 import depthai as dai
 import numpy as np
 import numpy.typing as npt
@@ -17,7 +17,7 @@ from ._frames import Image, grey_of, luma
 _TYPES: dict[str, Any] = {"tensor(float)": np.float32, "tensor(float16)": np.float16, "tensor(uint8)": np.uint8}
 
 
-@dataclasses.dataclass
+@dataclass
 class Port:
     """An input of a network: the name, the number of channels, the size (width, height) px or None for any, and the type of its values."""
 
@@ -50,7 +50,7 @@ class Network:
 
     def __init__(self, path: str | PathLike[str], node: str) -> None:
         try:
-            import onnxruntime
+            import onnxruntime  # type: ignore[import-untyped]
         except ImportError as error:
             raise Error(f"{node}: networks need ONNX Runtime; install it: pip install onnxruntime") from error
         self.path, self.node = fspath(path), node

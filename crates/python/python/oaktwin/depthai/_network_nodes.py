@@ -155,7 +155,8 @@ def _detections(image: Any, rows: Any, size: tuple[int, int], threshold: float, 
         detections.append(one)
     message.detections = detections
     message.setTransformation(image.getTransformation())
-    return _timed(message, image)
+    _time(message, image)
+    return message
 
 
 def _tensors(image: Any, found: dict[str, Any]) -> dai.NNData:
@@ -163,14 +164,14 @@ def _tensors(image: Any, found: dict[str, Any]) -> dai.NNData:
     for name, value in found.items():
         data.addTensor(name, value)
     data.setTransformation(image.getTransformation())
-    return _timed(data, image)
+    _time(data, image)
+    return data
 
 
-def _timed(message: Any, image: Any) -> Any:
+def _time(message: Any, image: Any) -> None:
     message.setSequenceNum(image.getSequenceNum())
     message.setTimestamp(image.getTimestamp())
     message.setTimestampDevice(image.getTimestampDevice())
-    return message
 
 
 class NeuralDepth(VirtualNode):
@@ -223,16 +224,17 @@ class NeuralDepth(VirtualNode):
             for output, values in ((self.depth, 1000 * found["depth"]), (self.disparity, _DISPARITY_SCALE * found["disparity"])):
                 if self.is_wanted(output):
                     self._deliver(output, depth_frame(np.clip(np.round(values), 0, 65535).astype(np.uint16)), matcher.camera, left)
-            for output, name in ((self.rectifiedLeft, "rectified_left"), (self.rectifiedRight, "rectified_right")):
+            for output, image in ((self.rectifiedLeft, found["rectified_left"]), (self.rectifiedRight, found["rectified_right"])):
                 if self.is_wanted(output):
-                    self._deliver(output, grey_frame(found[name]), matcher.camera, left)
+                    self._deliver(output, grey_frame(image), matcher.camera, left)
 
     def _deliver(self, output: dai.Node.Output, frame: dai.ImgFrame, camera: Lens, source: dai.ImgFrame) -> None:
         socket, origin = self.twin.origin
         frame.setSourceSize(camera.width, camera.height)
         frame.setTransformation(transformation(camera, origin, socket))
         frame.setInstanceNum(source.getInstanceNum())
-        output.send(_timed(frame, source))
+        _time(frame, source)
+        output.send(frame)
 
 
 class _StereoNetwork:

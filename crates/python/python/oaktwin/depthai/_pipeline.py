@@ -157,9 +157,10 @@ class VirtualPipeline(RealPipeline):
         """Whether the device has a calibration, which a twin always has."""
         return self._device is not None
 
-    def setCalibrationData(self, calibrationDataHandler: dai.CalibrationHandler) -> None:
-        """Sets what the device takes for its calibration, see `dai.Device.setCalibration`."""
-        self.twin.set_calibration(calibrationDataHandler)
+    def setCalibrationData(self, *calibration: Any, **named: Any) -> None:
+        """Sets what the device takes for its calibration, see `dai.Device.setCalibration`. The device may be named first."""
+        handler: Any = named.get("calibrationDataHandler", calibration[-1] if calibration else None)
+        self.twin.set_calibration(handler)
 
     def _ignored(self, *_: Any, **__: Any) -> None:
         warn_once("Pipeline: settings of the device's memory, tuning and connection have no effect")

@@ -57,7 +57,7 @@ def record(
         twin.light.dots = projector
         target.mkdir(parents=True, exist_ok=True)
         config = dai.RecordConfig()
-        config.outputDir = str(target)
+        config.outputDir = target
         config.videoEncoding.enabled, config.videoEncoding.profile, config.videoEncoding.quality = True, _Profile.MJPEG, _QUALITY
         with dai.Pipeline() as pipeline:
             for socket, (role, lens) in twin.cameras.items():

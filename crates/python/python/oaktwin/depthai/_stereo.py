@@ -13,7 +13,7 @@ from .._cameras import Camera as Lens
 from .._findings import Error
 from .._images import align
 from .._sensors import DepthSensor, StereoMatcher
-from ._camera import Camera
+from ._camera import Camera, corner, cover_size, cut
 from ._frames import camera_of, depth_frame, grey_frame, grey_of, transformation
 from ._library import warn_once
 from ._node import VirtualNode, creating_for
@@ -203,14 +203,14 @@ class StereoDepth(VirtualNode):
 
     def _check(self, image: dai.ImgFrame, role: str) -> None:
         """Raises an error for an image that the calibration does not describe, whose depth would be wrong."""
-        own = self.twin.described.cameras[role].resized(image.getWidth(), image.getHeight(), rule="depthai")
+        own = cut(self.twin.described.cameras[role], (image.getWidth(), image.getHeight()))
         described: Any = image.getTransformation()
         if not described.isValid():
             warn_once("StereoDepth: an image has no transformation; it is taken as one of the whole sensor")
         elif np.abs(np.asarray(described.getIntrinsicMatrix()) - own.K).max() > 1e-2:
             raise Error(
-                f"StereoDepth: the {role} image of {own.width}x{own.height} is not the sensor's image, scaled as a whole; "
-                "request outputs with the proportions of the sensor, such as 640x400, with the resize mode CROP"
+                f"StereoDepth: the {role} image of {own.width}x{own.height} is not the middle of the sensor's image; "
+                "request outputs without undistortion, with the resize mode CROP"
             )
 
     def _engine(self, config: Config) -> Matching | FromDepth:
@@ -302,7 +302,7 @@ class StereoDepth(VirtualNode):
 
     def rectified_cameras(self, size: tuple[int, int]) -> tuple[Lens, Lens]:
         """The cameras of the rectified images."""
-        left = self.twin.described.depth_camera("stereo").resized(*size, rule="depthai")
+        left = cut(self.twin.described.depth_camera("stereo"), size)
         return left, _shifted(left, self.baseline)
 
 
@@ -343,14 +343,39 @@ class Matching:
         )
 
     def measure(self, left: dai.ImgFrame, right: dai.ImgFrame) -> Measured:
-        """Depth, disparity and confidence of a pair."""
-        found = self.matcher(grey_of(left), grey_of(right))
+        """Depth, disparity and confidence of a pair. Narrower images are matched as parts of the sensor's, without anything around them."""
+        size = left.getWidth(), left.getHeight()
+        whole = cover_size(self.node.twin.described.cameras["left"], size)
+        found = self.matcher(_framed(grey_of(left), whole), _framed(grey_of(right), whole))
         for finding in found["findings"]:
             warn_once(f"StereoDepth: {finding}")
-        rectified = found["rectified_left"], found["rectified_right"]
+        rectified = _middle(found["rectified_left"], whole, size), _middle(found["rectified_right"], whole, size)
         values = self.matcher.parameters
-        focal_baseline = float(values["focalLength"]) * float(values["baseline"]) * left.getWidth() / int(values["width"])
-        return Measured(found["depth"], found["disparity"], found["confidence"], self.matcher.camera, focal_baseline, rectified)
+        focal_baseline = float(values["focalLength"]) * float(values["baseline"]) * whole[0] / int(values["width"])
+        depth, disparity, confidence = (_middle(found[name], whole, size) for name in ("depth", "disparity", "confidence"))
+        camera = self.matcher.camera
+        if whole != size:
+            left_px, top_px = corner(camera.size, depth.shape[::-1])
+            camera = camera.cropped(left_px, top_px, *depth.shape[::-1])
+        return Measured(depth, disparity, confidence, camera, focal_baseline, rectified)
+
+
+def _framed(image: Any, whole: tuple[int, int]) -> Any:
+    """An image in the middle of one of the whole sensor, whose edges repeat."""
+    size = image.shape[1], image.shape[0]
+    if size == whole:
+        return image
+    left, top = corner(whole, size)
+    return np.pad(image, ((top, whole[1] - size[1] - top), (left, whole[0] - size[0] - left)), mode="edge")
+
+
+def _middle(image: Any, whole: tuple[int, int], size: tuple[int, int]) -> Any:
+    """The middle of an image of the whole sensor, in the proportions of the images; filters may have made it smaller."""
+    if whole == size:
+        return image
+    width, height = image.shape[1] * size[0] // whole[0], image.shape[0] * size[1] // whole[1]
+    left, top = corner((image.shape[1], image.shape[0]), (width, height))
+    return np.ascontiguousarray(image[top : top + height, left : left + width])
 
 
 class FromDepth:
@@ -384,7 +409,7 @@ class FromDepth:
 
     def _sensor(self, size: tuple[int, int]) -> tuple[DepthSensor, Lens]:
         twin = self.node.twin
-        camera = twin.device.depth_camera("stereo").resized(*size, rule="depthai")
+        camera = cut(twin.device.depth_camera("stereo"), size)
         extended = bool(self.config.algorithmControl.enableExtended)
         sensor = DepthSensor(
             twin.device,

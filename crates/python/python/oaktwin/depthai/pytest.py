@@ -18,6 +18,7 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
+from ._viewers import Viewers
 from ._virtual import VirtualDevice, virtual_device
 from ._windows import Windows
 
@@ -28,15 +29,15 @@ __all__ = ["virtual_oak"]
 def virtual_oak() -> Iterator[Callable[..., VirtualDevice]]:
     """A function that plugs in a virtual device until the end of the test, by default one that is fast and deterministic.
 
-    It takes the arguments of `virtual_device`, and `frames`: the images after which the key q is pressed. Windows of OpenCV are not opened. At the
+    It takes the arguments of `virtual_device`, and `frames`: the images after which the key q is pressed. Windows of OpenCV, Open3D and Rerun are not opened. At the
     end, the test fails if a node has raised an exception.
     """
     with contextlib.ExitStack() as stack:
 
         def plug(*arguments: object, frames: int | None = 10, fast: bool = True, **options: object) -> VirtualDevice:
-            windows = Windows(frames)
-            windows.open()
-            stack.callback(windows.close)
+            for screen in (Windows(frames), Viewers(frames)):
+                screen.open()
+                stack.callback(screen.close)
             return stack.enter_context(virtual_device(*arguments, fast=fast, **options))  # type: ignore[arg-type]
 
         yield plug
