@@ -282,7 +282,6 @@ impl DepthSensor {
     ///
     /// Raises oaktwin.Error for sequences of another length, and for values that the sensor would reject, with the number of the item.
     #[pyo3(signature = (count, *, seeds = None, device_seeds = None, parameters = None, drift = None, units = None))]
-    #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn batch(
         slf: &Bound<'_, Self>,
         #[pyo3(from_py_with = arguments::count)] count: u64,
