@@ -337,6 +337,7 @@ impl Context {
                 true => PairUse::Described,
                 false => PairUse::Matched,
             },
+            transparent: recipe.output.transparent,
             ..RigSpec::default()
         };
         let (rig, mut findings) = Rig::new(twin, &spec)?;

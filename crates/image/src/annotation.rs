@@ -125,6 +125,10 @@ macro_rules! annotators {
         #[derive(Clone, Debug, Default, PartialEq)]
         pub struct Frame {
             $(#[doc = $doc] pub $name: Option<$data>,)+
+            /// What depth cameras take for `distance_to_image_plane`, where mirrors or transparent surfaces are seen: metres along the
+            /// optical axis at which what is brightest in each pixel appears to be, `+inf` for the sky. It is no annotation; `None` where it
+            /// would be equal.
+            pub apparent_depth: Option<ZDepth>,
         }
 
         impl Frame {
@@ -138,6 +142,7 @@ macro_rules! annotators {
 
             /// Replaces the annotations that another frame contains, and keeps the rest.
             pub fn update(&mut self, other: Self) {
+                self.apparent_depth = other.apparent_depth.or(self.apparent_depth.take());
                 $(
                     if other.$name.is_some() {
                         self.$name = other.$name;

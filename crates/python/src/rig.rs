@@ -7,7 +7,7 @@ use oaktwin::camera::ImageSize;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::image::{Image, ZDepth};
 use oaktwin::pair::PairOptions;
-use oaktwin::render::{self, Backend, PlacedCamera, RigSpec, annotator};
+use oaktwin::render::{self, Backend, PlacedCamera, RigSpec, Transparent, annotator};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -37,10 +37,11 @@ const DEFAULT: [Annotator; 5] = [
 ];
 
 /// The arguments besides the options of the sensor.
-const ARGUMENTS: [&str; 5] = ["cameras", "size", "annotators", "pair", "backend"];
+const ARGUMENTS: [&str; 6] = ["cameras", "size", "annotators", "pair", "backend", "transparent"];
 
 #[doc = concat!(
     "Rig(device, *, cameras=None, size=None, annotators=None, pair=None, backend='auto', ",
+    "transparent='surface', ",
     include_str!("generated/sensor_options.signature"),
     ")\n--\n"
 )]
@@ -55,6 +56,7 @@ const ARGUMENTS: [&str; 5] = ["cameras", "size", "annotators", "pair", "backend"
 ///     scale of the scene's lights), "imager" (a mapping of image sensor parameters), "rectify" (a mapping with "method", "target" and
 ///     "edge_fill"), "lens" ("pinhole" or "fisheye") and "cameras" (the names of the two). The light changes what every engine measures.
 /// backend: "auto", "raster" or "ray".
+/// transparent: the ground truth of transparent surfaces: "surface" (default), or "through" for what lies behind the clear ones.
 #[doc = include_str!("generated/sensor_options.doc")]
 ///
 /// Raises oaktwin.Error for a camera, a sensor or a pair that the device lacks, and for unknown or invalid options, with the nearest names.
@@ -79,7 +81,7 @@ pub(crate) struct Rig {
 #[pymethods]
 impl Rig {
     #[new]
-    #[pyo3(signature = (device, *, cameras = None, size = None, annotators = None, pair = None, backend = "auto", **options))]
+    #[pyo3(signature = (device, *, cameras = None, size = None, annotators = None, pair = None, backend = "auto", transparent = "surface", **options))]
     #[pyo3(text_signature = None)]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn new(
@@ -90,6 +92,7 @@ impl Rig {
         annotators: Option<Annotators>,
         pair: Option<&Bound<'_, PyAny>>,
         backend: &str,
+        transparent: &str,
         options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
         let entropy = fresh_seed(py, options)?;
@@ -115,6 +118,7 @@ impl Rig {
             pair: pair.unwrap_or(own),
             sensor,
             backend: named::<Backend>("backend", backend)?,
+            transparent: named::<Transparent>("transparent", transparent)?,
             ..RigSpec::default()
         };
         let twin = Arc::clone(&device.get().twin);
@@ -144,6 +148,7 @@ impl Rig {
         }
         options.set_item("pair", to_python(py, &self.spec.pair)?)?;
         options.set_item("backend", self.spec.backend.name())?;
+        options.set_item("transparent", self.spec.transparent.name())?;
         Ok(((&self.device,), options))
     }
 

@@ -1,9 +1,10 @@
-//! Surfaces that are cut out by the opacity of their material.
+//! Surfaces that are cut out by the opacity of their material, or let light pass.
 //!
-//! Single rays pass through the parts that are invisible. Images are rendered as if all surfaces were solid; then `through` finds
-//! what lies behind.
+//! Single rays pass through the parts that are invisible, and on request through the clear ones. Images are rendered as if all surfaces
+//! were solid; then `through` finds what lies behind.
 
 mod mask;
+mod transparent;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -13,6 +14,7 @@ use oaktwin_camera::math::DVec3;
 use oaktwin_scene::{Opacity, Scene};
 
 use self::mask::MaskImage;
+pub use self::transparent::Transparent;
 use crate::barycentric::clamped;
 use crate::visibility::Hit;
 
@@ -29,14 +31,20 @@ pub(crate) struct Cutouts {
 /// The opacity of a material.
 #[derive(Debug)]
 struct Cut {
-    opacity: Opacity,
+    opacity: Option<Opacity>,
     image: Option<Arc<MaskImage>>,
+    /// The share of light that the solid parts transmit.
+    transmits: f32,
 }
 
+/// The share of transmitted light above which a surface is clear: it casts no shadow, and what lies behind it can be the ground truth.
+const CLEAR: f32 = 0.5;
+
 impl Cutouts {
-    /// Whether a scene has any surface that may be invisible.
+    /// Whether a scene has any surface that may be invisible or clear.
     pub(crate) fn are_in(scene: &Scene) -> bool {
-        scene.materials.iter().any(|material| material.opacity.is_some())
+        let mut materials = scene.materials.iter();
+        materials.any(|material| material.opacity.is_some() || material.transmission.is_some())
     }
 
     /// Decodes the masks of a scene, except those known from an earlier state of it; `None` if all surfaces are solid.
@@ -46,8 +54,11 @@ impl Cutouts {
         }
         let mut images = known.map(|known| known.images).unwrap_or_default();
         let cuts = scene.materials.iter().map(|material| {
-            let opacity = material.opacity?;
-            let image = opacity.mask.and_then(|mask| {
+            let (opacity, transmission) = (material.opacity, material.transmission);
+            if opacity.is_none() && transmission.is_none() {
+                return None;
+            }
+            let image = opacity.and_then(|opacity| opacity.mask).and_then(|mask| {
                 let key = (mask.texture.texture, mask.channel);
                 let texture = scene.textures.get(mask.texture.texture as usize)?;
                 let image = images
@@ -55,7 +66,12 @@ impl Cutouts {
                     .or_insert_with(|| MaskImage::new(texture, mask.channel).map(Arc::new));
                 image.as_ref().ok().cloned()
             });
-            Some(Cut { opacity, image })
+            let transmits = transmission.map_or(0.0, |transmission| transmission.share.clamp(0.0, 1.0));
+            Some(Cut {
+                opacity,
+                image,
+                transmits: transmits * (1.0 - material.metallic.clamp(0.0, 1.0)),
+            })
         });
         let cuts = cuts.collect();
         Some(Self { cuts, images })
@@ -81,34 +97,59 @@ impl Cutouts {
 
     /// Whether a triangle is visible where a ray in the world meets it. What does not exist counts as visible.
     #[inline]
-    pub(crate) fn shows(&self, scene: &Scene, hit: Hit, origin: DVec3, direction: DVec3) -> bool {
-        let Some(placed) = scene.instances.get(hit.instance as usize) else {
+    pub(crate) fn shows(
+        &self,
+        scene: &Scene,
+        hit: Hit,
+        origin: DVec3,
+        direction: DVec3,
+        transparent: Transparent,
+    ) -> bool {
+        let Some(cut) = self.cut(scene, hit) else {
             return true;
         };
-        let Some(mesh) = scene.meshes.get(placed.mesh as usize) else {
-            return true;
+        let opacity = cut.opacity_at(scene, hit, origin, direction);
+        let passes = || 1.0 - opacity * (1.0 - cut.transmits);
+        opacity > 0.0 && (transparent == Transparent::Surface || passes() <= CLEAR)
+    }
+
+    /// Returns the opacity, from 0 to 1, of a triangle where a ray in the world meets it, without the light that it transmits.
+    #[inline]
+    pub(crate) fn opacity(&self, scene: &Scene, hit: Hit, origin: DVec3, direction: DVec3) -> f32 {
+        let cut = self.cut(scene, hit);
+        cut.map_or(1.0, |cut| cut.opacity_at(scene, hit, origin, direction))
+    }
+
+    #[inline]
+    fn cut(&self, scene: &Scene, hit: Hit) -> Option<&Cut> {
+        let placed = scene.instances.get(hit.instance as usize)?;
+        let mesh = scene.meshes.get(placed.mesh as usize)?;
+        let material = placed.material(mesh.material(hit.triangle))?;
+        self.cuts.get(material as usize)?.as_ref()
+    }
+}
+
+impl Cut {
+    fn opacity_at(&self, scene: &Scene, hit: Hit, origin: DVec3, direction: DVec3) -> f32 {
+        let Some(opacity) = &self.opacity else {
+            return 1.0;
         };
-        let material = placed.material(mesh.material(hit.triangle));
-        let cut = material.and_then(|material| self.cuts.get(material as usize));
-        let Some(Some(cut)) = cut else {
-            return true;
+        let mask = || {
+            let (mask, image) = (opacity.mask.as_ref()?, self.image.as_ref()?);
+            let placed = scene.instances.get(hit.instance as usize)?;
+            let mesh = scene.meshes.get(placed.mesh as usize)?;
+            let index = hit.triangle as usize;
+            let uvs = mesh.uvs.as_ref()?.corners(index, *mesh.triangles.get(index)?)?;
+            let corners = mesh.corners(index)?.map(|p| {
+                placed
+                    .world_from_mesh
+                    .transform_point3(DVec3::from(p.map(f64::from)))
+            });
+            let weights = weights(corners, origin, direction);
+            let uv = [0, 1].map(|axis| (0..3).map(|i| f64::from(uvs[i][axis]) * weights[i]).sum());
+            Some(image.value(mask, uv))
         };
-        let (Some(mask), Some(image)) = (&cut.opacity.mask, &cut.image) else {
-            return cut.opacity.shows(1.0);
-        };
-        let index = hit.triangle as usize;
-        let uvs = (mesh.triangles.get(index)).and_then(|corners| mesh.uvs.as_ref()?.corners(index, *corners));
-        let (Some(uvs), Some(corners)) = (uvs, mesh.corners(index)) else {
-            return cut.opacity.shows(1.0);
-        };
-        let corners = corners.map(|p| {
-            placed
-                .world_from_mesh
-                .transform_point3(DVec3::from(p.map(f64::from)))
-        });
-        let weights = weights(corners, origin, direction);
-        let uv = [0, 1].map(|axis| (0..3).map(|i| f64::from(uvs[i][axis]) * weights[i]).sum());
-        cut.opacity.shows(image.value(mask, uv))
+        opacity.at(mask().unwrap_or(1.0))
     }
 }
 

@@ -25,6 +25,7 @@ mod worlds;
 
 pub use annotate::AnnotateOptions;
 pub use backend::Backend;
+pub use cutout::Transparent;
 pub use luminance::Luminance;
 pub use ray::Ray;
 pub use renderer::Renderer;

@@ -7,7 +7,7 @@ use oaktwin_scene::{Instance, Light, Material, Mesh, Scene, Texture};
 
 use crate::annotate::Semantics;
 use crate::blocks::Blocks;
-use crate::cutout::Cutouts;
+use crate::cutout::{Cutouts, Transparent};
 use crate::raster::Rasterizer;
 use crate::ray::RayCaster;
 use crate::rays::Rays;
@@ -81,7 +81,7 @@ impl Renderer {
             caster.add_meshes(&self.scene);
         }
         if let Some(assets) = self.shader_assets.get_mut() {
-            assets.add_textures(&self.scene);
+            assets.add(&self.scene);
         }
     }
 
@@ -121,7 +121,7 @@ impl Renderer {
             Backend::Ray => self.ray_caster().visibility(&self.scene, view),
             Backend::Auto | Backend::Raster => self.rasterizer().visibility(&self.scene, view),
         };
-        self.cut(view, None, seen)
+        self.cut(view, None, Transparent::Surface, seen)
     }
 
     /// Renders [`visibility`](Self::visibility) in some blocks; pixels elsewhere are arbitrary.
@@ -130,13 +130,25 @@ impl Renderer {
             Backend::Ray => self.ray_caster().visibility_in(blocks, &self.scene, view),
             Backend::Auto | Backend::Raster => self.rasterizer().visibility_in(blocks, &self.scene, view),
         };
-        self.cut(view, Some(blocks), seen)
+        self.cut(view, Some(blocks), Transparent::Surface, seen)
     }
 
-    /// Finds what is seen through the invisible parts of surfaces.
-    fn cut(&self, view: &View, blocks: Option<&Blocks>, mut seen: Visibility) -> Visibility {
+    /// Makes of what a view sees what it sees through clear surfaces: the first surface on each ray that is not clear.
+    pub(crate) fn past_clear(&self, view: &View, seen: Visibility) -> Visibility {
+        self.cut(view, None, Transparent::Through, seen)
+    }
+
+    /// Finds what is seen through the invisible, or clear, parts of surfaces.
+    fn cut(
+        &self,
+        view: &View,
+        blocks: Option<&Blocks>,
+        transparent: Transparent,
+        mut seen: Visibility,
+    ) -> Visibility {
         if let Some(cutouts) = self.cutouts() {
-            look_through(cutouts, self.ray_caster(), &self.scene, view, blocks, &mut seen);
+            let caster = self.ray_caster();
+            look_through(cutouts, caster, &self.scene, view, blocks, transparent, &mut seen);
         }
         seen
     }

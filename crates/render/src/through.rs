@@ -1,22 +1,24 @@
-//! What is seen through the invisible parts of surfaces.
+//! What is seen through the invisible, or clear, parts of surfaces.
 
 use oaktwin_scene::Scene;
 use rayon::prelude::*;
 
 use crate::View;
 use crate::blocks::{BLOCK, Blocks};
-use crate::cutout::Cutouts;
+use crate::cutout::{Cutouts, Transparent};
 use crate::ray::{Ray, RayCaster, Stack};
 use crate::rays::Rays;
 use crate::visibility::{Hit, Visibility};
 
-/// Casts a ray through each pixel, of an image of solid surfaces or of some blocks of it, that sees an invisible part.
+/// Casts a ray through each pixel, of an image of solid surfaces or of some blocks of it, that sees an invisible part, or a clear one if
+/// that is what `transparent` asks for.
 pub(crate) fn look_through(
     cutouts: &Cutouts,
     caster: &RayCaster,
     scene: &Scene,
     view: &View,
     blocks: Option<&Blocks>,
+    transparent: Transparent,
     seen: &mut Visibility,
 ) {
     let rays = Rays::with_table(view, || caster.table(view));
@@ -33,7 +35,7 @@ pub(crate) fn look_through(
             }
             let Some(ray) = rays.centre(x, y) else { continue };
             let direction = view.world_from_camera.rotation * ray;
-            if cutouts.shows(scene, *hit, origin, direction) {
+            if cutouts.shows(scene, *hit, origin, direction, transparent) {
                 continue;
             }
             let ahead = Ray {
@@ -42,8 +44,12 @@ pub(crate) fn look_through(
                 near: view.clip.near_m,
                 far: view.clip.far_m,
             };
+            let behind = match transparent {
+                Transparent::Surface => caster.cast(scene, ahead, stack),
+                Transparent::Through => caster.cast_through(scene, ahead, stack),
+            };
             #[expect(clippy::cast_possible_truncation, reason = "depths have single precision")]
-            let found = match caster.cast(scene, ahead, stack) {
+            let found = match behind {
                 Some((t, behind)) => (behind, (t * ray.z) as f32),
                 None => (Hit::MISS, f32::INFINITY),
             };

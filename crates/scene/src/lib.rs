@@ -23,7 +23,10 @@ use oaktwin_camera::math::{DAffine3, DVec3};
 pub use attribute::Attribute;
 pub use bounds::Bounds;
 pub use light::{Light, LightKind};
-pub use material::{ColorSpace, Mask, Material, Opacity, Texture, TextureSource, TextureUse, Wrap};
+pub use material::{
+    ColorSpace, DEFAULT_INDEX, Mask, Material, Opacity, Texture, TextureSource, TextureUse, Transmission,
+    Wrap,
+};
 pub use mesh::{MaterialSpan, Mesh};
 
 /// A scene: meshes, instances, materials and lights.

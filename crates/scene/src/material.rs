@@ -16,9 +16,29 @@ pub struct Material {
     pub metallic: f32,
     /// The roughness, from 0 to 1.
     pub roughness: f32,
-    /// Where the surface is invisible; `None` if it is solid everywhere.
+    /// Where the surface is invisible or lets light pass; `None` if it is solid everywhere.
     pub opacity: Option<Opacity>,
+    /// The light that passes through the material, as through glass; `None` if it is not transparent.
+    pub transmission: Option<Transmission>,
+    /// The index of refraction, at least 1, which determines what the surfaces of glass, plastic and lacquer reflect.
+    pub index: f32,
+    /// The reflectance at normal incidence; `None` if it follows from the index, the base colour and the metalness.
+    pub specular: Option<[f32; 3]>,
 }
+
+/// The light that passes through a material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transmission {
+    /// The share, from 0 to 1, of the light that is not reflected at the surface; the rest is scattered by the base colour.
+    pub share: f32,
+    /// The factor of the light each time it passes a surface; `None` for the base colour.
+    pub tint: Option<[f32; 3]>,
+    /// Whether closed meshes of the material bend light by its index, as solid glass does. Otherwise each surface is a thin wall.
+    pub refracts: bool,
+}
+
+/// The index of refraction of materials that state none: glass and most plastics.
+pub const DEFAULT_INDEX: f32 = 1.5;
 
 impl Default for Material {
     fn default() -> Self {
@@ -30,11 +50,32 @@ impl Default for Material {
             metallic: 0.0,
             roughness: 0.5,
             opacity: None,
+            transmission: None,
+            index: DEFAULT_INDEX,
+            specular: None,
         }
     }
 }
 
 impl Material {
+    /// Returns what is wrong with a number of a file, for a finding, if it is not within 0 and 1.
+    #[must_use]
+    pub fn not_a_share(name: &str, value: f32) -> Option<String> {
+        (!(0.0..=1.0).contains(&value)).then(|| format!("its {name} is {value}, which is not within 0 and 1"))
+    }
+
+    /// Sets the index of refraction. Returns what is wrong with it, for a finding, if it is below 1; the index is then unchanged.
+    pub fn set_index(&mut self, index: f32) -> Option<String> {
+        if index.is_finite() && index >= 1.0 {
+            self.index = index;
+            return None;
+        }
+        Some(format!(
+            "its index of refraction is {index}, which is below 1; {} is used",
+            self.index
+        ))
+    }
+
     /// Returns the material for a scene in which its textures come after `count` others.
     #[must_use]
     pub fn after_textures(self, count: u32) -> Self {
@@ -56,22 +97,19 @@ impl Material {
     }
 }
 
-/// Where a surface is invisible, as the leaves of a plant are cut out of a card. A surface is solid or invisible, never translucent.
+/// Where a surface is invisible, as the leaves of a plant are cut out of a card, or lets part of the light pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Opacity {
     /// The opacity, which multiplies the mask if there is one.
     pub value: f32,
     /// The image that cuts the surface.
     pub mask: Option<Mask>,
-    /// The surface is invisible where its opacity is below this number, or 0.
+    /// The surface is invisible where its opacity is below this number, and solid elsewhere. If it is 0, the surface is
+    /// invisible where its opacity is 0, and lets the rest of the light pass elsewhere.
     pub threshold: f32,
 }
 
 impl Opacity {
-    /// What findings say of translucent materials.
-    pub const TRANSLUCENT: &str =
-        "is translucent, which is not modelled: its surface is solid wherever its opacity is not 0";
-
     /// Returns an opacity; `None` if the surface is solid everywhere.
     #[must_use]
     pub fn new(value: f32, mask: Option<Mask>, threshold: f32) -> Option<Self> {
@@ -80,21 +118,27 @@ impl Opacity {
             mask,
             threshold: if threshold.is_finite() { threshold } else { 0.0 },
         };
-        (mask.is_some() || !opacity.shows(1.0)).then_some(opacity)
+        (mask.is_some() || opacity.at(1.0) < 1.0).then_some(opacity)
     }
 
-    /// Whether a surface is translucent: its opacity may be between 0 and 1, and no threshold decides which parts are visible.
+    /// Whether the opacity may be between 0 and 1 somewhere: no threshold decides which parts are visible.
     #[must_use]
-    pub fn is_translucent(value: f32, mask: Option<Mask>, threshold: f32) -> bool {
-        threshold <= 0.0 && (mask.is_some() || value > 0.0 && value < 1.0)
+    pub fn is_partial(&self) -> bool {
+        self.threshold <= 0.0 && (self.mask.is_some() || self.value > 0.0 && self.value < 1.0)
     }
 
-    /// Whether a point is visible where the mask, if there is one, has a value.
+    /// Returns the opacity, from 0 to 1, where the mask, if there is one, has a value; 0 is invisible.
     #[must_use]
     #[inline]
-    pub fn shows(&self, mask: f32) -> bool {
+    pub fn at(&self, mask: f32) -> f32 {
         let opacity = self.value * mask;
-        opacity > 0.0 && opacity >= self.threshold
+        if !(opacity > 0.0 && opacity >= self.threshold) {
+            0.0
+        } else if self.threshold > 0.0 {
+            1.0
+        } else {
+            opacity.min(1.0)
+        }
     }
 }
 

@@ -3,7 +3,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, ValueHint};
 use oaktwin::dataset::{FORMATS, FormatKind, Needs};
-use oaktwin::render::Backend;
+use oaktwin::render::{Backend, Transparent};
 use oaktwin::usd::optics::Projection;
 
 use super::annotators::annotators;
@@ -169,6 +169,16 @@ pub(crate) struct RenderArgs {
     /// The backend that finds the visible surface in each pixel
     #[arg(long, value_parser = parser::<Backend>(), default_value_t, help_heading = "Execution")]
     pub(crate) backend: Backend,
+
+    /// The ground truth of transparent surfaces: themselves, or what lies behind the clear ones
+    #[arg(
+        long,
+        value_parser = parser::<Transparent>(),
+        default_value_t,
+        value_name = "WHAT",
+        help_heading = "Outputs"
+    )]
+    pub(crate) transparent: Transparent,
 
     #[command(flatten, next_help_heading = "Execution")]
     pub(crate) threads: ThreadArgs,

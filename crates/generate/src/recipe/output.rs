@@ -3,6 +3,7 @@ use std::num::NonZeroU64;
 
 use oaktwin_catalog::Role;
 use oaktwin_dataset::SHARD_FRAMES;
+use oaktwin_pipeline::render::Transparent;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -54,6 +55,10 @@ pub struct OutputRule {
     pub annotators: Texts,
     /// The formats. With several, each has its own folder.
     pub formats: Texts,
+    /// The ground truth of transparent surfaces: `surface`, or `through` for what lies behind the clear ones.
+    #[serde(skip_serializing_if = "is_default")]
+    #[schemars(with = "String", extend("enum" = ["surface", "through"]))]
+    pub transparent: Transparent,
     /// The time between the frames of an arrangement, seconds, in formats with times. By default the times of the trajectory's file, or
     /// 1/30 s if it has none.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -63,6 +68,10 @@ pub struct OutputRule {
     pub scenes: bool,
     /// The number of consecutive frames in a shard of the format `webdataset`.
     pub shard_frames: NonZeroU64,
+}
+
+fn is_default(transparent: &Transparent) -> bool {
+    *transparent == Transparent::default()
 }
 
 impl Default for OutputRule {
@@ -81,6 +90,7 @@ impl Default for OutputRule {
                 .into(),
             ),
             formats: Texts(vec!["basic".to_owned()]),
+            transparent: Transparent::default(),
             interval_s: None,
             scenes: false,
             shard_frames: SHARD_FRAMES,

@@ -2,6 +2,7 @@
 
 mod custom_engine;
 mod depth_sensor_scene;
+mod glass;
 mod plates;
 mod stereo_every_unit;
 mod stereo_pipeline;

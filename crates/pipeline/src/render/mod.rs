@@ -64,7 +64,9 @@ pub use depth_sensor::{
 pub use frames::{FramesError, Outputs, Written, write_frames};
 pub use names::folder_names;
 pub use oak::{OakOptions, check_lens, oak_cameras};
-pub use oaktwin_render::{AnnotateOptions, Backend, Clip, Ray, Renderer, View, Worlds, texture_pixels};
+pub use oaktwin_render::{
+    AnnotateOptions, Backend, Clip, Ray, Renderer, Transparent, View, Worlds, texture_pixels,
+};
 pub use oaktwin_usd::scene_file::ImageFiles;
 pub use pair::put_pair;
 pub use pose::{PoseError, look_at, pose};

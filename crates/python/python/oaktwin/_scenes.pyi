@@ -12,7 +12,21 @@ from ._datasets import Sample
 from ._devices import Device
 from ._findings import Finding
 from ._poses import BodyPose, CameraPose, Poses
-from ._types import _Array, _Backend, _Callable, _Drift, _Engine, _Float64, _Json, _Pair, _Progress, _Rendered, _SceneAnnotator, _Up
+from ._types import (
+    _Array,
+    _Backend,
+    _Callable,
+    _Drift,
+    _Engine,
+    _Float64,
+    _Json,
+    _Pair,
+    _Progress,
+    _Rendered,
+    _SceneAnnotator,
+    _Transparent,
+    _Up,
+)
 
 __all__ = ["Mesh", "Recipe", "Recording", "Scene", "annotators"]
 
@@ -181,6 +195,7 @@ class Scene:
         annotators: Sequence[_SceneAnnotator] | None = None,
         backend: _Backend = "auto",
         smooth_edges: bool = True,
+        transparent: _Transparent = "surface",
     ) -> _Rendered:
         """Renders the ground truth of a camera.
 
@@ -190,6 +205,7 @@ class Scene:
         annotators: names of Replicator's annotators, by default "distance_to_image_plane"; see `annotators()`.
         backend: "auto" (default), "raster" or "ray"; depths agree within 3 ulp of float32 up to 75° of incidence.
         smooth_edges: whether outlines in colour images are antialiased.
+        transparent: the ground truth of transparent surfaces: "surface" (default), or "through" for what lies behind the clear ones.
 
         Returns a dictionary by annotator. Images are (H, W) or (H, W, C) for one pose, (N, H, W) or (N, H, W, C) for a batch:
         distances float32 metres, inf for a miss; "rgb" uint8 with coverage as its fourth channel; "normals" float32 in the

@@ -12,7 +12,7 @@ use std::sync::{Mutex, RwLock};
 use numpy::PyArray2;
 use oaktwin::diagnostic;
 use oaktwin::pair::{PairCameras, PairError};
-use oaktwin::render::{AnnotateOptions, OpenOptions, SceneFile, check_saved_name, save_usd};
+use oaktwin::render::{AnnotateOptions, OpenOptions, SceneFile, Transparent, check_saved_name, save_usd};
 use oaktwin::scene::Instance;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -23,7 +23,7 @@ use self::time::{Animation, cameras};
 use crate::arguments::{Annotators, FrameNumber, Size, optional, subdivide};
 use crate::asset;
 use crate::camera::Camera;
-use crate::choice::maybe_named;
+use crate::choice::{maybe_named, named};
 use crate::device::Device;
 use crate::error::{error, reading, writing};
 use crate::finding::{self, Finding};
@@ -257,6 +257,7 @@ impl Scene {
     /// annotators: names of Replicator's annotators, by default "distance_to_image_plane"; see `annotators()`.
     /// backend: "auto" (default), "raster" or "ray"; depths agree within 3 ulp of float32 up to 75° of incidence.
     /// smooth_edges: whether outlines in colour images are antialiased.
+    /// transparent: the ground truth of transparent surfaces: "surface" (default), or "through" for what lies behind the clear ones.
     ///
     /// Returns a dictionary by annotator. Images are (H, W) or (H, W, C) for one pose, (N, H, W) or (N, H, W, C) for a batch:
     /// distances float32 metres, inf for a miss; "rgb" uint8 with coverage as its fourth channel; "normals" float32 in the
@@ -265,7 +266,8 @@ impl Scene {
     /// fields) and "pointcloud" ((P, 3) float32 in the world, metres) are an array for one pose, a list of arrays for a batch.
     ///
     /// Raises oaktwin.Error for invalid poses, unknown annotators, and images that do not fit in memory.
-    #[pyo3(signature = (camera, world_from_camera, *, annotators = None, backend = "auto", smooth_edges = true))]
+    #[pyo3(signature = (camera, world_from_camera, *, annotators = None, backend = "auto", smooth_edges = true, transparent = "surface"))]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn render<'py>(
         &self,
         py: Python<'py>,
@@ -274,9 +276,11 @@ impl Scene {
         annotators: Option<Annotators>,
         backend: &str,
         smooth_edges: bool,
+        transparent: &str,
     ) -> PyResult<Bound<'py, PyDict>> {
         let options = AnnotateOptions {
             smooth_edges,
+            transparent: named::<Transparent>("transparent", transparent)?,
             ..AnnotateOptions::default()
         };
         self.rendered(py, camera, world_from_camera, annotators, backend, &options)

@@ -5,7 +5,7 @@ use oaktwin_camera::{LensModel, Usd};
 use oaktwin_scene::Scene;
 
 use super::stencil::Stencil;
-use crate::cutout::Cutouts;
+use crate::cutout::{Cutouts, Transparent};
 use crate::rays::Rays;
 use crate::{Hit, View};
 
@@ -168,7 +168,13 @@ impl<'a> Coverage<'a> {
             && triangle.hole.as_ref().is_none_or(|hole| {
                 let pose = &self.view.world_from_camera;
                 let Hole { cutouts, scene, hit } = *hole;
-                cutouts.shows(scene, hit, pose.translation, pose.rotation * ray)
+                cutouts.shows(
+                    scene,
+                    hit,
+                    pose.translation,
+                    pose.rotation * ray,
+                    Transparent::Surface,
+                )
             })
     }
 

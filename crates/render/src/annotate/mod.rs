@@ -14,12 +14,13 @@ mod tests;
 
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_image::annotation::{Annotator, Frame};
+use oaktwin_image::{Image, ZDepth};
 use rayon::prelude::*;
 
 use self::coverage::Coverage;
 use self::stencil::Stencil;
-use crate::shade::ShadingInput;
-use crate::{Backend, Renderer, View, Visibility};
+use crate::shade::{Shaded, ShadingInput};
+use crate::{Backend, Renderer, Transparent, View, Visibility};
 
 pub(crate) use semantics::Semantics;
 pub(crate) use surface::{Surface, SurfaceFinder};
@@ -32,6 +33,8 @@ pub struct AnnotateOptions {
     pub unlabelled_points: bool,
     /// Whether outlines are antialiased in the colour image; otherwise each pixel has the colour at its centre.
     pub smooth_edges: bool,
+    /// What the ground truth of transparent surfaces is. Colours do not depend on it.
+    pub transparent: Transparent,
 }
 
 impl Default for AnnotateOptions {
@@ -39,6 +42,7 @@ impl Default for AnnotateOptions {
         Self {
             unlabelled_points: true,
             smooth_edges: true,
+            transparent: Transparent::Surface,
         }
     }
 }
@@ -62,9 +66,13 @@ impl Renderer {
             Annotator::DistanceToCamera => view.clips_along_axis(),
             other => other.is_depth_sensor(),
         });
+        let is_through = options.transparent == Transparent::Through && self.cutouts().is_some();
         if depth_is_enough {
             if wants(Annotator::DistanceToImagePlane) || wants(Annotator::DistanceToCamera) {
-                let z = self.depth(view, backend);
+                let z = match is_through {
+                    true => self.past_clear(view, self.visibility(view, backend)).z,
+                    false => self.depth(view, backend),
+                };
                 if wants(Annotator::DistanceToCamera) {
                     frame.distance_to_camera = Some(range::from_depth(&self.rays(view), &z));
                 }
@@ -72,8 +80,18 @@ impl Renderer {
             }
             return (frame, self.unread_masks());
         }
-        let seen = self.visibility(view, backend);
-        let mut findings = self.annotate_seen(view, &seen, &wants, backend, *options, &mut frame);
+        let mut seen = self.visibility(view, backend);
+        let mut findings = Vec::new();
+        if wants(Annotator::Rgb) {
+            let (shaded, missing) = self.shade_seen(view, &seen, backend, *options);
+            frame.apparent_depth = shaded.stretch.map(|stretch| stretched(&seen.z, &stretch));
+            frame.rgb = Some(shaded.rgb);
+            findings = missing;
+        }
+        if is_through {
+            seen = self.past_clear(view, seen);
+        }
+        self.annotate_seen(view, &seen, &wants, *options, &mut frame);
         findings.extend(self.unread_masks());
         let spare = self.spare_visibility(view, backend);
         let Visibility { z, hits } = seen;
@@ -107,32 +125,34 @@ impl Renderer {
             .collect()
     }
 
+    fn shade_seen(
+        &self,
+        view: &View,
+        seen: &Visibility,
+        backend: Backend,
+        options: AnnotateOptions,
+    ) -> (Shaded, Vec<Finding>) {
+        let corners = (options.smooth_edges).then(|| self.corners(view, backend));
+        let input = ShadingInput {
+            scene: self.scene(),
+            caster: self.ray_caster(),
+            view,
+            rays: &self.rays(view),
+            seen,
+        };
+        self.shader().shade(input, corners.as_ref())
+    }
+
     fn annotate_seen(
         &self,
         view: &View,
         seen: &Visibility,
         wants: &impl Fn(Annotator) -> bool,
-        backend: Backend,
         options: AnnotateOptions,
         frame: &mut Frame,
-    ) -> Vec<Finding> {
+    ) {
         let scene = self.scene();
         let rays = &self.rays(view);
-        let mut findings = Vec::new();
-        if wants(Annotator::Rgb) {
-            let corners = (options.smooth_edges).then(|| self.corners(view, backend));
-            let caster = self.ray_caster();
-            let input = ShadingInput {
-                scene,
-                caster,
-                view,
-                rays,
-                seen,
-            };
-            let (rgb, missing) = self.shader().shade(input, corners.as_ref());
-            frame.rgb = Some(rgb);
-            findings = missing;
-        }
         if wants(Annotator::DistanceToCamera) {
             frame.distance_to_camera = Some(range::from_visibility(scene, view, rays, seen));
         }
@@ -167,6 +187,14 @@ impl Renderer {
                 options.unlabelled_points,
             ));
         }
-        findings
     }
+}
+
+/// Returns z-depths with a factor for each pixel.
+fn stretched(z: &ZDepth, stretch: &Image<f32>) -> ZDepth {
+    let mut apparent = z.0.clone();
+    for (z, stretch) in apparent.pixels_mut().iter_mut().zip(stretch.pixels()) {
+        *z *= stretch;
+    }
+    ZDepth(apparent)
 }

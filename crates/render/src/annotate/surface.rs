@@ -20,6 +20,8 @@ pub(crate) struct Surface<'a> {
     pub(crate) flat_normal: DVec3,
     /// The interpolated unit normal in the world, flipped with `flat_normal`; equal to it where the mesh has no normals.
     pub(crate) normal: DVec3,
+    /// Whether the back of the triangle is seen, whose corners run clockwise.
+    pub(crate) is_back: bool,
     /// The normals, in the camera frame, of the planes through the camera and each edge, in the order of the opposite
     /// corners.
     pub(crate) sides: [DVec3; 3],
@@ -76,9 +78,17 @@ struct Triangle {
 impl<'a> SurfaceFinder<'a> {
     pub(crate) fn new(scene: &'a Scene, view: &View) -> Self {
         Self {
-            scene,
-            origin: view.world_from_camera.translation,
             world_from_camera: view.world_from_camera.rotation,
+            ..Self::at(scene, view.world_from_camera.translation)
+        }
+    }
+
+    /// Creates a finder for rays from a point, whose camera frame has the axes of the world.
+    pub(crate) fn at(scene: &'a Scene, origin: DVec3) -> Self {
+        Self {
+            scene,
+            origin,
+            world_from_camera: DMat3::IDENTITY,
             instance: u32::MAX,
             placed: None,
             hit: Hit::MISS,
@@ -89,6 +99,12 @@ impl<'a> SurfaceFinder<'a> {
     /// Returns the surface where a ray in the camera frame hits a triangle at z-depth `z`.
     #[inline]
     pub(crate) fn find(&mut self, hit: Hit, ray: DVec3, z: f32) -> Option<Surface<'a>> {
+        self.find_at(hit, ray, f64::from(z) / ray.z)
+    }
+
+    /// Returns the surface where a ray in the camera frame hits a triangle at a distance in lengths of the ray.
+    #[inline]
+    pub(crate) fn find_at(&mut self, hit: Hit, ray: DVec3, from_depth: f64) -> Option<Surface<'a>> {
         if hit != self.hit {
             self.turn_to(hit);
         }
@@ -96,7 +112,6 @@ impl<'a> SurfaceFinder<'a> {
             return None;
         };
         let from_plane = triangle.corner.dot(triangle.normal) / ray.dot(triangle.normal);
-        let from_depth = f64::from(z) / ray.z;
         // The plane of a triangle seen edge-on is ill-conditioned.
         let is_trusted = (from_plane - from_depth).abs() <= 1e-5 * from_depth.abs();
         let t = if is_trusted || !(from_depth.is_finite() && from_depth > 0.0) {
@@ -122,6 +137,7 @@ impl<'a> SurfaceFinder<'a> {
             weights: [0.0; 3],
             flat_normal,
             normal: flat_normal,
+            is_back: side < 0.0,
             sides: triangle.sides,
         };
         surface.weights = clamped(surface.weights_of(ray));

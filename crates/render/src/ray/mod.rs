@@ -29,7 +29,7 @@ use self::tile::RayTables;
 pub(crate) use self::tile::{RayTable, ray_through};
 pub(crate) use self::vector::Vector;
 use crate::blocks::Blocks;
-use crate::cutout::Cutouts;
+use crate::cutout::{Cutouts, Transparent};
 use crate::visibility::SpareVisibility;
 use crate::{Hit, View, Visibility};
 
@@ -164,20 +164,40 @@ impl RayCaster {
     /// Returns the nearest triangle on the ray, both ends included, and its distance in lengths of `direction`; of equally near
     /// ones the first in the scene.
     pub(crate) fn cast(&self, scene: &Scene, ray: Ray, stack: &mut Stack) -> Option<(f64, Hit)> {
-        self.search(scene, ray, Until::Nearest, stack)
+        self.search(scene, ray, Until::Nearest, Transparent::Surface, stack)
+    }
+
+    /// Returns the nearest triangle on the ray, as [`cast`](Self::cast) does, that is not clear.
+    pub(crate) fn cast_through(&self, scene: &Scene, ray: Ray, stack: &mut Stack) -> Option<(f64, Hit)> {
+        self.search(scene, ray, Until::Nearest, Transparent::Through, stack)
     }
 
     /// Whether anything lies on the ray between its ends.
     pub(crate) fn is_occluded(&self, scene: &Scene, ray: Ray, stack: &mut Stack) -> bool {
-        self.search(scene, ray, Until::Any, stack).is_some()
+        self.search(scene, ray, Until::Any, Transparent::Surface, stack)
+            .is_some()
     }
 
-    fn search(&self, scene: &Scene, ray: Ray, until: Until, stack: &mut Stack) -> Option<(f64, Hit)> {
+    /// Whether anything that is not clear lies on the ray between its ends: whether light is blocked.
+    pub(crate) fn is_shadowed(&self, scene: &Scene, ray: Ray, stack: &mut Stack) -> bool {
+        self.search(scene, ray, Until::Any, Transparent::Through, stack)
+            .is_some()
+    }
+
+    fn search(
+        &self,
+        scene: &Scene,
+        ray: Ray,
+        until: Until,
+        transparent: Transparent,
+        stack: &mut Stack,
+    ) -> Option<(f64, Hit)> {
         let kernel = Cast {
             scene: &self.prepared(scene),
             cutouts: self.cutouts.as_ref(),
             ray,
             until,
+            transparent,
             stack,
         };
         run_lanes_at(self.level, kernel)

@@ -12,7 +12,7 @@ use super::stack::{Entry, Stack, push_children};
 use super::vector::Vector;
 use super::{Prepared, Ray};
 use crate::Hit;
-use crate::cutout::Cutouts;
+use crate::cutout::{Cutouts, Transparent};
 
 /// The state of a search along a ray.
 #[derive(Clone, Copy, Debug)]
@@ -24,6 +24,7 @@ pub(crate) struct Search<'a> {
     far: f64,
     hit: Hit,
     until: Until,
+    transparent: Transparent,
     sides: Sides,
 }
 
@@ -74,7 +75,7 @@ impl Search<'_> {
             origin, direction, ..
         } = *self.ray;
         self.cutouts
-            .is_none_or(|cutouts| cutouts.shows(self.scene, hit, origin, direction))
+            .is_none_or(|cutouts| cutouts.shows(self.scene, hit, origin, direction, self.transparent))
     }
 }
 
@@ -84,6 +85,8 @@ pub(crate) struct Cast<'a> {
     pub(crate) cutouts: Option<&'a Cutouts>,
     pub(crate) ray: Ray,
     pub(crate) until: Until,
+    /// Whether the ray meets clear surfaces.
+    pub(crate) transparent: Transparent,
     pub(crate) stack: &'a mut Stack,
 }
 
@@ -110,6 +113,7 @@ impl LaneKernel for Cast<'_> {
                 far,
                 hit: Hit::MISS,
                 until: self.until,
+                transparent: self.transparent,
                 sides,
             };
             stack.clear();

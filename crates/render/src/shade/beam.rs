@@ -6,9 +6,12 @@ use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_image::Image;
 use rayon::prelude::*;
 
+use super::optic::Optic;
+use super::path::{Arrival, Origin, Tracer, Vertex};
 use super::rig::luminance;
 use super::surfaces::Spot;
 use super::{ShadingContext, ShadingInput};
+use crate::Hit;
 use crate::annotate::{Surface, SurfaceFinder};
 use crate::ray::{Ray, RayCaster, Stack};
 
@@ -74,9 +77,22 @@ impl Footprint {
     }
 }
 
-impl ShadingContext<'_> {
+/// How an eye, perhaps a virtual one behind a mirror, sees a surface.
+#[derive(Clone, Copy)]
+struct Sight<'s, 'a> {
+    surface: &'s Surface<'a>,
+    hit: Hit,
+    eye: DVec3,
+    /// From the frame of the rays.
+    world_from_rays: DMat3,
+    ray: DVec3,
+    /// The rays of the pixels to the right and below.
+    next: [Option<DVec3>; 2],
+}
+
+impl<'a> ShadingContext<'a> {
     /// Returns the luminance that a beam adds to each pixel by diffuse reflection: the surface at the pixel's centre with the
-    /// mean of the pattern over the pixel.
+    /// mean of the pattern over the pixel. Mirrors and glass show lit surfaces, but the beam itself is neither reflected nor weakened.
     pub(super) fn beam(&self, input: &ShadingInput<'_>, beam: &Beam<'_>) -> Image<f32> {
         let hits = &input.seen.hits;
         let (width, height) = (hits.width(), hits.height());
@@ -85,99 +101,142 @@ impl ShadingContext<'_> {
         let seen_rows =
             (input.seen.z.0.pixels().par_chunks(row_length)).zip(hits.pixels().par_chunks(row_length));
         let rows = out.pixels_mut().par_chunks_mut(row_length);
+        let pose = &self.view.world_from_camera;
         rows.zip(seen_rows).zip(0..height).for_each_init(
-            || (SurfaceFinder::new(self.scene, self.view), Stack::new()),
-            |(finder, stack), ((row, (depths, hits)), y)| {
+            || {
+                (
+                    SurfaceFinder::new(self.scene, self.view),
+                    Stack::new(),
+                    Vec::new(),
+                )
+            },
+            |(finder, stack, arrivals), ((row, (depths, hits)), y)| {
                 for (((pixel, z), hit), x) in row.iter_mut().zip(depths).zip(hits).zip(0..) {
                     let Some(ray) = input.rays.centre(x, y).filter(|_| !hit.is_miss()) else {
                         continue;
                     };
-                    let next = input.rays.next(x, y, ray);
-                    let found = finder.find(*hit, ray, *z);
-                    let lit = found
-                        .as_ref()
-                        .and_then(|surface| Some((surface, self.lit(surface, ray, next, beam)?)));
-                    let Some((surface, lit)) = lit else {
+                    let Some(surface) = finder.find(*hit, ray, *z) else {
                         continue;
                     };
-                    let middle = lit.footprint.at(0.0, 0.0);
-                    if beam
-                        .pattern
-                        .is_dark_around(middle.to_array(), lit.footprint.radius(middle))
-                        || is_shadowed(input, surface, beam.world_from_beam.translation, stack)
-                    {
-                        continue;
-                    }
-                    let paint = self.paint(*hit);
-                    let color = paint.color(surface.mesh, hit.triangle, &spot(surface, next), self.level);
-                    let albedo = luminance(color) * (1.0 - paint.metallic());
-                    *pixel = mean(&lit.footprint, beam.pattern) * lit.strength * albedo;
+                    let sight = Sight {
+                        surface: &surface,
+                        hit: *hit,
+                        eye: pose.translation,
+                        world_from_rays: pose.rotation,
+                        ray,
+                        next: input.rays.next(x, y, ray),
+                    };
+                    *pixel = match self.paint(*hit).optic() {
+                        None => self.beamed(&sight, Vec3::ONE, input, beam, stack),
+                        Some(optic) => self.beamed_beyond(&sight, optic, input, beam, stack, arrivals),
+                    };
                 }
             },
         );
         out
     }
 
-    /// Returns `None` where the beam does not reach the visible side.
-    #[expect(clippy::cast_possible_truncation, reason = "light is float32")]
-    fn lit(
+    /// Returns the luminance that a beam adds to a surface, and to all that is seen in it or through it.
+    fn beamed_beyond(
         &self,
-        surface: &Surface<'_>,
-        ray: DVec3,
-        next: [Option<DVec3>; 2],
+        sight: &Sight<'_, 'a>,
+        optic: &Optic,
+        input: &ShadingInput<'_>,
         beam: &Beam<'_>,
-    ) -> Option<Lit> {
-        let eye = self.view.world_from_camera.translation;
-        let from_beam = surface.point - beam.world_from_beam.translation;
-        let distance = from_beam.length();
-        let cosine = -surface.normal.dot(from_beam) / distance;
-        let beam_from_world: DMat3 = beam.world_from_beam.rotation.transpose();
-        let is_ahead = (beam_from_world * from_beam).z > 1e-6 * distance;
-        if !(is_ahead && cosine > 0.0 && surface.flat_normal.dot(from_beam) < 0.0) {
-            return None;
+        stack: &mut Stack,
+        arrivals: &mut Vec<Arrival<'a>>,
+    ) -> f32 {
+        let length = sight.ray.length();
+        let in_world = |ray: DVec3| sight.world_from_rays * ray / length;
+        let next = sight.next.map(|next| next.map(in_world));
+        let range = sight.surface.range;
+        let vertex = Vertex::new(self.scene, sight.eye, in_world(sight.ray), next, sight.hit, range);
+        let Some(vertex) = vertex else { return 0.0 };
+        arrivals.clear();
+        let color = self.color_at(self.paint(sight.hit), &vertex);
+        let own = Tracer::new(self, stack, arrivals).follow(&vertex, optic, color);
+        let mut sum = self.beamed(sight, Vec3::splat(own.scattered), input, beam, stack);
+        for arrival in &*arrivals {
+            if let Origin::Surface(vertex, own) = &arrival.from {
+                let sight = Sight {
+                    surface: &vertex.surface,
+                    hit: vertex.hit,
+                    eye: vertex.eye,
+                    world_from_rays: DMat3::IDENTITY,
+                    ray: vertex.ray,
+                    next: vertex.next,
+                };
+                sum += self.beamed(&sight, arrival.factor * own.scattered, input, beam, stack);
+            }
         }
-        // A ray r of the eye meets the surface's plane, through p with normal n, at eye + r ((p − eye)·n) / (r·n): relative
-        // to the beam a multiple of (eye − beam) (r·n) + r ((p − eye)·n).
-        let normal = surface.flat_normal;
-        let height = (surface.point - eye).dot(normal);
-        let eye_from_beam = eye - beam.world_from_beam.translation;
-        let in_beam = |ray: DVec3| {
-            let ray = self.view.world_from_camera.rotation * ray;
-            beam_from_world * (eye_from_beam * ray.dot(normal) + ray * height)
-        };
-        let step = |to: Option<DVec3>| to.map_or(DVec3::ZERO, |to| in_beam(to - ray));
-        let middle = in_beam(ray);
-        let scale = 1.0 / middle.length();
-        let footprint = Footprint {
-            middle: (middle * scale).as_vec3(),
-            across: (step(next[0]) * scale).as_vec3(),
-            down: (step(next[1]) * scale).as_vec3(),
-        };
-        Some(Lit {
-            strength: (cosine / (distance * distance).max(NEAR_M * NEAR_M)) as f32,
-            footprint,
-        })
+        sum
+    }
+
+    /// Returns the luminance that a beam adds to a surface, times a factor.
+    fn beamed(
+        &self,
+        sight: &Sight<'_, '_>,
+        factor: Vec3,
+        input: &ShadingInput<'_>,
+        beam: &Beam<'_>,
+        stack: &mut Stack,
+    ) -> f32 {
+        let Some(lit) = lit(sight, beam) else { return 0.0 };
+        let middle = lit.footprint.at(0.0, 0.0);
+        let is_dark = beam
+            .pattern
+            .is_dark_around(middle.to_array(), lit.footprint.radius(middle));
+        if is_dark || is_shadowed(input, sight.surface, beam.world_from_beam.translation, stack) {
+            return 0.0;
+        }
+        let paint = self.paint(sight.hit);
+        let spot = Spot::seen_on(sight.surface, sight.next);
+        let color = paint.color(sight.surface.mesh, sight.hit.triangle, &spot, self.level) * factor;
+        let albedo = luminance(color) * (1.0 - paint.metallic());
+        mean(&lit.footprint, beam.pattern) * lit.strength * albedo
     }
 }
 
-/// Returns the place on the triangle that a pixel sees; `next` are the rays of the pixels to the right and below.
-#[expect(clippy::cast_possible_truncation, reason = "shading is float32")]
-fn spot(surface: &Surface<'_>, next: [Option<DVec3>; 2]) -> Spot {
-    let [_, b, c] = surface.weights;
-    let [across, down] = next.map(|next| {
-        let [_, next_b, next_c] = next.map_or(surface.weights, |next| surface.weights_of(next));
-        let step = [next_b - b, next_c - c];
-        if step.iter().all(|step| step.is_finite()) {
-            step.map(|step| step as f32)
-        } else {
-            [0.0; 2]
-        }
-    });
-    Spot {
-        at: [b as f32, c as f32],
-        across,
-        down,
+/// Returns `None` where the beam does not reach the visible side.
+#[expect(clippy::cast_possible_truncation, reason = "light is float32")]
+fn lit(sight: &Sight<'_, '_>, beam: &Beam<'_>) -> Option<Lit> {
+    let Sight {
+        surface,
+        eye,
+        world_from_rays,
+        ray,
+        next,
+        ..
+    } = *sight;
+    let from_beam = surface.point - beam.world_from_beam.translation;
+    let distance = from_beam.length();
+    let cosine = -surface.normal.dot(from_beam) / distance;
+    let beam_from_world: DMat3 = beam.world_from_beam.rotation.transpose();
+    let is_ahead = (beam_from_world * from_beam).z > 1e-6 * distance;
+    if !(is_ahead && cosine > 0.0 && surface.flat_normal.dot(from_beam) < 0.0) {
+        return None;
     }
+    // A ray r of the eye meets the surface's plane, through p with normal n, at eye + r ((p − eye)·n) / (r·n): relative
+    // to the beam a multiple of (eye − beam) (r·n) + r ((p − eye)·n).
+    let normal = surface.flat_normal;
+    let height = (surface.point - eye).dot(normal);
+    let eye_from_beam = eye - beam.world_from_beam.translation;
+    let in_beam = |ray: DVec3| {
+        let ray = world_from_rays * ray;
+        beam_from_world * (eye_from_beam * ray.dot(normal) + ray * height)
+    };
+    let step = |to: Option<DVec3>| to.map_or(DVec3::ZERO, |to| in_beam(to - ray));
+    let middle = in_beam(ray);
+    let scale = 1.0 / middle.length();
+    let footprint = Footprint {
+        middle: (middle * scale).as_vec3(),
+        across: (step(next[0]) * scale).as_vec3(),
+        down: (step(next[1]) * scale).as_vec3(),
+    };
+    Some(Lit {
+        strength: (cosine / (distance * distance).max(NEAR_M * NEAR_M)) as f32,
+        footprint,
+    })
 }
 
 /// The mean of the pattern over a pixel.
@@ -204,5 +263,5 @@ fn is_shadowed(input: &ShadingInput<'_>, surface: &Surface<'_>, beam: DVec3, sta
         far: (1.0 - NEAR_M / direction.length()).max(0.0),
     };
     let caster: &RayCaster = input.caster;
-    caster.is_occluded(input.scene, ray, stack)
+    caster.is_shadowed(input.scene, ray, stack)
 }

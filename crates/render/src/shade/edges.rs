@@ -136,9 +136,9 @@ fn corner_rows(
                         });
                     }
                 }
-                context.colors(&mut own, workspace, |index, color| {
+                context.colors(&mut own, workspace, |index, seen| {
                     if let Some((_, corner)) = row.get_mut(index) {
-                        *corner = color;
+                        *corner = seen.color;
                     }
                 });
                 row

@@ -1,21 +1,28 @@
 //! Shading: colour images for stereo matching and for people. It is not a path tracer.
 //!
-//! Textures are filtered over the footprint of a pixel, lamps cast soft shadows, nearby surfaces occlude ambient light, and
+//! Mirrors reflect the scene, and glass shows what lies behind it, up to a number of surfaces (`path`). Textures are filtered over the footprint of a pixel, lamps cast soft shadows, nearby surfaces occlude ambient light, and
 //! indirect light is a constant. Sampling is deterministic: the position in the image selects the samples of lamps and
 //! surroundings from a periodic pattern, and a filter over the pattern's period removes the pattern.
 
 mod beam;
+mod closed;
 mod coarse;
+mod curvature;
 mod dome;
 mod edges;
+mod expose;
 mod film;
 mod filter;
 mod grain;
 mod harmonics;
 mod lamp;
+mod lobe;
+mod mirrored;
 mod occlusion;
+mod optic;
 mod outlines;
 mod paint;
+mod path;
 mod pattern;
 mod pyramid;
 mod reflect;
@@ -35,28 +42,25 @@ use glam::Vec3;
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_image::Image;
 use oaktwin_image::srgb::srgb_from_linear;
-use oaktwin_scene::{Mesh, Scene};
-use oaktwin_simd::{Level, run_lanes_at};
+use oaktwin_scene::{Instance, Material, Mesh, Scene};
+use oaktwin_simd::Level;
 use rayon::prelude::*;
 
 pub use self::beam::{Beam, BeamPattern};
+use self::closed::Closed;
 use self::coarse::{Coarse, SpareCoarse};
 pub(crate) use self::edges::{Corners, corners_of};
+use self::expose::Centres;
 use self::film::Film;
 use self::lamp::Emitter;
 use self::occlusion::Occlusion;
-use self::occlusion::Place;
-use self::paint::{Paint, finishes, paints};
+use self::optic::Optic;
+use self::paint::{Paint, paints};
 use self::pattern::Pattern;
-use self::reflect::Radiance;
 use self::rig::{LightRig, WHITE, luminance};
-use self::strength::Strengths;
-use self::surfaces::{Packet, lane_of};
-use self::targets::{Target, each_target};
 use self::textures::Textures;
-use self::tiles::TILE;
 use self::tone::Encoder;
-use crate::ray::{RayCaster, Stack};
+use crate::ray::RayCaster;
 use crate::rays::Rays;
 use crate::spare::Spare;
 use crate::{Hit, View, Visibility};
@@ -73,6 +77,7 @@ pub(crate) struct Shader {
 pub(crate) struct ShaderAssets {
     textures: Arc<Textures>,
     pattern: Arc<Pattern>,
+    closed: Arc<Closed>,
     spare: Arc<SpareImages>,
 }
 
@@ -89,12 +94,14 @@ impl ShaderAssets {
         Self {
             textures: Arc::new(Textures::new(scene)),
             pattern: Arc::new(Pattern::new()),
+            closed: Arc::new(Closed::new(scene)),
             spare: Arc::default(),
         }
     }
 
-    /// Makes room for textures that were added to the scene.
-    pub(crate) fn add_textures(&mut self, scene: &Scene) {
+    /// Makes room for meshes and textures that were added to the scene.
+    pub(crate) fn add(&mut self, scene: &Scene) {
+        self.closed = Arc::new(Closed::new(scene));
         // Shaders, which share the textures, are dropped whenever the scene changes.
         match Arc::get_mut(&mut self.textures) {
             Some(textures) => textures.add(scene),
@@ -129,6 +136,7 @@ struct ShadingContext<'a> {
     rig: &'a LightRig,
     level: Level,
     paints: Vec<Paint<'a>>,
+    closed: &'a Closed,
     occlusion: Occlusion<'a>,
     coarse: Coarse,
     film: Film,
@@ -145,6 +153,15 @@ pub(crate) struct ShadingInput<'a> {
     pub(crate) seen: &'a Visibility,
 }
 
+/// A colour image.
+pub(crate) struct Shaded {
+    /// sRGB and coverage: 255, or 0 for a miss, which has the colour of the sky.
+    pub(crate) rgb: Image<[u8; 4]>,
+    /// The distance at which the brightest surface in each pixel appears to be, in mirrors and behind glass, divided by the distance of
+    /// the first surface; `None` if it is 1 everywhere.
+    pub(crate) stretch: Option<Image<f32>>,
+}
+
 /// The luminance from the scene's lights and from a beam.
 pub(crate) struct LuminanceParts {
     pub(crate) scene: Image<f32>,
@@ -159,15 +176,15 @@ impl Shader {
         }
     }
 
-    /// Returns sRGB and coverage: 255, or 0 for a miss, which has the colour of the sky. Outlines are antialiased if the
-    /// corners of pixels are given. The findings name the textures that cannot be shown, in the order of the scene.
+    /// Returns colours, with antialiased outlines if the corners of pixels are given. The findings name the textures that cannot be
+    /// shown, in the order of the scene.
     pub(crate) fn shade(
         &self,
         input: ShadingInput<'_>,
         corners: Option<&Corners<'_>>,
-    ) -> (Image<[u8; 4]>, Vec<Finding>) {
+    ) -> (Shaded, Vec<Finding>) {
         self.with_context(input, Film::Tones, |context| {
-            let colors = context.centres(input.rays, input.seen);
+            let Centres { colors, stretch } = context.centres(input.rays, input.seen);
             let (width, height) = (colors.width(), colors.height());
             let mut rgb = Image::filled(width, height, [0; 4]);
             film::develop(context.film, &colors, input.seen, &mut rgb);
@@ -188,7 +205,7 @@ impl Shader {
                 );
             }
             context.spare.colors.keep(colors);
-            rgb
+            Shaded { rgb, stretch }
         })
     }
 
@@ -201,7 +218,7 @@ impl Shader {
         beam: Option<&Beam<'_>>,
     ) -> (LuminanceParts, Vec<Finding>) {
         self.with_context(input, Film::Linear, |context| {
-            let colors = context.centres(input.rays, input.seen);
+            let colors = context.centres(input.rays, input.seen).colors;
             let value = |color: Vec3| luminance(color) * (1.0 / WHITE);
             let mut grey = colors.map(|color| value(Vec3::from(*color)));
             if let Some(corners) = corners {
@@ -264,6 +281,7 @@ impl Shader {
             rig: &self.rig,
             level,
             paints: paints(scene, &self.assets.textures),
+            closed: &self.assets.closed,
             occlusion,
             coarse,
             film,
@@ -274,7 +292,8 @@ impl Shader {
         (made, findings)
     }
 
-    /// Decodes the textures of the visible surfaces; the findings name those that cannot be decoded.
+    /// Decodes the textures of the visible surfaces, and of all surfaces if some of the visible ones reflect rays or let them pass; the
+    /// findings name those that cannot be decoded.
     fn decode(&self, scene: &Scene, hits: &Image<Hit>) -> Vec<Finding> {
         let mut instances = vec![false; scene.instances.len()];
         let mut last = u32::MAX;
@@ -286,16 +305,22 @@ impl Shader {
                 }
             }
         }
-        let seen = (scene.instances.iter().zip(instances))
-            .filter_map(|(instance, is_seen)| is_seen.then_some(instance));
-        let used = seen.flat_map(|instance| {
+        let materials_of = |instance: &Instance| -> Vec<&Material> {
             let mesh = scene.meshes.get(instance.mesh as usize);
             let spans = mesh.map_or(&[][..], |mesh| &mesh.materials[..]);
-            spans.iter().filter_map(|span| instance.material(span.material))
-        });
-        let mut wanted: Vec<u32> = used
-            .filter_map(|material| scene.materials.get(material as usize)?.base_color_texture)
-            .map(|texture| texture.texture)
+            let used = spans.iter().filter_map(|span| instance.material(span.material));
+            used.filter_map(|material| scene.materials.get(material as usize))
+                .collect()
+        };
+        let seen = scene.instances.iter().zip(&instances);
+        let mut used: Vec<&Material> = (seen.filter(|(_, is_seen)| **is_seen))
+            .flat_map(|(instance, _)| materials_of(instance))
+            .collect();
+        if used.iter().any(|material| Optic::new(material).is_some()) {
+            used = scene.instances.iter().flat_map(materials_of).collect();
+        }
+        let mut wanted: Vec<u32> = (used.into_iter())
+            .filter_map(|material| Some(material.base_color_texture?.texture))
             .collect();
         wanted.sort_unstable();
         wanted.dedup();
@@ -312,137 +337,5 @@ impl Shader {
             .cloned()
             .chain(findings.into_iter().flatten())
             .collect()
-    }
-}
-
-/// The reused memory of a thread.
-struct Workspace<'a> {
-    packet: Packet<'a>,
-    strengths: Strengths,
-    stack: Stack,
-}
-
-impl ShadingContext<'_> {
-    fn workspace<'a>(&'a self, rays: &'a Rays<'a>) -> Workspace<'a> {
-        Workspace {
-            packet: Packet::new(self.scene, self.view, rays, self.level),
-            strengths: Strengths::default(),
-            stack: Stack::new(),
-        }
-    }
-
-    /// Returns the colour, on film, at the centre of each pixel; black where the lens has no ray.
-    fn centres(&self, rays: &Rays<'_>, seen: &Visibility) -> Image<[f32; 3]> {
-        let (width, height) = (seen.hits.width(), seen.hits.height());
-        let mut colors = self.spare.colors.image(width, height, [0.0; 3]);
-        let row_length = (width as usize).max(1);
-        let strip = TILE as usize * row_length;
-        let strips = colors.pixels_mut().par_chunks_mut(strip);
-        let seen_strips = (seen.z.0.pixels().par_chunks(strip)).zip(seen.hits.pixels().par_chunks(strip));
-        strips
-            .zip(seen_strips)
-            .zip(0..height.div_ceil(TILE))
-            .for_each_init(
-                || (self.workspace(rays), Vec::new()),
-                |(workspace, targets), ((colors, (depths, hits)), strip)| {
-                    for left in (0..width).step_by(TILE as usize) {
-                        targets.clear();
-                        let columns = left as usize..row_length.min((left + TILE) as usize);
-                        let rows = hits.chunks(row_length).zip(depths.chunks(row_length));
-                        for (y, (hits, depths)) in (TILE * strip..).zip(rows) {
-                            let seen = hits[columns.clone()].iter().zip(&depths[columns.clone()]);
-                            let first = (y - TILE * strip) as usize * row_length;
-                            for ((hit, z), x) in seen.zip(left..) {
-                                targets.push(Target {
-                                    tag: first + x as usize,
-                                    place: [x, y],
-                                    hit: *hit,
-                                    z: *z,
-                                });
-                            }
-                        }
-                        self.colors(targets, workspace, |tag, color| {
-                            if let Some(pixel) = colors.get_mut(tag) {
-                                *pixel = color.to_array();
-                            }
-                        });
-                    }
-                },
-            );
-        colors
-    }
-
-    /// Computes the colours, on film, of the workspace's rays through pixels, each with its own tag. `put` receives the tags and
-    /// the colours. Rays that the lens does not have are left out.
-    fn colors(
-        &self,
-        targets: &mut [Target],
-        workspace: &mut Workspace<'_>,
-        mut put: impl FnMut(usize, Vec3),
-    ) {
-        each_target(targets, self.scene, self.level, |target| {
-            let Target { tag, place, hit, z } = target;
-            let Some(ray) = workspace.packet.ray(place) else {
-                return;
-            };
-            if hit.is_miss() {
-                let direction = (self.view.world_from_camera.rotation * ray).normalize_or_zero();
-                put(tag, self.film.exposed(self.rig.background(direction)));
-                return;
-            }
-            if !workspace.packet.has_room_for(hit.instance) {
-                self.expose(workspace, &mut put);
-            }
-            workspace.packet.push(tag, place, ray, hit, z);
-        });
-        self.expose(workspace, &mut put);
-    }
-
-    /// Computes the colours of a packet and clears it.
-    fn expose(&self, workspace: &mut Workspace<'_>, put: &mut impl FnMut(usize, Vec3)) {
-        let Workspace {
-            packet,
-            strengths,
-            stack,
-            ..
-        } = workspace;
-        if let Some(found) = packet.find() {
-            let grain = self.scene.micro_texture.as_ref();
-            let finishes = finishes(&self.paints, &found, grain, self.level);
-            let (mut shares, known) = self.coarse.light(&found, self.level);
-            for lane in 0..found.count() {
-                if (known >> lane) & 1 == 0 {
-                    let place = Place::new(&found, lane);
-                    shares.set(
-                        lane,
-                        self.occlusion.sample_alone(&place, strengths, stack).shares(),
-                    );
-                }
-            }
-            let kernel = Radiance {
-                surfaces: found.surfaces,
-                finishes: &finishes,
-                shares: &shares,
-                emitters: self.occlusion.emitters,
-                rig: self.rig,
-                film: self.film,
-            };
-            let colors = run_lanes_at(self.level, kernel);
-            for lane in 0..found.count() {
-                put(found.tag(lane), lane_of(&colors, lane));
-            }
-        }
-        packet.clear();
-    }
-
-    #[inline]
-    fn paint(&self, hit: Hit) -> &Paint<'_> {
-        let found = self.scene.instances.get(hit.instance as usize);
-        let material = found.and_then(|instance| {
-            let mesh = self.scene.meshes.get(instance.mesh as usize)?;
-            instance.material(mesh.material(hit.triangle))
-        });
-        let paint = material.and_then(|index| self.paints.get(index as usize));
-        paint.unwrap_or(&Paint::BARE)
     }
 }

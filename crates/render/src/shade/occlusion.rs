@@ -274,7 +274,7 @@ impl Occlusion<'_> {
                 near: 0.0,
                 far: self.rig.reach,
             };
-            if let Some((t, _)) = self.caster.cast(self.scene, near, stack) {
+            if let Some((t, _)) = self.caster.cast_through(self.scene, near, stack) {
                 #[expect(clippy::cast_possible_truncation, reason = "a share")]
                 let distance = (t / self.rig.reach) as f32;
                 ambient += distance * distance;
@@ -287,7 +287,7 @@ impl Occlusion<'_> {
                 far: f64::INFINITY,
                 ..near
             };
-            if self.rig.has_sky && !self.caster.is_occluded(self.scene, far, stack) {
+            if self.rig.has_sky && !self.caster.is_shadowed(self.scene, far, stack) {
                 sky += 1.0;
             }
         }
@@ -307,6 +307,6 @@ impl Occlusion<'_> {
             // The ray ends just before the lamp, which may have its own mesh.
             far: if ends { 0.999 } else { f64::INFINITY },
         };
-        direction.dot(place.flat_normal.as_dvec3()) > 0.0 && !self.caster.is_occluded(self.scene, ray, stack)
+        direction.dot(place.flat_normal.as_dvec3()) > 0.0 && !self.caster.is_shadowed(self.scene, ray, stack)
     }
 }

@@ -6,6 +6,7 @@ use oaktwin_simd::Level;
 
 use super::filter::{Footprints, Wraps};
 use super::grain;
+use super::optic::Optic;
 use super::pyramid::Pyramid;
 use super::surfaces::{Columns, Found, Spot, corner_values, lane_of, set_lane};
 use super::textures::Textures;
@@ -22,6 +23,7 @@ pub(super) struct Paint<'a> {
     emissive: Vec3,
     metallic: f32,
     roughness: f32,
+    optic: Option<Optic>,
 }
 
 /// The material properties at eight points.
@@ -49,6 +51,7 @@ impl<'a> Paint<'a> {
         emissive: Vec3::ZERO,
         metallic: 0.0,
         roughness: 0.6,
+        optic: None,
     };
 
     pub(super) fn new(material: &Material, textures: &'a Textures) -> Self {
@@ -69,6 +72,7 @@ impl<'a> Paint<'a> {
             emissive: sane(material.emissive.into()),
             metallic: number(material.metallic),
             roughness: number(material.roughness),
+            optic: Optic::new(material),
         }
     }
 
@@ -86,6 +90,31 @@ impl<'a> Paint<'a> {
 
     pub(super) fn metallic(&self) -> f32 {
         self.metallic
+    }
+
+    /// Returns the properties of a surface that reflects rays or lets them pass.
+    #[inline]
+    pub(super) fn optic(&self) -> Option<&Optic> {
+        self.optic.as_ref()
+    }
+
+    /// Returns the properties at one place, in all lanes, with a base colour.
+    pub(super) fn finish(&self, color: Vec3) -> Finishes {
+        let mut finishes = Finishes {
+            metallic: [self.metallic; 8],
+            roughness: [self.roughness; 8],
+            ..Finishes::default()
+        };
+        for lane in 0..8 {
+            finishes.set_color(lane, color);
+            set_lane(&mut finishes.emissive, lane, self.emissive);
+        }
+        finishes
+    }
+
+    /// Whether the colours of places are those of a texture.
+    pub(super) const fn is_textured(&self) -> bool {
+        self.texture.is_some()
     }
 
     #[inline]

@@ -9,7 +9,7 @@ use super::lamp::{Emitter, Receiver};
 use super::occlusion::Shares;
 use super::paint::Finishes;
 use super::rig::LightRig;
-use super::surfaces::Surfaces;
+use super::surfaces::{Columns, Surfaces};
 use super::tone::tone_lanes;
 use crate::ray::Vector;
 
@@ -28,7 +28,34 @@ pub(super) struct Radiance<'a> {
     pub(super) shares: &'a Shares,
     pub(super) emitters: &'a [Emitter],
     pub(super) rig: &'a LightRig,
+    /// The unit vectors towards the viewer; `None` if that is the eye of the view.
+    pub(super) viewer: Option<&'a Columns>,
+    /// The parts of the surfaces' own light; `None` for all of it.
+    pub(super) own: Option<&'a OwnLight>,
     pub(super) film: Film,
+}
+
+/// The factors of the light that surfaces send themselves, where rays are followed to the rest.
+#[derive(Clone, Debug)]
+pub(super) struct OwnLight {
+    /// Of diffuse reflection.
+    pub(super) scattered: [f32; 8],
+    /// Of the highlights of lamps.
+    pub(super) glossy: [f32; 8],
+    /// Of the reflection of the surroundings, which is approximate.
+    pub(super) around: [f32; 8],
+    /// Of emission.
+    pub(super) emitted: [f32; 8],
+}
+
+impl OwnLight {
+    /// All of the light.
+    pub(super) const ALL: Self = Self {
+        scattered: [1.0; 8],
+        glossy: [1.0; 8],
+        around: [1.0; 8],
+        emitted: [1.0; 8],
+    };
 }
 
 impl LaneKernel for Radiance<'_> {
@@ -42,6 +69,8 @@ impl LaneKernel for Radiance<'_> {
             shares,
             emitters,
             rig,
+            viewer,
+            own,
             film,
         } = self;
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
@@ -51,7 +80,10 @@ impl LaneKernel for Radiance<'_> {
         let (metallic, roughness) = (L::load(&finishes.metallic), L::load(&finishes.roughness));
         let ambient = L::load(&shares.ambient);
         let length = point.dot(point).sqrt().max(L::splat(f32::MIN_POSITIVE));
-        let eye = point * (L::splat(-1.0) / length);
+        let eye = match viewer {
+            None => point * (L::splat(-1.0) / length),
+            Some(viewer) => Vector::load(viewer),
+        };
         let dielectric = Vector::splat([DIELECTRIC; 3]);
         let straight = dielectric + (color - dielectric) * metallic;
         let to_eye = normal.dot(eye).max(L::splat(1e-3));
@@ -86,10 +118,17 @@ impl LaneKernel for Radiance<'_> {
             z: even.max(straight.z),
         };
         let all_around = straight + (smooth - straight) * fifth_power(one - to_eye);
-        let sent =
-            (times(color * (one - metallic), lambert) + shine.glossy * direct + times(all_around, reflected))
-                * L::splat(rig.exposure)
-                + Vector::load(&finishes.emissive);
+        let mut scattered = times(color * (one - metallic), lambert);
+        let mut glossy = shine.glossy * direct;
+        let mut mirrored = times(all_around, reflected);
+        let mut emitted = Vector::load(&finishes.emissive);
+        if let Some(own) = own {
+            scattered = scattered * L::load(&own.scattered);
+            glossy = glossy * L::load(&own.glossy);
+            mirrored = mirrored * L::load(&own.around);
+            emitted = emitted * L::load(&own.emitted);
+        }
+        let sent = (scattered + glossy + mirrored) * L::splat(rig.exposure) + emitted;
         let mut out = [[0.0; 8]; 3];
         exposed(film, sent).store(&mut out);
         out

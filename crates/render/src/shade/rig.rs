@@ -160,7 +160,7 @@ impl LightRig {
                 far: if ends { 0.999 } else { f64::INFINITY },
             };
             let faces = direction.dot(probe.normal) > 0.0;
-            if irradiance > 0.0 && faces && !caster.is_occluded(scene, ray, stack) {
+            if irradiance > 0.0 && faces && !caster.is_shadowed(scene, ray, stack) {
                 sum += irradiance;
             }
         }
@@ -174,7 +174,7 @@ impl LightRig {
                     near: 0.0,
                     far: f64::INFINITY,
                 };
-                !caster.is_occluded(scene, ray, stack)
+                !caster.is_shadowed(scene, ray, stack)
             });
             #[expect(clippy::cast_precision_loss, reason = "a small count")]
             let share = open.count() as f32 / (4 * DIRECTIONS_PER_PLACE) as f32;

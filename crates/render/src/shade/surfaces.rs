@@ -10,6 +10,7 @@ use oaktwin_scene::{Attribute, Instance, Mesh, Scene};
 use oaktwin_simd::{Level, run_lanes_at};
 
 use self::locate::Locate;
+use crate::annotate::Surface;
 use crate::rays::Rays;
 use crate::{Hit, View};
 
@@ -76,6 +77,28 @@ pub(super) struct Spot {
     pub(super) at: [f32; 2],
     pub(super) across: [f32; 2],
     pub(super) down: [f32; 2],
+}
+
+impl Spot {
+    /// Returns the place where a ray sees a surface; `next` are the rays of the pixels to the right and below.
+    #[expect(clippy::cast_possible_truncation, reason = "shading is float32")]
+    pub(super) fn seen_on(surface: &Surface<'_>, next: [Option<DVec3>; 2]) -> Self {
+        let [_, b, c] = surface.weights;
+        let [across, down] = next.map(|next| {
+            let [_, next_b, next_c] = next.map_or(surface.weights, |next| surface.weights_of(next));
+            let step = [next_b - b, next_c - c];
+            if step.iter().all(|step| step.is_finite()) {
+                step.map(|step| step as f32)
+            } else {
+                [0.0; 2]
+            }
+        });
+        Self {
+            at: [b as f32, c as f32],
+            across,
+            down,
+        }
+    }
 }
 
 /// Collects pixels and finds their surfaces.
@@ -196,10 +219,7 @@ impl<'a> Packet<'a> {
             mesh,
             from_mesh,
             from_normal: near_one(from_normal),
-            scale: {
-                let axes = &from_mesh.matrix3;
-                DVec3::new(axes.x_axis.length(), axes.y_axis.length(), axes.z_axis.length()).as_vec3()
-            },
+            scale: lengths(&from_mesh.matrix3),
             turn: if from_mesh.matrix3.determinant() < 0.0 {
                 -1.0
             } else {
@@ -266,6 +286,14 @@ impl Found<'_, '_> {
         self.pixels.places[lane & 7]
     }
 
+    /// Returns the triangle that a pixel sees.
+    pub(super) fn hit(&self, lane: usize) -> Hit {
+        Hit {
+            instance: self.number,
+            triangle: self.triangle(lane),
+        }
+    }
+
     pub(super) fn triangle(&self, lane: usize) -> u32 {
         self.pixels.triangles[lane & 7]
     }
@@ -284,16 +312,8 @@ impl Found<'_, '_> {
     /// Returns the place in a lane in metres along the axes of the mesh, which moves with the instance, and the size of a pixel
     /// there.
     pub(super) fn grained(&self, lane: usize) -> Option<(Vec3, f32)> {
-        let vertices = *self.mesh.triangles.get(self.triangle(lane) as usize)?;
-        let corner = |vertex: u32| {
-            let position = self.mesh.positions.get(vertex as usize)?;
-            Some(Vec3::from(*position) * self.scale)
-        };
-        let (a, b, c) = (corner(vertices[0])?, corner(vertices[1])?, corner(vertices[2])?);
-        let spot = self.spot(lane);
-        let along = |[u, v]: [f32; 2]| (b - a) * u + (c - a) * v;
-        let footprint = (along(spot.across).length() * along(spot.down).length()).sqrt();
-        Some((a + along(spot.at), footprint))
+        self.spot(lane)
+            .grained(self.mesh, self.triangle(lane), self.scale)
     }
 
     pub(super) fn spot(&self, lane: usize) -> Spot {
@@ -308,6 +328,23 @@ impl Found<'_, '_> {
     }
 }
 
+impl Spot {
+    /// Returns the place on a triangle in metres along the axes of the mesh, and the size of a pixel there; `scale` are the lengths
+    /// of the mesh's unit vectors.
+    pub(super) fn grained(&self, mesh: &Mesh, triangle: u32, scale: Vec3) -> Option<(Vec3, f32)> {
+        let vertices = *mesh.triangles.get(triangle as usize)?;
+        let corner = |vertex: u32| {
+            let position = mesh.positions.get(vertex as usize)?;
+            Some(Vec3::from(*position) * scale)
+        };
+        let (a, b, c) = (corner(vertices[0])?, corner(vertices[1])?, corner(vertices[2])?);
+        let spot = self;
+        let along = |[u, v]: [f32; 2]| (b - a) * u + (c - a) * v;
+        let footprint = (along(spot.across).length() * along(spot.down).length()).sqrt();
+        Some((a + along(spot.at), footprint))
+    }
+}
+
 /// Returns the vector in a lane.
 #[inline]
 pub(super) fn lane_of([x, y, z]: &Columns, lane: usize) -> Vec3 {
@@ -318,6 +355,11 @@ pub(super) fn lane_of([x, y, z]: &Columns, lane: usize) -> Vec3 {
 #[inline]
 pub(super) fn set_lane([x, y, z]: &mut Columns, lane: usize, value: Vec3) {
     (x[lane & 7], y[lane & 7], z[lane & 7]) = value.into();
+}
+
+/// Returns the lengths of the columns of a matrix.
+pub(super) fn lengths(axes: &DMat3) -> Vec3 {
+    DVec3::new(axes.x_axis.length(), axes.y_axis.length(), axes.z_axis.length()).as_vec3()
 }
 
 /// Returns the columns of a matrix, scaled so that the largest element is 1.

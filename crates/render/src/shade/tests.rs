@@ -5,6 +5,7 @@
 )]
 
 mod lights;
+mod optics;
 
 use std::path::PathBuf;
 use std::sync::Arc;

@@ -1,22 +1,45 @@
-//! Where surfaces are invisible.
+//! Where surfaces are invisible or let light pass.
 
-use oaktwin_scene::Opacity;
+use oaktwin_scene::{Material, Opacity};
 
 use super::gltf_builder::Builder;
 use super::support::{Files, open};
 
 /// The opacity of each material of a glTF file whose materials have these members.
 fn gltf(materials: &str) -> Vec<Option<Opacity>> {
+    let (read, _) = gltf_materials(materials);
+    read.iter().map(|material| material.opacity).collect()
+}
+
+/// The materials of such a file, and the codes of the findings.
+fn gltf_materials(materials: &str) -> (Vec<Material>, Vec<&'static str>) {
     let content = Builder::everything().embedded();
     let start = content.find(r#""materials":["#).unwrap() + r#""materials":["#.len();
     let content = format!("{}{materials},{}", &content[..start], &content[start..]);
     let imported = open("a.gltf", content);
-    imported
-        .scene
-        .materials
-        .iter()
-        .map(|material| material.opacity)
-        .collect()
+    let codes = imported.findings.iter().map(|finding| finding.code).collect();
+    (imported.scene.materials, codes)
+}
+
+#[test]
+fn gltf_glass() {
+    let (read, codes) = gltf_materials(
+        r#"{"name":"bottle","extensions":{"KHR_materials_transmission":{"transmissionFactor":0.9},
+            "KHR_materials_ior":{"ior":1.45},"KHR_materials_volume":{"thicknessFactor":0.1}}},
+        {"name":"pane","extensions":{"KHR_materials_transmission":{"transmissionFactor":1}}},
+        {"name":"bad","extensions":{"KHR_materials_transmission":{"transmissionFactor":1.5},"KHR_materials_ior":{"ior":0}}}"#,
+    );
+    let [bottle, pane, bad] = [0, 1, 2].map(|index: usize| &read[index]);
+    let transmission = bottle.transmission.unwrap();
+    assert_eq!(
+        (transmission.share, transmission.tint, transmission.refracts),
+        (0.9, None, true)
+    );
+    assert_eq!(bottle.index, 1.45);
+    assert!(!pane.transmission.unwrap().refracts && pane.index == 1.5);
+    assert_eq!((bad.transmission.unwrap().share, bad.index), (1.0, 1.5));
+    let values = codes.iter().filter(|code| **code == "material-value");
+    assert_eq!(values.count(), 2);
 }
 
 #[test]
@@ -31,10 +54,11 @@ fn gltf_masks_cut_surfaces() {
     let masked = read[0].unwrap();
     assert_eq!((masked.value, masked.threshold), (0.75, 0.5));
     assert_eq!(masked.mask.unwrap().channel, 3);
-    // A quarter is above an eighth and below a half; translucent surfaces are solid.
+    // A quarter is above an eighth and below a half.
     assert_eq!(read[1], None);
-    assert!(!read[2].unwrap().shows(1.0));
-    assert_eq!(&read[3..6], [None, None, None]);
+    assert!(read[2].unwrap().at(1.0) == 0.0);
+    assert!(read[3].unwrap().is_partial() && read[3].unwrap().at(1.0) == 0.25);
+    assert_eq!(&read[4..6], [None, None]);
 }
 
 #[test]
@@ -45,7 +69,9 @@ fn obj_masks_cut_surfaces() {
         .with(
             "a.mtl",
             "newmtl leaf\nmap_Kd leaf.png\nmap_d leaf.png\nnewmtl card\nmap_Kd leaf.png\nmap_d mask.png\nnewmtl glass\nd 0.1\n\
-             newmtl hidden\nTr 1\nnewmtl solid\nd 1.0\nTr 0\n",
+             newmtl hidden\nTr 1\nnewmtl solid\nd 1.0\nTr 0\nnewmtl void\nd 0\nnewmtl bad\nd 2\nNi 0.5\n\
+             newmtl solid_glass\nd 0.25\nTr 0.9\nNi 1.5\nillum 7\nTf 0.5 0.6 0.7\nnewmtl mirror\nKs 0.9 0.8 0.7\nillum 3\n\
+             newmtl shiny\nKs 0.9 0.9 0.9\nillum 2\n",
         )
         .with(
             "a.obj",
@@ -64,10 +90,24 @@ fn obj_masks_cut_surfaces() {
         .iter()
         .map(|finding| finding.place.as_str())
         .collect();
-    assert_eq!(reported, ["glass", "hidden"]);
+    assert_eq!(reported, ["hidden", "void", "bad", "bad"]);
     assert!(
-        ["glass", "hidden", "solid"]
+        ["hidden", "solid", "void", "bad", "solid_glass", "mirror"]
             .into_iter()
             .all(|name| opacity(name).is_none())
     );
+    assert_eq!(opacity("glass").unwrap().at(1.0), 0.1);
+    let material = |name: &str| {
+        let mut materials = imported.scene.materials.iter();
+        materials.find(|material| material.name == name).unwrap().clone()
+    };
+    let transmission = material("solid_glass").transmission.unwrap();
+    assert_eq!(
+        (transmission.share, transmission.tint),
+        (0.75, Some([0.5, 0.6, 0.7]))
+    );
+    assert!(transmission.refracts);
+    let mirror = material("mirror");
+    assert_eq!((mirror.specular, mirror.roughness), (Some([0.9, 0.8, 0.7]), 0.0));
+    assert_eq!(material("shiny").specular, None);
 }

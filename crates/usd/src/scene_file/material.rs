@@ -1,6 +1,8 @@
 use oaktwin_files as files;
 use oaktwin_image::{CodecError, png, texture};
-use oaktwin_scene::{ColorSpace, LightKind, Material, Opacity, Scene, TextureSource, TextureUse, Wrap};
+use oaktwin_scene::{
+    ColorSpace, DEFAULT_INDEX, LightKind, Material, Opacity, Scene, TextureSource, TextureUse, Wrap,
+};
 
 use super::ImageFiles;
 use crate::text::{Attribute, Prim, Value};
@@ -8,6 +10,8 @@ use crate::text::{Attribute, Prim, Value};
 /// The outputs of an image.
 const CHANNELS: [&str; 4] = ["r", "g", "b", "a"];
 const SCOPE: &str = "Looks";
+/// The opacity of clear materials: a surface of opacity 0 would be cut out.
+const MIN_OPACITY: f32 = 0.01;
 /// The maximum size of an image file that is copied.
 const MAX_BYTES: u64 = 1 << 30;
 /// Replaced by the path of the root once it is known.
@@ -137,8 +141,19 @@ impl<'a> Materials<'a> {
             reader.add(Attribute::without_value("outputs:result", "float3"));
             nodes.push(reader);
         }
+        if material.index != DEFAULT_INDEX {
+            surface.set("inputs:ior", Value::Float(material.index));
+        }
+        if let Some(specular) = material.specular {
+            surface.set("inputs:useSpecularWorkflow", Value::Int(1));
+            surface.set("inputs:specularColor", Value::Color3f(specular));
+        }
+        // The shader knows thin walls only, and nothing else than opacity.
         if let Some(opacity) = &material.opacity {
             nodes.extend(self.opacity(opacity, &mut surface, path));
+        } else if let Some(transmission) = &material.transmission {
+            let opacity = (1.0 - transmission.share).max(MIN_OPACITY);
+            surface.set("inputs:opacity", Value::Float(opacity));
         }
         prim.children.push(surface);
         prim.children.extend(nodes);

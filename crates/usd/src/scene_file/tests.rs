@@ -88,6 +88,8 @@ fn materials() -> Vec<Material> {
                 }),
                 0.25,
             ),
+            index: 1.25,
+            specular: Some([0.5, 0.25, 0.125]),
             ..material("wood", Some([1.0; 3]))
         },
         material("own", None),
@@ -159,6 +161,8 @@ fn assert_same_mesh((scene, mesh): (&Scene, &Mesh), (other_scene, other): (&Scen
                 material.roughness,
                 material.base_color_texture,
                 material.opacity,
+                material.index,
+                material.specular,
             )
         };
         assert_eq!(look(scene, mesh), look(other_scene, other));

@@ -72,7 +72,10 @@ fn opacity(id: &str, inputs: &str) -> (Option<Opacity>, Vec<&'static str>) {
 fn preview_surfaces() {
     let preview = |inputs: &str| opacity("UsdPreviewSurface", inputs);
     assert_eq!(preview("float inputs:opacity = 1"), (None, vec![]));
-    assert_eq!(preview("float inputs:opacity = 0.5"), (None, vec!["translucent"]));
+    let (half, codes) = preview("float inputs:opacity = 0.5");
+    assert!(half.unwrap().is_partial() && half.unwrap().at(1.0) == 0.5 && codes.is_empty());
+    let (bright, codes) = preview("float inputs:opacity = 1.5");
+    assert_eq!((bright, codes), (None, vec!["material-value"]));
     assert_eq!(
         preview("float inputs:opacity = 0.5 float inputs:opacityThreshold = 0.25"),
         (None, vec![])
@@ -82,7 +85,7 @@ fn preview_surfaces() {
         "float inputs:opacity = 0.5 float inputs:opacityThreshold = 0.75",
     ] {
         let (opacity, codes) = preview(invisible);
-        assert!(!opacity.unwrap().shows(1.0) && codes.is_empty(), "{invisible}");
+        assert!(opacity.unwrap().at(1.0) == 0.0 && codes.is_empty(), "{invisible}");
     }
     let (cut, codes) =
         preview("float inputs:opacity.connect = </Look/T.outputs:g> float inputs:opacityThreshold = 0.5");
@@ -92,10 +95,8 @@ fn preview_surfaces() {
         (1, [1.0, 2.0, 3.0, 4.0], 0.5)
     );
     assert!(codes.is_empty());
-    assert_eq!(
-        preview("float inputs:opacity.connect = </Look/T.outputs:a>").1,
-        ["translucent"]
-    );
+    let (faded, codes) = preview("float inputs:opacity.connect = </Look/T.outputs:a>");
+    assert!(faded.unwrap().is_partial() && codes.is_empty());
     let unknown = preview("float inputs:opacity.connect = </Look/Noise.outputs:out>");
     assert_eq!(unknown, (None, vec!["unsupported-material"]));
 }
@@ -135,7 +136,7 @@ fn other_shaders() {
         ),
     ];
     for (id, inputs) in hidden {
-        assert!(!opacity(id, inputs).0.unwrap().shows(1.0), "{id}");
+        assert!(opacity(id, inputs).0.unwrap().at(1.0) == 0.0, "{id}");
     }
     let solid = [
         (
@@ -153,4 +154,62 @@ fn other_shaders() {
     let image = "color3f inputs:diffuse_color_constant = (1, 1, 1) bool inputs:enable_opacity = 1
         bool inputs:enable_opacity_texture = 1 asset inputs:opacity_texture = @mask.png@ int inputs:opacity_mode = 0";
     assert_eq!(channel("OmniPBR", image), 3);
+}
+
+#[test]
+fn glass_and_mirrors() {
+    let material = |id: &str, inputs: &str| {
+        let read = read(id, inputs);
+        let codes: Vec<_> = read.findings.iter().map(|finding| finding.code).collect();
+        (read.scene.materials[0].clone(), codes)
+    };
+    let (preview, codes) = material(
+        "UsdPreviewSurface",
+        "float inputs:ior = 1.33 int inputs:useSpecularWorkflow = 1 color3f inputs:specularColor = (0.9, 0.8, 0.7)",
+    );
+    assert_eq!((preview.index, preview.specular), (1.33, Some([0.9, 0.8, 0.7])));
+    assert!(preview.transmission.is_none() && codes.is_empty());
+    let (bad, codes) = material("UsdPreviewSurface", "float inputs:ior = 0");
+    assert_eq!((bad.index, codes), (1.5, vec!["material-value"]));
+
+    let (standard, codes) = material(
+        "ND_standard_surface_surfaceshader",
+        "float inputs:transmission = 0.9 color3f inputs:transmission_color = (0.5, 1, 0.5) float inputs:specular_IOR = 1.6",
+    );
+    let transmission = standard.transmission.unwrap();
+    assert_eq!(
+        (transmission.share, transmission.tint),
+        (0.9, Some([0.5, 1.0, 0.5]))
+    );
+    assert!(transmission.refracts && standard.index == 1.6 && codes.is_empty());
+
+    let (open, _) = material(
+        "ND_open_pbr_surface_surfaceshader",
+        "float inputs:transmission_weight = 1 bool inputs:geometry_thin_walled = 1",
+    );
+    let transmission = open.transmission.unwrap();
+    assert_eq!(
+        (transmission.tint, transmission.refracts),
+        (Some([1.0; 3]), false)
+    );
+
+    let (gltf, _) = material("ND_gltf_pbr_surfaceshader", "float inputs:transmission = 0.5");
+    let transmission = gltf.transmission.unwrap();
+    assert_eq!(
+        (transmission.share, transmission.tint, transmission.refracts),
+        (0.5, None, false)
+    );
+
+    let (glass, codes) = material(
+        "",
+        r#"uniform asset info:mdl:sourceAsset = @OmniGlass.mdl@
+        uniform token info:mdl:sourceAsset:subIdentifier = "OmniGlass"
+        color3f inputs:glass_color = (0.8, 0.9, 1) float inputs:glass_ior = 1.52"#,
+    );
+    let transmission = glass.transmission.unwrap();
+    assert_eq!(
+        (transmission.share, transmission.tint),
+        (1.0, Some([0.8, 0.9, 1.0]))
+    );
+    assert_eq!((glass.index, glass.roughness, codes), (1.52, 0.0, vec![]));
 }

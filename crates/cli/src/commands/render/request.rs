@@ -55,6 +55,7 @@ pub(super) fn spec(args: &RenderArgs) -> Result<RigSpec> {
         },
         sweep,
         backend: args.backend,
+        transparent: args.transparent,
     })
 }
 

@@ -38,7 +38,9 @@ pub fn sensor_input<'a>(
     let unfit = |what: String| ParameterError::new("engine", what, "choose another engine");
     match kind.input {
         EngineInput::Depth => {
-            let depth = frame.distance_to_image_plane.as_ref();
+            // The models of cameras see what mirrors show; others measure surfaces.
+            let apparent = frame.apparent_depth.as_ref().filter(|_| kind.models.is_some());
+            let depth = apparent.or(frame.distance_to_image_plane.as_ref());
             let depth = depth.ok_or_else(|| unfit(format!("{kind} requires depth, and there is none")))?;
             let mut shot = Shot::new((&depth.0).into());
             shot.frame = number;

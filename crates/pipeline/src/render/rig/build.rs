@@ -123,6 +123,7 @@ impl Rig {
             annotators: spec.annotators.clone(),
             are_outputs_optional: spec.are_outputs_optional,
             backend: spec.backend,
+            transparent: spec.transparent,
         })
     }
 }

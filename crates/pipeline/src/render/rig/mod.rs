@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 use oaktwin_camera::RigidTransform;
 use oaktwin_image::annotation::Annotator;
-use oaktwin_render::Backend;
+use oaktwin_render::{Backend, Transparent};
 
 use super::PlacedCamera;
 use super::sweep::SweptSensors;
@@ -44,6 +44,7 @@ pub struct Rig {
     annotators: Vec<Annotator>,
     are_outputs_optional: bool,
     backend: Backend,
+    transparent: Transparent,
 }
 
 impl Rig {

@@ -63,8 +63,11 @@ impl Rig {
         let pair = self.pair.as_ref().filter(|_| is_matched || is_described);
         let pair = pair.map(|pair| pair.look(renderer, &mount, number));
         let needed = scene_annotators(annotators, sensor.is_some() || swept.is_some());
-        let (mut frame, mut findings) =
-            renderer.annotate(&view, &needed, self.backend, &AnnotateOptions::default());
+        let options = AnnotateOptions {
+            transparent: self.transparent,
+            ..AnnotateOptions::default()
+        };
+        let (mut frame, mut findings) = renderer.annotate(&view, &needed, self.backend, &options);
         let sheet = match swept {
             Some(swept) => swept.sheet(index, &frame, number, pair.as_ref())?,
             None => None,
@@ -85,6 +88,7 @@ impl Rig {
             }
             sensor_view_of = Some(sensor_view(&sensor.output_camera(&view.camera), &described));
         }
+        frame.apparent_depth = None;
         frame.rgb = frame.rgb.filter(|_| annotators.contains(&Annotator::Rgb));
         frame.distance_to_image_plane = frame
             .distance_to_image_plane

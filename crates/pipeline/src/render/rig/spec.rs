@@ -3,7 +3,7 @@ use oaktwin_base::parameter::choice;
 use oaktwin_camera::ImageSize;
 use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_image::annotation::Annotator;
-use oaktwin_render::Backend;
+use oaktwin_render::{Backend, Transparent};
 use oaktwin_usd::optics::Projection;
 use serde::{Deserialize, Serialize};
 
@@ -59,6 +59,8 @@ pub struct RigSpec {
     pub sweep: Option<Sweep>,
     /// The visibility backend.
     pub backend: Backend,
+    /// What the ground truth of transparent surfaces is. Neither colours nor the models of depth cameras depend on it.
+    pub transparent: Transparent,
 }
 
 choice! {

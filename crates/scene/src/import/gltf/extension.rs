@@ -5,13 +5,15 @@ use super::document::Document;
 use crate::import::builder::Builder;
 
 /// The extensions that are supported; [`compressed`] and [`placement`](super::placement) list further ones.
-const IMPLEMENTED: [&str; 9] = [
+const IMPLEMENTED: [&str; 11] = [
     "EXT_texture_webp",
     "KHR_lights_punctual",
     "KHR_materials_emissive_strength",
     "KHR_materials_ior",
+    "KHR_materials_transmission",
     "KHR_materials_unlit",
     "KHR_materials_variants",
+    "KHR_materials_volume",
     "KHR_mesh_quantization",
     "KHR_texture_basisu",
     "KHR_texture_transform",

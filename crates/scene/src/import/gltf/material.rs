@@ -10,7 +10,7 @@ use oaktwin_base::diagnostic::{Message, message};
 use super::document::Document;
 use super::uri::{self, Target};
 use crate::import::builder::Builder;
-use crate::{ColorSpace, Mask, Material, Opacity, Texture, TextureSource, TextureUse, Wrap};
+use crate::{ColorSpace, Mask, Material, Opacity, Texture, TextureSource, TextureUse, Transmission, Wrap};
 
 /// The materials by their index in the file, with the properties that primitives need.
 pub(super) struct Materials {
@@ -42,16 +42,29 @@ impl Materials {
                     Some(Some((texture, set))) => (Some(texture), Some(set)),
                     _ => (None, None),
                 };
-            let opacity = opacity(material, finite(alpha), base_color_texture, &name, builder);
-            let number = builder.add_material(Material {
-                name,
+            let opacity = opacity(material, finite(alpha), base_color_texture);
+            let mut read = Material {
+                name: name.clone(),
                 base_color: Some(factor),
                 base_color_texture,
                 emissive: material.emissive_factor.0.map(finite),
                 metallic: finite(pbr.metallic_factor.0).clamp(0.0, 1.0),
                 roughness: finite(pbr.roughness_factor.0).clamp(0.0, 1.0),
                 opacity,
-            });
+                ..Material::default()
+            };
+            let mut problems = vec![
+                Material::not_a_share("metallic factor", pbr.metallic_factor.0),
+                Material::not_a_share("roughness factor", pbr.roughness_factor.0),
+            ];
+            if opacity.is_some() {
+                problems.push(Material::not_a_share("opacity", alpha));
+            }
+            problems.extend(read_optics(material, &mut read));
+            for problem in problems.into_iter().flatten() {
+                builder.warn("material-value", &name, problem);
+            }
+            let number = builder.add_material(read);
             MaterialInfo {
                 number,
                 uv_set,
@@ -69,23 +82,38 @@ impl Materials {
     }
 }
 
-/// Returns where a material is invisible. Solid ones ignore their opacity.
-fn opacity(
-    material: &json::Material,
-    factor: f32,
-    texture: Option<TextureUse>,
-    name: &str,
-    builder: &mut Builder,
-) -> Option<Opacity> {
+/// Reads the transmission and the index of refraction. Returns what is wrong with them. Images of the transmission are not read.
+fn read_optics(material: &json::Material, read: &mut Material) -> [Option<String>; 2] {
+    let Some(extensions) = &material.extensions else {
+        return [None, None];
+    };
+    let index = extensions.ior.as_ref().and_then(|ior| {
+        // An index of 0 stands for an unlimited reflectance in old files.
+        read.set_index(ior.ior.0)
+    });
+    let Some(transmission) = &extensions.transmission else {
+        return [index, None];
+    };
+    let share = transmission.transmission_factor.0;
+    let is_solid = |volume: &json::extensions::material::Volume| volume.thickness_factor.0 > 0.0;
+    if share > 0.0 {
+        read.transmission = Some(Transmission {
+            share: share.min(1.0),
+            tint: None,
+            refracts: extensions.volume.as_ref().is_some_and(is_solid),
+        });
+    }
+    [index, Material::not_a_share("transmission factor", share)]
+}
+
+/// Returns where a material is invisible, or lets light pass. Solid ones ignore their opacity.
+fn opacity(material: &json::Material, factor: f32, texture: Option<TextureUse>) -> Option<Opacity> {
     let threshold = match material.alpha_mode {
         Checked::Valid(AlphaMode::Mask) => material.alpha_cutoff.map_or(0.5, |cutoff| finite(cutoff.0)),
         Checked::Valid(AlphaMode::Blend) => 0.0,
         Checked::Valid(AlphaMode::Opaque) | Checked::Invalid => return None,
     };
     let mask = texture.map(|texture| Mask { texture, channel: 3 });
-    if Opacity::is_translucent(factor, mask, threshold) {
-        builder.note("translucent", name, Opacity::TRANSLUCENT);
-    }
     Opacity::new(factor, mask, threshold)
 }
 

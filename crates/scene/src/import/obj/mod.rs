@@ -5,7 +5,9 @@
 //! has such a name, what follows ` #` is a comment.
 
 mod mtl;
+mod optics;
 mod part;
+mod words;
 
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -3,6 +3,8 @@ use std::path::{Path, PathBuf};
 
 use oaktwin_files as files;
 
+use super::optics::Optics;
+use super::words::{color, number};
 use super::{names, rest};
 use crate::import::MAX_BYTES;
 use crate::import::builder::Builder;
@@ -11,8 +13,6 @@ use crate::{ColorSpace, Mask, Material, Opacity, Texture, TextureSource, Texture
 
 /// The format defines no threshold; images of cut-out surfaces are black and white.
 const MASK_THRESHOLD: f32 = 0.5;
-/// `d` and `Tr` are often written the wrong way round, so no surface disappears because of them.
-const SOLID: &str = "its `d` or `Tr` is not read: its surface is solid";
 
 /// The materials of the MTL files that an OBJ file refers to.
 ///
@@ -72,23 +72,25 @@ impl Library {
 
     fn read(&mut self, bytes: &[u8], file: &Path, builder: &mut Builder) {
         let folder = file.parent().unwrap_or(Path::new(""));
-        let mut current: Option<Material> = None;
+        let mut current: Option<(Material, Optics)> = None;
         for (_, line) in text::lines(&text::decoded(bytes)) {
             let line = line.trim_ascii();
             let mut words = text::words(line);
             let word = words.next().unwrap_or_default();
             if word == b"newmtl" {
                 self.add(current.take(), builder);
-                current = Some(Material {
+                let material = Material {
                     name: rest(line, 6),
                     base_color: Some([1.0; 3]),
                     ..Material::default()
-                });
+                };
+                current = Some((material, Optics::default()));
                 continue;
             }
-            let Some(material) = &mut current else {
+            let Some((material, optics)) = &mut current else {
                 continue;
             };
+            optics.read(line);
             match word {
                 b"Kd" => material.base_color = color(&mut words).or(material.base_color),
                 b"Ke" => material.emissive = color(&mut words).unwrap_or_default(),
@@ -103,22 +105,17 @@ impl Library {
                         Opacity::new(1.0, Some(Mask { texture, channel: 0 }), MASK_THRESHOLD)
                     });
                 }
-                b"d" if fraction(words.next()).is_some_and(|opacity| opacity < 1.0) => {
-                    builder.note("translucent", &material.name, SOLID);
-                }
-                b"Tr" if fraction(words.next()).is_some_and(|transparency| transparency > 0.0) => {
-                    builder.note("translucent", &material.name, SOLID);
-                }
                 _ => {}
             }
         }
         self.add(current, builder);
     }
 
-    fn add(&mut self, material: Option<Material>, builder: &mut Builder) {
-        let Some(mut material) = material else {
+    fn add(&mut self, read: Option<(Material, Optics)>, builder: &mut Builder) {
+        let Some((mut material, optics)) = read else {
             return;
         };
+        optics.apply(&mut material, builder);
         if material.base_color_texture.is_some() && material.base_color == Some([0.0; 3]) {
             material.base_color = Some([1.0; 3]);
         }
@@ -235,19 +232,8 @@ fn leading_numbers(text: &str, max: usize) -> (Vec<f32>, &str) {
     (numbers, left)
 }
 
-fn color<'a>(words: &mut impl Iterator<Item = &'a [u8]>) -> Option<[f32; 3]> {
-    let [r] = text::numbers(words)?;
-    // A single number is a grey.
-    let color = match text::numbers(words) {
-        Some([g, b]) => [r, g, b],
-        None => [r; 3],
-    };
-    color.iter().all(|x: &f32| x.is_finite()).then_some(color)
-}
-
 fn fraction(word: Option<&[u8]>) -> Option<f32> {
-    let number: f32 = text::number(word?)?;
-    number.is_finite().then(|| number.clamp(0.0, 1.0))
+    number(word).map(|number| number.clamp(0.0, 1.0))
 }
 
 /// The file with a name, or with the name before a comment if only that exists.

@@ -2,6 +2,7 @@
 
 mod network;
 mod opacity;
+mod optics;
 mod surface;
 mod texture;
 mod uv;

@@ -1,9 +1,8 @@
 //! Reads where a surface is invisible.
 
-use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_scene::{Mask, Material, Opacity, TextureUse};
 
-use super::super::super::value::{boolean, color, single};
+use super::super::super::value::{color, single};
 use super::identifier;
 use super::network::{Input, Node, input};
 use super::surface::{MAX_DEPTH, Reading};
@@ -47,15 +46,11 @@ impl Reading<'_> {
 
     /// Reads the opacity of `OmniPBR`.
     pub(super) fn mdl_opacity(&mut self, shader: &Node, material: &mut Material) {
-        let is_set = |name| match input(self.reader, &shader.shader, name) {
-            Some(Input::Value(value, _)) => boolean(&value) == Some(true),
-            _ => false,
-        };
-        if !is_set("inputs:enable_opacity") {
+        if !self.is_set(shader, "inputs:enable_opacity") {
             return;
         }
         let threshold = self.number(shader, "inputs:opacity_threshold").unwrap_or(0.0);
-        if is_set("inputs:enable_opacity_texture") {
+        if self.is_set(shader, "inputs:enable_opacity_texture") {
             // Mode 0 is the image's opacity; the others are brightnesses.
             let is_alpha = self.number(shader, "inputs:opacity_mode") == Some(0.0);
             if let Some(texture) = self.image(shader, "inputs:opacity_texture", None) {
@@ -106,14 +101,10 @@ impl Reading<'_> {
         Some(mask)
     }
 
-    /// Makes a surface invisible where its opacity is low.
+    /// Makes a surface invisible, or lets light pass, where its opacity is low.
     fn cut(&mut self, value: f32, mask: Option<Mask>, threshold: f32, material: &mut Material) {
+        self.report(Material::not_a_share("opacity", value));
         material.opacity = Opacity::new(value, mask, threshold);
-        if Opacity::is_translucent(value, mask, threshold) {
-            let message = Opacity::TRANSLUCENT;
-            self.findings
-                .push(Finding::new("translucent", Level::Note, self.place, message, ""));
-        }
     }
 }
 

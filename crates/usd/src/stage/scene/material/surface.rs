@@ -41,6 +41,7 @@ impl Reading<'_> {
                 );
                 let threshold = self.number(shader, "inputs:opacityThreshold").unwrap_or(0.0);
                 self.opacity(shader, "inputs:opacity", threshold, material);
+                self.preview_optics(shader, material);
                 true
             }
             "ND_standard_surface_surfaceshader" => {
@@ -55,6 +56,13 @@ impl Reading<'_> {
                 );
                 self.emission(shader, "inputs:emission", "inputs:emission_color", material);
                 self.opacity(shader, "inputs:opacity", 0.0, material);
+                let names = [
+                    "transmission",
+                    "transmission_color",
+                    "specular_IOR",
+                    "thin_walled",
+                ];
+                self.transmission(shader, names, material);
                 true
             }
             "ND_open_pbr_surface_surfaceshader" => {
@@ -68,6 +76,13 @@ impl Reading<'_> {
                     ["inputs:base_metalness", "inputs:specular_roughness", ""],
                 );
                 self.opacity(shader, "inputs:geometry_opacity", 0.0, material);
+                let names = [
+                    "transmission_weight",
+                    "transmission_color",
+                    "specular_ior",
+                    "geometry_thin_walled",
+                ];
+                self.transmission(shader, names, material);
                 true
             }
             "ND_gltf_pbr_surfaceshader" => {
@@ -81,8 +96,17 @@ impl Reading<'_> {
                     ["inputs:metallic", "inputs:roughness", "inputs:emissive"],
                 );
                 self.gltf_opacity(shader, material);
+                self.transmission(shader, ["transmission", "", "ior", ""], material);
+                if self
+                    .number(shader, "inputs:thickness")
+                    .is_none_or(|thickness| thickness <= 0.0)
+                    && let Some(transmission) = &mut material.transmission
+                {
+                    transmission.refracts = false;
+                }
                 true
             }
+            _ if self.mdl_glass(shader, material) => true,
             _ => {
                 let what = if id.is_empty() {
                     "in source code (MDL or other)".to_owned()

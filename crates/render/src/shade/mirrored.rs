@@ -1,0 +1,167 @@
+//! The light that pixels see in mirrors and through glass.
+
+use std::ops::Range;
+
+use glam::Vec3;
+use oaktwin_simd::run_lanes_at;
+
+use super::ShadingContext;
+use super::film::Film;
+use super::occlusion::{Place, Shares};
+use super::optic::Own;
+use super::paint::Finishes;
+use super::path::{Arrival, Origin, Tracer, Vertex};
+use super::reflect::{OwnLight, Radiance};
+use super::rig::luminance;
+use super::strength::Strengths;
+use super::surfaces::{Columns, Found, Surfaces, lane_of, set_lane};
+use crate::ray::Stack;
+use crate::rays::Rays;
+
+/// What arrives at the pixels of a packet beyond the light of the surfaces that they see.
+pub(super) struct Followed {
+    /// The factors of the surfaces' own light.
+    pub(super) own: OwnLight,
+    arrivals: [Range<usize>; 8],
+}
+
+impl OwnLight {
+    fn set(&mut self, lane: usize, own: Own) {
+        let lane = lane & 7;
+        self.scattered[lane] = own.scattered;
+        self.glossy[lane] = own.glossy;
+        self.around[lane] = own.around;
+        self.emitted[lane] = own.emitted;
+    }
+}
+
+impl Followed {
+    /// Follows the rays of a packet's pixels; `None` if its surfaces send none on. `arrivals` is reused memory.
+    pub(super) fn new<'w>(
+        context: &'w ShadingContext<'_>,
+        rays: &Rays<'_>,
+        found: &Found<'_, 'w>,
+        finishes: &Finishes,
+        stack: &mut Stack,
+        arrivals: &mut Vec<Arrival<'w>>,
+    ) -> Option<Self> {
+        let optic = |lane: usize| {
+            let paint = context.paints.get(found.material(lane)? as usize)?;
+            paint.optic()
+        };
+        if !(0..found.count()).any(|lane| optic(lane).is_some()) {
+            return None;
+        }
+        arrivals.clear();
+        let mut followed = Self {
+            own: OwnLight::ALL,
+            arrivals: Default::default(),
+        };
+        for lane in 0..found.count() {
+            let first = arrivals.len();
+            let vertex = optic(lane).zip(context.visible(rays, found, lane));
+            if let Some((optic, vertex)) = vertex {
+                let color = lane_of(&finishes.color, lane);
+                let own = Tracer::new(context, stack, arrivals).follow(&vertex, optic, color);
+                followed.own.set(lane, own);
+            }
+            followed.arrivals[lane & 7] = first..arrivals.len();
+        }
+        Some(followed)
+    }
+
+    /// Returns what arrives in a lane.
+    pub(super) fn arrivals<'s, 'w>(&self, lane: usize, of_packet: &'s [Arrival<'w>]) -> &'s [Arrival<'w>] {
+        of_packet.get(self.arrivals[lane & 7].clone()).unwrap_or_default()
+    }
+}
+
+impl ShadingContext<'_> {
+    /// Returns the vertex that a pixel of a packet sees.
+    fn visible<'w>(&'w self, rays: &Rays<'_>, found: &Found<'_, 'w>, lane: usize) -> Option<Vertex<'w>> {
+        let pose = &self.view.world_from_camera;
+        let [x, y] = found.place(lane);
+        let ray = rays.centre(x, y)?;
+        let length = ray.length();
+        let in_world = |ray: glam::DVec3| pose.rotation * ray / length;
+        let next = rays.next(x, y, ray).map(|next| next.map(in_world));
+        let range = f64::from(found.surfaces.range[lane & 7]);
+        Vertex::new(
+            self.scene,
+            pose.translation,
+            in_world(ray),
+            next,
+            found.hit(lane),
+            range,
+        )
+    }
+
+    /// Returns the sum of a surface's own light and of what arrives beyond it, and the distance of the brightest part.
+    pub(super) fn gathered(
+        &self,
+        own: Vec3,
+        range: f64,
+        arrivals: &[Arrival<'_>],
+        strengths: &mut Strengths,
+        stack: &mut Stack,
+    ) -> (Vec3, f64) {
+        let mut sum = own;
+        let mut brightest = (luminance(own), range);
+        let mut part = (0, 0.0, 0.0);
+        for arrival in arrivals {
+            let (light, distance) = match &arrival.from {
+                Origin::Background(direction, distance) => (self.rig.background(*direction), *distance),
+                Origin::Surface(vertex, own) => {
+                    (self.light_of(vertex, *own, strengths, stack), vertex.distance)
+                }
+            };
+            let light = light * arrival.factor;
+            sum += light;
+            // The rays of a blurred reflection are one part, at the distance of the first.
+            part = match part {
+                (route, sum, first) if route == arrival.route => (route, sum + luminance(light), first),
+                _ => (arrival.route, luminance(light), distance),
+            };
+            if part.1 > brightest.0 {
+                brightest = (part.1, part.2);
+            }
+        }
+        (sum, brightest.1)
+    }
+
+    /// Returns the exposed radiance that a surface sends along a ray.
+    fn light_of(&self, vertex: &Vertex<'_>, own: Own, strengths: &mut Strengths, stack: &mut Stack) -> Vec3 {
+        let paint = self.paint(vertex.hit);
+        let eye = self.view.world_from_camera.translation;
+        let surface = &vertex.surface;
+        #[expect(clippy::cast_possible_truncation, reason = "shading is float32")]
+        let place = Place {
+            from_eye: (surface.point - eye).as_vec3(),
+            range: (surface.point - eye).length() as f32,
+            normal: surface.normal.as_vec3(),
+            flat_normal: surface.flat_normal.as_vec3(),
+        };
+        let mut shares = Shares::default();
+        shares.set(0, self.occlusion.sample_alone(&place, strengths, stack).shares());
+        let mut surfaces = Surfaces::default();
+        let mut viewer = Columns::default();
+        for lane in 0..8 {
+            set_lane(&mut surfaces.point, lane, place.from_eye);
+            set_lane(&mut surfaces.normal, lane, place.normal);
+            set_lane(&mut viewer, lane, -vertex.ray.as_vec3());
+        }
+        let mut factors = OwnLight::ALL;
+        factors.set(0, own);
+        let kernel = Radiance {
+            surfaces: &surfaces,
+            finishes: &paint.finish(self.color_at(paint, vertex)),
+            shares: &shares,
+            emitters: self.occlusion.emitters,
+            rig: self.rig,
+            viewer: Some(&viewer),
+            own: Some(&factors),
+            film: Film::Linear,
+        };
+        lane_of(&run_lanes_at(self.level, kernel), 0)
+    }
+}
