@@ -17,12 +17,16 @@ const SIZE: ImageSize = ImageSize::new(640, 400);
 /// The distance of what is in front of the wall.
 const NEAR: f32 = 1.5;
 
-/// A random pattern 3 m ahead and another 1 m behind the camera; at 1.5 m a mirror on the left, black cloth, and a pane on the right; between
+/// The place of the wall behind the camera: its image in the mirror has a disparity near a whole pixel, as the wall ahead has, where the
+/// matcher has no error of its own.
+const BEHIND: f32 = -0.77;
+
+/// A random pattern 3 m ahead and another behind the camera; at 1.5 m a mirror on the left, black cloth, and a pane on the right; above
 /// them a ball of chrome.
 fn scene() -> Scene {
     let mut scene = room(256, None);
     plate(&mut scene, 3.0, [-9.0, 9.0], [-9.0, 9.0], 256.0 * 0.02);
-    plate(&mut scene, -1.0, [-9.0, 9.0], [-9.0, 9.0], 256.0 * 0.03);
+    plate(&mut scene, BEHIND, [-9.0, 9.0], [-9.0, 9.0], 256.0 * 0.03);
     let mirror = Material {
         base_color: Some([0.9; 3]),
         metallic: 1.0,
@@ -80,6 +84,7 @@ fn measured(renderer: &Renderer, engine: &'static EngineKind) -> (ZDepth, ZDepth
         annotators: vec![Annotator::DistanceToImagePlane, Annotator::DepthSensorDistance],
         sensor: SensorOptions {
             engine: Some(engine.into()),
+            parameters: vec![("subpixel".to_owned(), "true".to_owned())],
             ..SensorOptions::default()
         },
         ..RigSpec::default()
@@ -125,14 +130,15 @@ fn both_engines_see_the_mirrored_room_and_what_lies_behind_glass() {
     let renderer = Renderer::new(scene());
     let (noise, truth, focal_px) = measured(&renderer, &STEREO_NOISE);
     let (matched, _, _) = measured(&renderer, &STEREO_MATCHING);
-    // The mirror shows the room behind the camera, 2.5 m in front of it, twice: 1.5 m + 2.5 m. Edges, whose width is a window of the matcher,
-    // are left out.
+    // In the mirror, the wall behind the camera is as far away as the path is long. Edges, whose width is a window of the matcher, are left
+    // out.
     let parts = [
-        ("mirror", [0.4, 0.9], [-0.5, 0.1], 4.0),
+        ("mirror", [0.4, 0.9], [-0.5, 0.1], 2.0 * NEAR - BEHIND),
         ("cloth", [-0.1, 0.1], [-0.5, 0.1], 0.0),
         ("pane", [-0.9, -0.4], [-0.5, 0.1], 3.0),
         ("wall", [0.5, 1.0], [0.3, 0.6], 3.0),
     ];
+    let mut counts = [0, 0];
     for (name, y, z, expected) in parts {
         let [noise, matched] = [&noise, &matched].map(|depth| seen(depth, focal_px, y, z));
         for (engine, depth) in [("noise", &noise), ("matching", &matched)] {
@@ -142,16 +148,21 @@ fn both_engines_see_the_mirrored_room_and_what_lies_behind_glass() {
                 "{name} {engine}: {found} {expected}"
             );
         }
+        // On cloth without a texture, the matcher finds some noise.
+        let least = if name == "cloth" { 0.75 } else { 0.98 };
         let agrees = |(a, b): &(&f32, &f32)| (**a - **b).abs() <= 0.1 * a.max(**b);
         let same = noise.iter().zip(&matched).filter(agrees).count();
         let share = same as f64 / noise.len() as f64;
-        assert!(share >= 0.9, "{name}: the engines agree in {share}");
+        assert!(share >= least, "{name}: the engines agree in {share}");
+        counts = [counts[0] + same, counts[1] + noise.len()];
     }
+    assert!(counts[0] as f64 >= 0.9 * counts[1] as f64, "{counts:?}");
     // The truth is the surface, and the image in the ball is nearer than half its radius behind its surface.
     let surface = seen(&truth, focal_px, [0.4, 0.9], [-0.5, 0.1]);
     assert!((median(&surface) - NEAR).abs() < 1e-4);
     let ball = seen(&noise, focal_px, [-0.05, 0.05], [0.45, 0.55]);
-    let image = NEAR - 0.25 + 0.125 * 2.25 / (2.25 + 0.125);
+    let way = f64::from(NEAR - 0.25 - BEHIND);
+    let image = NEAR - 0.25 + (0.125 * way / (way + 0.125)) as f32;
     assert!((median(&ball) - image).abs() < 0.05, "{} {image}", median(&ball));
     let ball = seen(&matched, focal_px, [-0.05, 0.05], [0.45, 0.55]);
     assert!((median(&ball) - image).abs() < 0.08, "{} {image}", median(&ball));
