@@ -1,3 +1,5 @@
+import pickle
+
 import numpy as np
 import pytest
 
@@ -145,6 +147,29 @@ def test_mesh_files(tmp_path, device):
         oaktwin.Scene.open(tmp_path / "wall.obj", time=1)
 
 
+def test_glass(tmp_path, device):
+    (tmp_path / "pane.mtl").write_text("newmtl pane\nd 0.1\nPr 0\nnewmtl wall\nKd 0.5 0.5 0.5\nPr 1\n")
+    quad = "v -50 -50 {0}\nv 50 -50 {0}\nv 50 50 {0}\nv -50 50 {0}\n"
+    (tmp_path / "pane.obj").write_text(
+        "mtllib pane.mtl\n" + quad.format(2) + quad.format(3) + "usemtl pane\nf 1 2 3 4\nusemtl wall\nf 5 6 7 8\n")
+    scene = oaktwin.Scene.open(tmp_path / "pane.obj")
+    camera = oaktwin.Camera((4, 4), hfov_deg=20)
+    asked = ["distance_to_image_plane", "rgb"]
+    surface, through = (scene.render(camera, EYE, annotators=asked, transparent=what) for what in ["surface", "through"])
+    assert np.allclose(surface["distance_to_image_plane"], 2) and np.allclose(through["distance_to_image_plane"], 3)
+    assert np.array_equal(surface["rgb"], through["rgb"])
+    # A sensor measures what it sees through the pane, whatever the truth is.
+    facing = np.linalg.inv(device.depth_camera().body_from_camera)
+    options = dict(size=(320, 200), parameters={"confidenceThreshold": 0})
+    rig = pickle.loads(pickle.dumps(oaktwin.Rig(device, transparent="through", **options)))
+    [shot] = rig.shoot(scene, facing, frame=0).values()
+    [plain] = oaktwin.Rig(device, **options).shoot(scene, facing, frame=0).values()
+    assert np.allclose(shot["distance_to_image_plane"], 3) and np.allclose(plain["distance_to_image_plane"], 2)
+    assert np.array_equal(plain["depth_sensor_distance"], shot["depth_sensor_distance"])
+    measured = plain["depth_sensor_distance"]
+    assert np.median(measured[measured > 0]) == pytest.approx(3, abs=0.2)
+
+
 def test_bad_renderings(wall):
     camera = oaktwin.Camera((4, 4), hfov_deg=20)
     for text, arguments, options in [
@@ -152,6 +177,7 @@ def test_bad_renderings(wall):
         ("is not an image; use the camera", (camera, EYE), dict(annotators=["camera_params"])),
         ("DepthSensor", (camera, EYE), dict(annotators=["depth_sensor_distance"])),
         ("backend: invalid value", (camera, EYE), dict(backend="gpu")),
+        ("transparent: invalid value", (camera, EYE), dict(transparent="glass")),
         ("world_from_camera: has shape", (camera, EYE[:3]), {}),
         ("not a rotation", (camera, np.diag([2.0, 2, 2, 1])), {}),
         ("not a rotation", (camera, np.diag([1.0, 1, -1, 1])), {}),

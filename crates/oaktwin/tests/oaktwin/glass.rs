@@ -9,11 +9,12 @@ use oaktwin::image::ZDepth;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render::{Renderer, Rig, RigSpec, look_at};
 use oaktwin::scene::{Instance, Material, MaterialSpan, Scene, Transmission, shape};
-use oaktwin::sensor::{EngineKind, STEREO_MATCHING, STEREO_NOISE, SensorOptions};
+use oaktwin::sensor::{EngineKind, STEREO_MATCHING, STEREO_NOISE, SensorOptions, TIME_OF_FLIGHT};
 
 use crate::plates::{plate, room};
 
 const SIZE: ImageSize = ImageSize::new(640, 400);
+const STEREO: &str = "OAK-D Pro PoE";
 /// The distance of what is in front of the wall.
 const NEAR: f32 = 1.5;
 
@@ -76,15 +77,19 @@ fn added(scene: &mut Scene, material: Material) -> u32 {
     u32::try_from(scene.materials.len() - 1).unwrap()
 }
 
-fn measured(renderer: &Renderer, engine: &'static EngineKind) -> (ZDepth, ZDepth, f64) {
+fn measured(renderer: &Renderer, model: &str, engine: &'static EngineKind) -> (ZDepth, ZDepth, f64) {
     let catalog = Catalog::builtin();
-    let twin = catalog.nominal(catalog.device("OAK-D Pro PoE").unwrap());
+    let twin = catalog.nominal(catalog.device(model).unwrap());
+    let is_stereo = *engine != TIME_OF_FLIGHT;
     let spec = RigSpec {
-        size: Some(SIZE),
+        size: is_stereo.then_some(SIZE),
         annotators: vec![Annotator::DistanceToImagePlane, Annotator::DepthSensorDistance],
         sensor: SensorOptions {
             engine: Some(engine.into()),
-            parameters: vec![("subpixel".to_owned(), "true".to_owned())],
+            parameters: match is_stereo {
+                true => vec![("subpixel".to_owned(), "true".to_owned())],
+                false => Vec::new(),
+            },
             ..SensorOptions::default()
         },
         ..RigSpec::default()
@@ -103,10 +108,15 @@ fn measured(renderer: &Renderer, engine: &'static EngineKind) -> (ZDepth, ZDepth
 
 /// The values of the pixels that see a rectangle at the distance of what is in front of the wall.
 fn seen(depth: &ZDepth, focal_px: f64, y: [f64; 2], z: [f64; 2]) -> Vec<f32> {
-    let (width, height) = (f64::from(SIZE.width), f64::from(SIZE.height));
+    let (width, height) = (f64::from(depth.0.width()), f64::from(depth.0.height()));
     let is_within = |at: f64, range: [f64; 2]| at >= range[0] && at <= range[1];
     let mut values = Vec::new();
-    for (row, line) in depth.0.pixels().chunks_exact(SIZE.width as usize).enumerate() {
+    for (row, line) in depth
+        .0
+        .pixels()
+        .chunks_exact(depth.0.width() as usize)
+        .enumerate()
+    {
         for (column, value) in line.iter().enumerate() {
             let scale = f64::from(NEAR) / focal_px;
             let left = (width / 2.0 - column as f64) * scale;
@@ -128,8 +138,8 @@ fn median(values: &[f32]) -> f32 {
 #[test]
 fn both_engines_see_the_mirrored_room_and_what_lies_behind_glass() {
     let renderer = Renderer::new(scene());
-    let (noise, truth, focal_px) = measured(&renderer, &STEREO_NOISE);
-    let (matched, _, _) = measured(&renderer, &STEREO_MATCHING);
+    let (noise, truth, focal_px) = measured(&renderer, STEREO, &STEREO_NOISE);
+    let (matched, _, _) = measured(&renderer, STEREO, &STEREO_MATCHING);
     // In the mirror, the wall behind the camera is as far away as the path is long. Edges, whose width is a window of the matcher, are left
     // out.
     let parts = [
@@ -166,4 +176,14 @@ fn both_engines_see_the_mirrored_room_and_what_lies_behind_glass() {
     assert!((median(&ball) - image).abs() < 0.05, "{} {image}", median(&ball));
     let ball = seen(&matched, focal_px, [-0.05, 0.05], [0.45, 0.55]);
     assert!((median(&ball) - image).abs() < 0.08, "{} {image}", median(&ball));
+}
+
+#[test]
+fn mirrors_lengthen_the_path_of_light_in_flight() {
+    let renderer = Renderer::new(scene());
+    let (depth, _, focal_px) = measured(&renderer, "OAK-D ToF", &TIME_OF_FLIGHT);
+    for (y, expected) in [([0.4, 0.6], 2.0 * NEAR - BEHIND), ([-0.6, -0.4], 3.0)] {
+        let found = median(&seen(&depth, focal_px, y, [-0.3, 0.0]));
+        assert!((found - expected).abs() <= 0.03 * expected, "{found} {expected}");
+    }
 }
