@@ -166,29 +166,35 @@ impl<'a> ShadingContext<'a> {
                 }
             }
             let followed = Followed::new(self, rays, &found, &finishes, stack, arrivals);
-            let kernel = Radiance {
-                surfaces: found.surfaces,
-                finishes: &finishes,
-                shares: &shares,
-                emitters: self.occlusion.emitters,
-                rig: self.rig,
-                viewer: None,
-                own: followed.as_ref().map(|followed| &followed.own),
-                film: if followed.is_some() {
-                    Film::Linear
-                } else {
-                    self.film
-                },
+            let radiance = |own, film| {
+                let kernel = Radiance {
+                    surfaces: found.surfaces,
+                    finishes: &finishes,
+                    shares: &shares,
+                    emitters: self.occlusion.emitters,
+                    rig: self.rig,
+                    viewer: None,
+                    own,
+                    film,
+                };
+                run_lanes_at(self.level, kernel)
             };
-            let colors = run_lanes_at(self.level, kernel);
+            let (colors, matt) = match &followed {
+                None => (radiance(None, self.film), None),
+                Some(followed) => (
+                    radiance(Some(&followed.own), Film::Linear),
+                    Some(radiance(Some(&followed.own.matt()), Film::Linear)),
+                ),
+            };
             for lane in 0..found.count() {
                 let own = lane_of(&colors, lane);
-                let seen = match &followed {
+                let seen = match followed.as_ref().zip(matt.as_ref()) {
                     None => Seen {
                         color: own,
                         stretch: 1.0,
                     },
-                    Some(followed) => {
+                    Some((followed, matt)) => {
+                        let own = [own, lane_of(matt, lane)];
                         let arrivals = followed.arrivals(lane, arrivals);
                         let range = f64::from(found.surfaces.range[lane & 7]);
                         let (light, distance) = self.gathered(own, range, arrivals, strengths, stack);

@@ -96,24 +96,26 @@ impl ShadingContext<'_> {
         )
     }
 
-    /// Returns the sum of a surface's own light and of what arrives beyond it, and the distance of the brightest part.
+    /// Returns the sum of a surface's own light and of what arrives beyond it, and the distance of the brightest part; `matt` is the own light
+    /// without the highlights of lamps, which are not where the surface is.
     pub(super) fn gathered(
         &self,
-        own: Vec3,
+        [own, matt]: [Vec3; 2],
         range: f64,
         arrivals: &[Arrival<'_>],
         strengths: &mut Strengths,
         stack: &mut Stack,
     ) -> (Vec3, f64) {
         let mut sum = own;
-        let mut brightest = (luminance(own), range);
+        let mut brightest = (luminance(matt), range);
         let mut part = (0, 0.0, 0.0);
         for arrival in arrivals {
             let (light, distance) = match &arrival.from {
                 Origin::Background(direction, distance) => (self.rig.background(*direction), *distance),
-                Origin::Surface(vertex, own) => {
-                    (self.light_of(vertex, *own, strengths, stack), vertex.distance)
-                }
+                Origin::Surface(vertex, own) => (
+                    self.light_of(vertex, *own, strengths, stack),
+                    vertex.transfer.apparent_m(),
+                ),
             };
             let light = light * arrival.factor;
             sum += light;

@@ -8,7 +8,7 @@ use oaktwin_camera::math::DVec3;
 use oaktwin_scene::Scene;
 
 use super::ShadingContext;
-use super::curvature::{self, image_distance};
+use super::curvature::{self, Transfer};
 use super::grain;
 use super::lobe::normals;
 use super::optic::{Balance, Meeting, Optic, Own, Wall};
@@ -38,8 +38,8 @@ pub(super) struct Vertex<'a> {
     pub(super) ray: DVec3,
     /// The rays of the pixels to the right and below.
     pub(super) next: [Option<DVec3>; 2],
-    /// The distance, metres, at which the place appears to be from the eye of the view, when seen along the path.
-    pub(super) distance: f64,
+    /// What the path to the place does to rays beside it.
+    pub(super) transfer: Transfer,
 }
 
 /// Light that arrives along a path.
@@ -67,8 +67,6 @@ struct Progress {
     factor: Vec3,
     reflections: u32,
     passes: u32,
-    /// The index of refraction of the medium that the ray is in.
-    medium: f64,
     route: u64,
 }
 
@@ -96,7 +94,7 @@ impl<'a> Vertex<'a> {
             eye,
             ray,
             next,
-            distance: surface.range,
+            transfer: Transfer::over(surface.range),
         })
     }
 
@@ -126,7 +124,6 @@ impl<'c, 'a> Tracer<'c, 'a> {
             factor: Vec3::ONE,
             reflections: 0,
             passes: 0,
-            medium: 1.0,
             route: 1,
         };
         self.send_on(vertex, optic, color, progress)
@@ -188,15 +185,7 @@ impl<'c, 'a> Tracer<'c, 'a> {
             ..progress
         };
         let widening = lobe.widening(vertex.ray, vertex.next);
-        // The pair's cameras are side by side.
-        let across = self.context.view.world_from_camera.rotation.x_axis;
-        let curvature = curvature::along(
-            self.context.scene,
-            &vertex.surface,
-            vertex.hit,
-            vertex.eye,
-            across,
-        );
+        let transfer = vertex.transfer.reflected(self.curvature(vertex));
         for normal in lobe.iter() {
             let normal = match mirrored(vertex.ray, normal).dot(vertex.surface.flat_normal) > 0.0 {
                 true => normal,
@@ -209,7 +198,7 @@ impl<'c, 'a> Tracer<'c, 'a> {
                 mirrored(vertex.ray, normal),
                 next,
                 widening,
-                curvature,
+                transfer,
                 progress,
             );
         }
@@ -223,41 +212,48 @@ impl<'c, 'a> Tracer<'c, 'a> {
         share: Vec3,
         progress: Progress,
     ) {
-        let mut progress = Progress {
+        let progress = Progress {
             passes: progress.passes + 1,
             factor: progress.factor * share,
             route: progress.route << 1 | 1,
             ..progress
         };
         let ratio = match meeting.wall {
-            Wall::Entry => {
-                progress.medium = optic.index();
-                1.0 / optic.index()
-            }
-            Wall::Exit => {
-                progress.medium = 1.0;
-                optic.index()
-            }
+            Wall::Entry => 1.0 / optic.index(),
+            Wall::Exit => optic.index(),
             Wall::Sheet | Wall::Side => {
-                return self.cast(vertex, vertex.ray, vertex.next, 1.0, 0.0, progress);
+                return self.cast(vertex, vertex.ray, vertex.next, 1.0, vertex.transfer, progress);
             }
         };
         let bent = |ray: DVec3| refracted(ray.normalize(), vertex.surface.normal, ratio);
         if let Some(ray) = bent(vertex.ray) {
             let next = vertex.next.map(|next| next.and_then(bent));
-            self.cast(vertex, ray, next, 1.0, 0.0, progress);
+            let transfer = vertex.transfer.refracted(ratio, self.curvature(vertex));
+            self.cast(vertex, ray, next, 1.0, transfer, progress);
         }
     }
 
+    /// Returns the curvature of a vertex along the baseline: the cameras of a pair are side by side.
+    fn curvature(&self, vertex: &Vertex<'a>) -> f64 {
+        let across = self.context.view.world_from_camera.rotation.x_axis;
+        curvature::along(
+            self.context.scene,
+            &vertex.surface,
+            vertex.hit,
+            vertex.eye,
+            across,
+        )
+    }
+
     /// Casts a ray from a vertex in a direction, a unit vector. `widening` is the ratio of the angle between the rays of pixels to the one
-    /// at the vertex, and `curvature` that of the mirror.
+    /// at the vertex, and `transfer` includes what the vertex does.
     fn cast(
         &mut self,
         from: &Vertex<'a>,
         ray: DVec3,
         next: [Option<DVec3>; 2],
         widening: f64,
-        curvature: f64,
+        transfer: Transfer,
         progress: Progress,
     ) {
         let scene = self.context.scene;
@@ -271,7 +267,7 @@ impl<'c, 'a> Tracer<'c, 'a> {
         let Some((t, hit)) = self.context.occlusion.caster.cast(scene, ahead, self.stack) else {
             self.arrivals.push(Arrival {
                 factor: progress.factor,
-                from: Origin::Background(ray, from.distance + image_distance(f64::INFINITY, curvature)),
+                from: Origin::Background(ray, transfer.apparent_sky_m()),
                 route: progress.route,
             });
             return;
@@ -282,7 +278,7 @@ impl<'c, 'a> Tracer<'c, 'a> {
             return;
         };
         let vertex = Vertex {
-            distance: from.distance + image_distance(t / progress.medium, curvature),
+            transfer: transfer.ahead(t),
             ..vertex
         };
         let paint = self.context.paint(hit);

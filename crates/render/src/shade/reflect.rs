@@ -56,6 +56,15 @@ impl OwnLight {
         around: [1.0; 8],
         emitted: [1.0; 8],
     };
+
+    /// Returns the light without highlights of lamps.
+    pub(super) fn matt(&self) -> Self {
+        Self {
+            glossy: [0.0; 8],
+            around: [0.0; 8],
+            ..self.clone()
+        }
+    }
 }
 
 impl LaneKernel for Radiance<'_> {
