@@ -136,6 +136,7 @@ def main(program: Path, picture: Path) -> None:
         axis.axis("off")
     figure.colorbar(drawn, ax=axes, label="m", pad=0.01)
     figure.savefig(picture, dpi=110)
+    Image.open(picture).convert("RGB").quantize(256).save(picture, optimize=True)
 
 
 if __name__ == "__main__":
