@@ -12,7 +12,7 @@ use oaktwin_depth::rectify::Method;
 use oaktwin_depth::{EngineInput, EngineKind};
 use oaktwin_image::annotation::Annotator;
 use oaktwin_pipeline::sensor::{OptionValue, SENSOR_OPTIONS, SensorOption, SensorOptions};
-use oaktwin_render::Backend;
+use oaktwin_render::{Backend, Transparent};
 use oaktwin_robot::{Format, Mount};
 use oaktwin_scene::Up;
 use oaktwin_usd::asset::{IsaacVersion, LensChoice, Target};
@@ -130,6 +130,7 @@ fn names() -> String {
         ("Sensor", DepthKind::NAMES),
         ("SensorAnnotator", &of_sensors),
         ("Target", Target::NAMES),
+        ("Transparent", Transparent::NAMES),
         ("Up", Up::NAMES),
     ] {
         let quoted: Vec<String> = names.iter().map(|name| format!("{name:?}")).collect();
