@@ -83,6 +83,10 @@ fn measured(renderer: &Renderer, model: &str, engine: &'static EngineKind) -> (Z
     let is_stereo = *engine != TIME_OF_FLIGHT;
     let spec = RigSpec {
         size: is_stereo.then_some(SIZE),
+        cameras: match is_stereo {
+            true => Vec::new(),
+            false => vec!["Camera_pseudo_depth_tof".to_owned()],
+        },
         annotators: vec![Annotator::DistanceToImagePlane, Annotator::DepthSensorDistance],
         sensor: SensorOptions {
             engine: Some(engine.into()),
