@@ -148,6 +148,7 @@ mod tests {
             labels: labels.clone(),
         };
         Frame {
+            apparent_depth: None,
             rgb: Some(Image::filled(2, 1, [1, 2, 3, 255])),
             distance_to_image_plane: Some(ZDepth(depth.clone())),
             distance_to_camera: Some(RangeDepth(depth)),

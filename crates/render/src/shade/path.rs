@@ -53,6 +53,7 @@ pub(super) struct Arrival<'a> {
 }
 
 /// Where light comes from.
+#[expect(clippy::large_enum_variant, reason = "most light comes from surfaces")]
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Origin<'a> {
     /// A surface, with the factors of its own light.

@@ -141,7 +141,7 @@ impl<'a> Materials<'a> {
             reader.add(Attribute::without_value("outputs:result", "float3"));
             nodes.push(reader);
         }
-        if material.index != DEFAULT_INDEX {
+        if material.index.to_bits() != DEFAULT_INDEX.to_bits() {
             surface.set("inputs:ior", Value::Float(material.index));
         }
         if let Some(specular) = material.specular {

@@ -45,65 +45,15 @@ impl Reading<'_> {
                 true
             }
             "ND_standard_surface_surfaceshader" => {
-                material.base_color = Some([0.8; 3]);
-                self.base_color(shader, "inputs:base_color", material);
-                self.weight(shader, "inputs:base", material);
-                material.roughness = 0.2;
-                self.common(
-                    shader,
-                    material,
-                    ["inputs:metalness", "inputs:specular_roughness", ""],
-                );
-                self.emission(shader, "inputs:emission", "inputs:emission_color", material);
-                self.opacity(shader, "inputs:opacity", 0.0, material);
-                let names = [
-                    "transmission",
-                    "transmission_color",
-                    "specular_IOR",
-                    "thin_walled",
-                ];
-                self.transmission(shader, names, material);
+                self.standard_surface(shader, material);
                 true
             }
             "ND_open_pbr_surface_surfaceshader" => {
-                material.base_color = Some([0.8; 3]);
-                self.base_color(shader, "inputs:base_color", material);
-                self.weight(shader, "inputs:base_weight", material);
-                material.roughness = 0.3;
-                self.common(
-                    shader,
-                    material,
-                    ["inputs:base_metalness", "inputs:specular_roughness", ""],
-                );
-                self.opacity(shader, "inputs:geometry_opacity", 0.0, material);
-                let names = [
-                    "transmission_weight",
-                    "transmission_color",
-                    "specular_ior",
-                    "geometry_thin_walled",
-                ];
-                self.transmission(shader, names, material);
+                self.open_pbr(shader, material);
                 true
             }
             "ND_gltf_pbr_surfaceshader" => {
-                material.base_color = Some([1.0; 3]);
-                material.metallic = 1.0;
-                material.roughness = 1.0;
-                self.base_color(shader, "inputs:base_color", material);
-                self.common(
-                    shader,
-                    material,
-                    ["inputs:metallic", "inputs:roughness", "inputs:emissive"],
-                );
-                self.gltf_opacity(shader, material);
-                self.transmission(shader, ["transmission", "", "ior", ""], material);
-                if self
-                    .number(shader, "inputs:thickness")
-                    .is_none_or(|thickness| thickness <= 0.0)
-                    && let Some(transmission) = &mut material.transmission
-                {
-                    transmission.refracts = false;
-                }
+                self.gltf_pbr(shader, material);
                 true
             }
             _ if self.mdl_glass(shader, material) => true,
@@ -126,6 +76,71 @@ impl Reading<'_> {
                 );
                 understood
             }
+        }
+    }
+
+    /// Reads a standard surface of `MaterialX`.
+    fn standard_surface(&mut self, shader: &Node, material: &mut Material) {
+        material.base_color = Some([0.8; 3]);
+        self.base_color(shader, "inputs:base_color", material);
+        self.weight(shader, "inputs:base", material);
+        material.roughness = 0.2;
+        self.common(
+            shader,
+            material,
+            ["inputs:metalness", "inputs:specular_roughness", ""],
+        );
+        self.emission(shader, "inputs:emission", "inputs:emission_color", material);
+        self.opacity(shader, "inputs:opacity", 0.0, material);
+        let names = [
+            "transmission",
+            "transmission_color",
+            "specular_IOR",
+            "thin_walled",
+        ];
+        self.transmission(shader, names, material);
+    }
+
+    /// Reads an `OpenPBR` surface.
+    fn open_pbr(&mut self, shader: &Node, material: &mut Material) {
+        material.base_color = Some([0.8; 3]);
+        self.base_color(shader, "inputs:base_color", material);
+        self.weight(shader, "inputs:base_weight", material);
+        material.roughness = 0.3;
+        self.common(
+            shader,
+            material,
+            ["inputs:base_metalness", "inputs:specular_roughness", ""],
+        );
+        self.opacity(shader, "inputs:geometry_opacity", 0.0, material);
+        let names = [
+            "transmission_weight",
+            "transmission_color",
+            "specular_ior",
+            "geometry_thin_walled",
+        ];
+        self.transmission(shader, names, material);
+    }
+
+    /// Reads the surface of glTF in `MaterialX`.
+    fn gltf_pbr(&mut self, shader: &Node, material: &mut Material) {
+        material.base_color = Some([1.0; 3]);
+        material.metallic = 1.0;
+        material.roughness = 1.0;
+        self.base_color(shader, "inputs:base_color", material);
+        self.common(
+            shader,
+            material,
+            ["inputs:metallic", "inputs:roughness", "inputs:emissive"],
+        );
+        self.gltf_opacity(shader, material);
+        self.transmission(shader, ["transmission", "", "ior", ""], material);
+        if self
+            .number(shader, "inputs:thickness")
+            .is_none_or(|thickness| thickness <= 0.0)
+            && let Some(transmission) = &mut material.transmission
+        {
+            transmission.refracts = false;
         }
     }
 
