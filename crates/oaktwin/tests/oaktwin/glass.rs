@@ -175,8 +175,8 @@ fn both_engines_see_the_mirrored_room_and_what_lies_behind_glass() {
     let surface = seen(&truth, focal_px, [0.4, 0.9], [-0.5, 0.1]);
     assert!((median(&surface) - NEAR).abs() < 1e-4);
     let ball = seen(&noise, focal_px, [-0.05, 0.05], [0.45, 0.55]);
-    let way = f64::from(NEAR - 0.25 - BEHIND);
-    let image = NEAR - 0.25 + (0.125 * way / (way + 0.125)) as f32;
+    let way = NEAR - 0.25 - BEHIND;
+    let image = NEAR - 0.25 + 0.125 * way / (way + 0.125);
     assert!((median(&ball) - image).abs() < 0.05, "{} {image}", median(&ball));
     let ball = seen(&matched, focal_px, [-0.05, 0.05], [0.45, 0.55]);
     assert!((median(&ball) - image).abs() < 0.08, "{} {image}", median(&ball));
