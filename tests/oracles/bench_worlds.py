@@ -1,13 +1,16 @@
-"""Depth of many worlds at once, compared with MuJoCo's renderer and rays and with Open3D's, in turns.
+"""Depth of many worlds at once, compared with the renderers of MuJoCo, mujoco_warp and Newton, MuJoCo's rays and Open3D's, in turns.
 
-Run by `cargo xtask bench worlds`. A robot of four legs stands on a height field, its joints differ in each world, and a camera on its head
-looks down. The time contains moving the links and the images of all worlds. Peers render a few of the worlds, one after another.
+Run by `cargo xtask bench worlds`. A robot stands on a height field, its joints differ in each world, and a camera on its head looks down: a Go1 of the
+package mjlab if it is installed, otherwise a robot of four legs made of simple shapes. The time contains moving the links and the images of all
+worlds. Peers render a few of the worlds, those of MuJoCo and Open3D one after another.
 """
 
+import importlib.util
 import os
 import statistics
 import sys
 import time
+from pathlib import Path
 
 # MuJoCo chooses its OpenGL when it is imported.
 os.environ.setdefault("MUJOCO_GL", "egl")
@@ -18,6 +21,7 @@ import numpy as np  # noqa: E402
 import oaktwin  # noqa: E402
 import oaktwin.mujoco  # noqa: E402
 from oaktwin import _mujoco_shapes as shapes  # noqa: E402
+from bench_worlds_warp import PEERS  # noqa: E402
 
 
 LEG = """
@@ -46,46 +50,67 @@ MODEL = f"""
 FEW = 32
 
 
-def poses_of(positions, rotations):
-    """The camera on the head of each robot, which looks down by 40 degrees."""
+def go1():
+    """The Go1 of the package mjlab on the same ground, or None."""
+    package = importlib.util.find_spec("mjlab")
+    if package is None:
+        return None
+    folder = Path(package.submodule_search_locations[0]) / "asset_zoo/robots/unitree_go1/xmls"
+    spec = mujoco.MjSpec.from_file(str(folder / "go1.xml"))
+    spec.meshdir = str(folder / "assets")
+    spec.add_hfield(name="ground", nrow=64, ncol=64, size=[4, 4, 0.15, 0.1], userdata=np.zeros(64 * 64))
+    spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_HFIELD, hfieldname="ground")
+    return spec
+
+
+def model_of(name, width, height):
+    """The robot on its ground, with a camera on its head that looks down by 40 degrees."""
+    spec = mujoco.MjSpec.from_string(MODEL) if name == "legs" else go1()
+    if spec is None:
+        return None
     tilt = np.radians(40)
     forward, right = np.array([np.cos(tilt), 0, -np.sin(tilt)]), np.array([0, -1, 0])
-    axes = np.stack([right, np.cross(forward, right), forward], 1)
-    poses = np.tile(np.eye(4), (len(positions), 1, 1))
-    poses[:, :3, :3] = rotations @ axes
-    poses[:, :3, 3] = positions + rotations @ np.array([0.3, 0, 0.02])
-    return poses
+    fovy = 2 * np.degrees(np.arctan(np.tan(np.radians(40)) * height / width))
+    axes = [*right, *np.cross(right, forward)]
+    spec.body("trunk").add_camera(name="head", pos=[0.3, 0, 0.02], xyaxes=axes, fovy=fovy)
+    return spec.compile()
 
 
 class Case:
-    def __init__(self, count, width, height):
-        self.model = mujoco.MjModel.from_xml_string(MODEL)
+    def __init__(self, name, count, width, height):
+        self.model = model_of(name, width, height)
         rng = np.random.default_rng(0)
         x, y = np.meshgrid(np.linspace(0, 9, 64), np.linspace(0, 7, 64))
         self.model.hfield_data[:] = (0.5 + 0.25 * np.sin(x) * np.cos(y) + 0.1 * rng.uniform(-1, 1, x.shape)).ravel()
-        self.camera = oaktwin.Camera((width, height), hfov_deg=80)
         self.count, self.data = count, mujoco.MjData(self.model)
         qpos = np.tile(self.model.qpos0, (count, 1))
         qpos[:, :2] += rng.uniform(-2, 2, (count, 2))
         qpos[:, 7:] = rng.uniform(-0.6, 0.6, (count, qpos.shape[1] - 7))
         self.qpos = qpos
-        trunk = self.model.body("trunk").id
         states = []
         for own in qpos:
             self.data.qpos[:] = own
             mujoco.mj_kinematics(self.model, self.data)
-            states.append((self.data.geom_xpos.copy(), self.data.geom_xmat.copy(), self.data.xpos[trunk].copy(), self.data.xmat[trunk].copy()))
-        self.geom_xpos, self.geom_xmat, positions, rotations = map(np.array, zip(*states))
-        self.views = poses_of(positions, rotations.reshape(-1, 3, 3))
+            mujoco.mj_comPos(self.model, self.data)
+            mujoco.mj_camlight(self.model, self.data)
+            states.append([getattr(self.data, f"{kind}_{part}").copy() for kind in ("geom", "cam") for part in ("xpos", "xmat")])
+        self.geom_xpos, self.geom_xmat, self.cam_xpos, self.cam_xmat = map(np.array, zip(*states))
         self.worlds = oaktwin.mujoco.Worlds(self.model, count)
+        self.update()
+        self.camera, head = self.worlds.camera("head", (width, height)), self.model.camera("head").id
+        self.views = self.worlds.camera_poses[:, head]
         self.out = np.empty((count, height, width), np.float32)
 
+    def update(self):
+        self.worlds.update(geom_xpos=self.geom_xpos, geom_xmat=self.geom_xmat, cam_xpos=self.cam_xpos, cam_xmat=self.cam_xmat)
+
     def ours(self, backend="auto"):
-        self.worlds.update(geom_xpos=self.geom_xpos, geom_xmat=self.geom_xmat)
+        self.update()
         return self.worlds.render(self.camera, self.views, backend=backend, out=self.out)
 
     def rays(self):
         """MuJoCo's ray caster, which shows the exact shapes."""
+        self.groups = np.array([1, 1, 1, 0, 0, 0], np.uint8)
         directions = np.ascontiguousarray(self.camera.rays().reshape(-1, 3), np.float64)
         along = directions[:, 2]
         depth = np.empty((FEW, len(along)))
@@ -95,7 +120,7 @@ class Case:
             mujoco.mj_kinematics(self.model, self.data)
             turned = np.ascontiguousarray(directions @ self.views[number, :3, :3].T).ravel()
             start = np.ascontiguousarray(self.views[number, :3, 3])
-            mujoco.mj_multiRay(self.model, self.data, start, turned, None, True, -1, geom, distance, None, len(along), 1e10)
+            mujoco.mj_multiRay(self.model, self.data, start, turned, self.groups, True, -1, geom, distance, None, len(along), 1e10)
             depth[number] = np.where(distance < 0, np.inf, distance * along)
         return depth.reshape(FEW, *self.out.shape[1:])
 
@@ -121,8 +146,9 @@ class Case:
 
     def meshes(self):
         """The vertices and faces of the geoms, the same as ours."""
-        all_shapes = (shapes.shape_of(self.model, geom) for geom in range(self.model.ngeom))
-        return {geom: (vertices, np.asarray(faces, np.uint32)) for geom, (vertices, faces) in enumerate(all_shapes)}
+        shown = (geom for geom in range(self.model.ngeom) if not isinstance(shapes.mesh_of(self.model, geom), (str, type(None))))
+        all_shapes = ((geom, shapes.shape_of(self.model, geom)) for geom in shown)
+        return {geom: (vertices, np.asarray(faces, np.uint32)) for geom, (vertices, faces) in all_shapes}
 
     def renderer(self):
         """MuJoCo's renderer, with OpenGL."""
@@ -130,14 +156,15 @@ class Case:
         if not hasattr(self, "gl"):
             self.gl = mujoco.Renderer(self.model, height, width)
             self.gl.enable_depth_rendering()
-        view = mujoco.MjvCamera()
+        depth = np.empty((FEW, height, width), np.float32)
         for number in range(FEW):
             self.data.qpos[:] = self.qpos[number]
             mujoco.mj_kinematics(self.model, self.data)
-            view.lookat[:] = self.views[number, :3, 3]
-            view.distance = 0.01
-            self.gl.update_scene(self.data, view)
-            self.gl.render()
+            mujoco.mj_comPos(self.model, self.data)
+            mujoco.mj_camlight(self.model, self.data)
+            self.gl.update_scene(self.data, "head")
+            depth[number] = self.gl.render()
+        return depth
 
 
 def rate(call, images, least_s=1.0):
@@ -152,28 +179,37 @@ def rate(call, images, least_s=1.0):
     return statistics.median(rates)
 
 
+def agreement(depth, exact):
+    """How much of what both see agrees."""
+    both = np.isfinite(exact) & np.isfinite(depth) & (depth < 1e3)
+    errors = np.abs(depth[both] - exact[both])
+    return f"{np.mean(errors < 0.01):7.2%} within 1 cm of MuJoCo's rays, median {np.median(errors):.1e} m"
+
+
 def main():
     least_s = float(sys.argv[1]) if len(sys.argv) > 1 else 1.0
     print(f"{os.cpu_count()} processors; images per second, moving the links included")
-    for width, height in ((64, 64), (106, 60)):
-        for count in (256, 4096):
-            case = Case(count, width, height)
-            ours, exact = case.ours(), case.rays()
-            both = np.isfinite(exact) & np.isfinite(ours[:FEW])
-            errors = np.abs(ours[:FEW][both] - exact[both])
-            own = rate(case.ours, count, least_s)
-            print(f"\n{count} worlds of {width}x{height}; {np.mean(errors < 0.01):.2%} within 1 cm of MuJoCo's rays, median {np.median(errors):.1e} m")
-            print(f"  oaktwin          {own:9.0f}")
-            for backend in ("raster", "ray"):
-                print(f"    {backend:14} {rate(lambda: case.ours(backend), count, least_s):9.0f}")
-            for name, call in (("MuJoCo, rays", case.rays), ("MuJoCo, OpenGL", case.renderer), ("Open3D", case.open3d)):
-                try:
-                    call()
-                except Exception as error:  # A peer that is missing, or a machine without OpenGL.
-                    print(f"  {name:16} {type(error).__name__}: {str(error).splitlines()[0][:80] if str(error) else ''}")
-                    continue
-                peer = rate(call, FEW, least_s)
-                print(f"  {name:16} {peer:9.0f}   {own / peer:6.1f} x")
+    robots = ["legs", "Go1"] if go1() is not None else ["legs"]
+    if len(robots) == 1:
+        print("Go1: skipped, because mjlab is not installed, whose robot it is")
+    for name, (width, height), count in ((name, size, count) for name in robots for size in ((64, 64), (106, 60)) for count in (256, 4096)):
+        case = Case(name, count, width, height)
+        ours, exact = case.ours(), case.rays()
+        own = rate(case.ours, count, least_s)
+        print(f"\n{name}: {count} worlds of {width}x{height}")
+        print(f"  {'oaktwin':20} {own:9.0f}            {agreement(ours[:FEW], exact)}")
+        for backend in ("raster", "ray"):
+            print(f"    {backend:18} {rate(lambda: case.ours(backend), count, least_s):9.0f}")
+        peers = [("MuJoCo, rays", lambda _: case.rays), ("MuJoCo, OpenGL", lambda _: case.renderer), ("Open3D", lambda _: case.open3d), *PEERS]
+        for peer, make in peers:
+            try:
+                call = make(case)
+                shown = call()
+            except Exception as error:  # A peer that is missing, or a machine without OpenGL.
+                print(f"  {peer:20} {type(error).__name__}: {str(error).splitlines()[0][:80] if str(error) else ''}")
+                continue
+            speed = rate(call, len(shown), least_s)
+            print(f"  {peer:20} {speed:9.0f}   {own / speed:6.1f} x {agreement(shown, exact[: len(shown)])}")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 use std::net::Ipv4Addr;
 
+use oaktwin::diagnostic::Message;
 use oaktwin::sense::SenseError;
 
 /// An error that ends the bridge.
@@ -26,6 +27,9 @@ pub enum BridgeError {
     /// Two topics have the same name.
     #[error("{0}: the bridge would subscribe to what it publishes; choose another name")]
     Loop(String),
+    /// A number of the delivery is invalid.
+    #[error("{0}")]
+    Delivery(Message),
     /// An option of the sensor is invalid.
     #[error(transparent)]
     Sense(#[from] SenseError),

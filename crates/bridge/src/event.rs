@@ -48,6 +48,8 @@ pub struct Status {
     pub incomplete: u64,
     /// The images that could not be used.
     pub rejected: u64,
+    /// The measured images that were lost on their way, by the option `drop`.
+    pub undelivered: u64,
     /// The subscribers of the measured depth.
     pub subscribers: u64,
     /// The time from the arrival of a depth image to the publication of the measured one, milliseconds; `None` before the first.

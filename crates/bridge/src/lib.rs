@@ -9,6 +9,7 @@
 
 mod buffers;
 pub mod convert;
+mod delivery;
 mod environment;
 mod error;
 mod event;
@@ -29,6 +30,7 @@ mod transforms;
 mod unicast;
 mod watch;
 
+pub use delivery::Delivery;
 pub use environment::Network;
 pub use error::BridgeError;
 pub use event::{Event, Started, Status};

@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use crate::BridgeError;
 use crate::convert::Encoding;
+use crate::delivery::Delivery;
 use crate::transforms::DeviceFrames;
 
 /// The topic of transforms that do not change, which all nodes share.
@@ -39,6 +40,8 @@ pub struct BridgeOptions {
     pub is_reliable: bool,
     /// Whether subscriptions require reliable delivery.
     pub is_input_reliable: bool,
+    /// When frames reach the subscribers.
+    pub delivery: Delivery,
 }
 
 /// The topics of a bridge, whole names.
@@ -153,6 +156,7 @@ mod tests {
             frames: None,
             is_reliable: false,
             is_input_reliable: false,
+            delivery: Delivery::default(),
         }
     }
 

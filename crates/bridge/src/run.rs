@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 
 use oaktwin::diagnostic::{Finding, Level};
 
+use crate::delivery::Underway;
 use crate::event::{Event, Started, Status};
 use crate::filter::Filter;
 use crate::graph::{Endpoint, Reports};
@@ -14,13 +15,13 @@ use crate::mailbox::{Arrived, Mailbox};
 use crate::message::Header;
 use crate::node::{IMAGE, RosNode, Wanted, dds_type, lock};
 use crate::options::{BridgeOptions, Topics};
-use crate::process::Processor;
+use crate::process::{Outgoing, Processor};
 use crate::publishers::Publishers;
 use crate::receive::receive;
 use crate::statistics::Latencies;
 use crate::transforms::DeviceFrames;
 use crate::watch::{Inputs, Watch};
-use crate::{BridgeError, Network, buffers};
+use crate::{BridgeError, Network, buffers, convert};
 
 /// The time after which the end, new parameters and missing topics are noticed.
 const TICK: Duration = Duration::from_millis(50);
@@ -47,6 +48,7 @@ pub fn run(
     is_over: impl Fn() -> bool,
 ) -> Result<Status, BridgeError> {
     let topics = options.topics()?;
+    options.delivery.check()?;
     let wanted: Wanted = Arc::new(Mutex::new(filter.options().sensor.clone()));
     let mut node = RosNode::new(options, network, &filter, &wanted)?;
     let publishers = node.publish(&topics, options.is_reliable)?;
@@ -75,6 +77,7 @@ pub fn run(
         mailbox: &mailbox,
         lost: &lost,
         latencies: Latencies::default(),
+        underway: Underway::new(options.delivery),
         status: Status::default(),
         watch: Watch::new(started),
         started,
@@ -90,13 +93,14 @@ pub fn run(
             .map_err(|error| BridgeError::Node(error.to_string()))?;
         let (mut looked, mut reported) = (started, started);
         while !is_over() && !receiver.is_finished() {
-            let arrived = mailbox.take(TICK);
+            let arrived = mailbox.take(bridge.underway.wait(Instant::now(), TICK));
             // What was set while a frame was awaited counts for it.
             reporter.findings(lines.try_iter().filter_map(|line| set(&node, &line)));
             bridge.set(&wanted, &mut reporter);
             if let Some(arrived) = arrived {
                 bridge.frame(arrived, &mut reporter);
             }
+            bridge.deliver(&mut reporter);
             let now = Instant::now();
             if now.duration_since(looked) >= LOOK {
                 looked = now;
@@ -168,6 +172,8 @@ struct Bridge<'a> {
     mailbox: &'a Mailbox,
     lost: &'a AtomicU64,
     latencies: Latencies,
+    /// The measured frames that have not been published, with the times at which their depth arrived.
+    underway: Underway<(Instant, Outgoing)>,
     status: Status,
     watch: Watch,
     started: Instant,
@@ -202,7 +208,7 @@ impl Bridge<'_> {
         }]);
     }
 
-    /// Filters a frame and publishes it.
+    /// Filters a frame and sends it on its way.
     fn frame(&mut self, arrived: Arrived, reporter: &mut Reporter<impl FnMut(Event)>) {
         let at = arrived.at;
         let mut findings = Vec::new();
@@ -211,14 +217,25 @@ impl Bridge<'_> {
         match self.processor.frame(arrived, requests, &mut findings) {
             Some(outgoing) => {
                 self.place(&header, &mut findings);
-                if self.publishers.publish(outgoing, &mut findings) {
-                    self.status.published += 1;
-                    self.latencies.add(at.elapsed());
-                } else {
-                    self.status.rejected += 1;
-                }
+                // The stamp of a measured frame is valid.
+                let stamp_ns = convert::nanoseconds(header.stamp).unwrap_or_default();
+                self.underway.send(stamp_ns, at, (at, outgoing));
             }
             None => self.status.rejected += 1,
+        }
+        reporter.findings(findings);
+    }
+
+    /// Publishes the frames that have arrived.
+    fn deliver(&mut self, reporter: &mut Reporter<impl FnMut(Event)>) {
+        let mut findings = Vec::new();
+        while let Some((at, outgoing)) = self.underway.take(Instant::now()) {
+            if self.publishers.publish(outgoing, &mut findings) {
+                self.status.published += 1;
+                self.latencies.add(at.elapsed());
+            } else {
+                self.status.rejected += 1;
+            }
         }
         reporter.findings(findings);
     }
@@ -274,6 +291,7 @@ impl Bridge<'_> {
             lost: self.lost.load(Ordering::Relaxed),
             incomplete: count.incomplete,
             rejected: self.status.rejected + count.undecoded,
+            undelivered: self.underway.lost,
             subscribers: self.publishers.image.subscribers() as u64,
             latency_ms: self.latencies.percentiles(),
             ..self.status.clone()

@@ -13,9 +13,9 @@ use oaktwin::catalog::Catalog;
 use oaktwin::image::png;
 use oaktwin::robot::{Attachment, Description};
 use oaktwin::sense::SenseOptions;
-use oaktwin_bridge::convert::Encoding;
+use oaktwin_bridge::convert::{Encoding, nanoseconds};
 use oaktwin_bridge::message::{CameraInfo, CompressedImage, Header, Image, PointCloud2, TfMessage, Time};
-use oaktwin_bridge::{BridgeOptions, DeviceFrames, Event, Filter, Network, run};
+use oaktwin_bridge::{BridgeOptions, Delivery, DeviceFrames, Event, Filter, Network, run};
 use ros2_client::{Context, MessageTypeName, Node, NodeName, NodeOptions, Publisher, Subscription};
 use rustdds::policy::{Durability, History, Reliability};
 use rustdds::{DomainParticipant, DomainParticipantBuilder, QosPolicies, QosPolicyBuilder, Topic, TopicKind};
@@ -135,6 +135,7 @@ fn options(frames: DeviceFrames) -> BridgeOptions {
         frames: Some(frames),
         is_reliable: false,
         is_input_reliable: false,
+        delivery: Delivery::default(),
     }
 }
 
@@ -289,5 +290,45 @@ fn reliable_delivery_is_offered_and_required_on_request() {
             let _ = images.publish(peer.depth());
             measured.take().unwrap().is_some()
         });
+    });
+}
+
+#[test]
+fn late_frames_keep_their_stamps_and_the_same_ones_are_lost() {
+    let network = network(2);
+    let (filter, frames) = filter();
+    let options = BridgeOptions {
+        delivery: Delivery {
+            latency_s: (0.01, 0.05),
+            jitter_s: 0.01,
+            drop: 0.5,
+            seed: 8,
+        },
+        ..options(frames)
+    };
+    let loses = |stamp| options.delivery.loses(nanoseconds(stamp).unwrap());
+    with_bridge(&options, filter, &network, |_| {
+        let mut peer = Peer::new(network.domain);
+        let plain = qos(false, Durability::Volatile);
+        let topic = peer.topic("/camera/depth", IMAGE, &plain);
+        let images: Publisher<Image> = peer.node.create_publisher(&topic, None).unwrap();
+        let measured = peer.subscription::<Image>("/oak/stereo/image_raw", IMAGE, &plain);
+        let (mut sent, mut seen) = (Vec::new(), Vec::new());
+        until("five images", || {
+            let image = peer.depth();
+            sent.push(image.header.stamp);
+            let _ = images.publish(image);
+            while let Some((message, _)) = measured.take().unwrap() {
+                seen.push(message.header.stamp);
+            }
+            seen.len() >= 5
+        });
+        assert!(
+            seen.iter().all(|stamp| sent.contains(stamp) && !loses(*stamp)),
+            "{seen:?}"
+        );
+        let first = sent.iter().position(|stamp| *stamp == seen[0]).unwrap();
+        assert!(sent[first..].iter().any(|stamp| loses(*stamp)), "{sent:?}");
+        assert!(seen.windows(2).all(|pair| pair[0].sec < pair[1].sec), "{seen:?}");
     });
 }

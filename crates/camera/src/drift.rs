@@ -151,9 +151,12 @@ impl StereoDrift {
 /// What a drifted pair sees in its rectified images.
 #[derive(Clone, Copy, Debug)]
 pub struct DriftedMatches {
-    actual: Intrinsics,
-    right_from_left: RigidTransform,
-    stereo: StereoGeometry,
+    /// The actual intrinsics of both cameras.
+    pub actual: Intrinsics,
+    /// The actual transform from the left to the right camera, m.
+    pub right_from_left: RigidTransform,
+    /// The calibrated geometry.
+    pub stereo: StereoGeometry,
 }
 
 impl DriftedMatches {

@@ -25,6 +25,7 @@ mod document;
 mod error;
 mod folder;
 mod imu_frame;
+mod latency;
 mod model;
 mod nominal;
 mod optics;
@@ -40,6 +41,7 @@ pub use compare::{Table, compare};
 pub use document::Document;
 pub use error::{CatalogError, UnknownModel};
 pub use imu_frame::{ImuFrame, nearest_directions};
+pub use latency::{Connection, Latency, LatencyStage, MatchingMode};
 pub use model::{
     Accelerometer, Accuracy, AccuracyBand, AccuracyHeadline, Body, BodyShape, Camera, DepthKind, DepthSensor,
     Device, Evidence, Gyroscope, Imu, InertialPart, LegacyDistortion, Magnetometer, Note, Projector, Role,

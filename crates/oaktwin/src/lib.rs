@@ -9,7 +9,7 @@
 //! | cameras of an OAK or a stage in a scene, with what their depth sensors report | [`render::Rig`] |
 //! | what the depth sensor reports of exact depth | [`render::Rig::measure`], [`sensor::sensor`] |
 //! | depth from a stereo pair, as the device matches it | [`stereo::Matcher`] |
-//! | accuracy, placement, and parameters fitted to recordings | [`accuracy`], [`coverage`], [`fit`] |
+//! | accuracy, placement, and parameters fitted to recordings | [`accuracy`], [`coverage`], [`fit`], [`latency`] |
 //! | URDF, SDF, MJCF, Webots, Blender | [`robot`] |
 //! | data sets from recipes (feature `generate`) | `generate` |
 //!
@@ -52,7 +52,7 @@ pub use oaktwin_camera as camera;
 pub use oaktwin_catalog as catalog;
 pub use oaktwin_dataset as dataset;
 pub use oaktwin_depth as depth;
-pub use oaktwin_evaluate::{accuracy, coverage, figure, fit, measure};
+pub use oaktwin_evaluate::{accuracy, coverage, figure, fit, latency, measure};
 pub use oaktwin_files as files;
 pub use oaktwin_files::memory;
 #[cfg(feature = "generate")]

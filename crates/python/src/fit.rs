@@ -2,6 +2,7 @@ use std::path::PathBuf;
 
 use oaktwin::accuracy::{MeasuredOptics, REGION};
 use oaktwin::fit::{self as fitting, FitError, Options, Recordings, TargetImages};
+use oaktwin::latency::{self, LONGEST_S, Track};
 use oaktwin::sensor::SensorOption;
 use pyo3::exceptions::PyFileNotFoundError;
 use pyo3::prelude::*;
@@ -74,6 +75,36 @@ pub(crate) fn fit<'py>(
     let (report, findings) = fitted.map_err(error)?;
     finding::warn_caller(py, &findings)?;
     Ok((json::to_python(py, &report)?, report.toml()))
+}
+
+/// Estimates the latency of a camera, the time from the middle of an exposure until its image arrives, from a moving edge; what `oaktwin fit
+/// --latency` does for files.
+///
+/// camera: the times at which images arrived in seconds, increasing, and the positions of the edge in them, such as in pixels.
+/// reference: the times and positions of a reference that moves the edge, such as an encoder, on the same clock, in any unit, sampled densely.
+/// longest: the longest latency that is searched, seconds; the reference has to begin so much earlier than the images that count.
+///
+/// Returns a dictionary: "latency_s" for `Stream(latency=)`, its "confidence_interval_95", "jitter_s" (the standard deviation from frame to
+/// frame), "edge_noise", "correlation", "images", "seconds", "passed".
+///
+/// Issues an oaktwin.FindingWarning if several latencies explain the motion. Raises oaktwin.Error for times that do not increase, numbers
+/// that are not finite, fewer than 20 images that count, and positions that do not follow each other.
+#[pyfunction]
+#[pyo3(signature = (camera, reference, *, longest = LONGEST_S))]
+pub(crate) fn fit_latency<'py>(
+    py: Python<'py>,
+    camera: (Vec<f64>, Vec<f64>),
+    reference: (Vec<f64>, Vec<f64>),
+    longest: f64,
+) -> PyResult<Bound<'py, PyAny>> {
+    let estimate = || {
+        let camera = Track::new("camera", camera.0, camera.1)?;
+        let reference = Track::new("reference", reference.0, reference.1)?;
+        latency::latency(&camera, &reference, longest)
+    };
+    let (report, findings) = py.detach(estimate).map_err(error)?;
+    finding::warn_caller(py, &findings)?;
+    json::to_python(py, &report)
 }
 
 /// Recordings: paths, or a mapping from distances to the bytes of NPY files.

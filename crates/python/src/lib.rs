@@ -99,7 +99,7 @@ mod _oaktwin {
     #[pymodule_export]
     use super::scene::coverage::coverage;
     #[pymodule_export]
-    use super::sensor::{DepthSensor, SensorBatch};
+    use super::sensor::{_drift, DepthSensor, SensorBatch};
     #[pymodule_export]
     use super::stereo::StereoMatcher;
     #[pymodule_export]
@@ -107,7 +107,7 @@ mod _oaktwin {
     #[pymodule_export]
     use crate::accuracy::accuracy;
     #[pymodule_export]
-    use crate::fit::fit;
+    use crate::fit::{fit, fit_latency};
     #[pymodule_export]
     use crate::parameters::{parameters, presets};
     #[pymodule_export]

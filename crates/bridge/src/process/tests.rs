@@ -32,6 +32,7 @@ fn options() -> BridgeOptions {
         frames: None,
         is_reliable: false,
         is_input_reliable: false,
+        delivery: crate::Delivery::default(),
     }
 }
 

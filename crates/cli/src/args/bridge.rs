@@ -92,6 +92,21 @@ pub(crate) struct BridgeArgs {
     #[arg(long, help_heading = "Outputs")]
     pub(crate) compressed: bool,
 
+    /// Publish later, by seconds, LOW,HIGH (drawn once), or the catalog's latency [default: at once]
+    ///
+    /// Delays count from the arrival of the exact depth, so the simulation has to run in real time. Stamps stay the times of exposure.
+    /// What is drawn depends on --seed and the stamps alone.
+    #[arg(long, value_name = "SECONDS|LOW,HIGH|catalog", help_heading = "Delivery")]
+    pub(crate) latency: Option<String>,
+
+    /// The largest additional delay of a single frame, in seconds [default: 0, or the catalog's]
+    #[arg(long, value_name = "SECONDS", help_heading = "Delivery")]
+    pub(crate) jitter: Option<f64>,
+
+    /// The probability that a frame is lost
+    #[arg(long, value_name = "P", default_value_t = 0.0, help_heading = "Delivery")]
+    pub(crate) drop: f64,
+
     /// Offer reliable delivery, which reliable subscribers require [default: best-effort]
     #[arg(long, help_heading = "ROS 2")]
     pub(crate) reliable: bool,

@@ -2,6 +2,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
 use oaktwin::depth::parameters::choice;
+use oaktwin::latency::LONGEST_S;
 
 use super::choice::parser;
 use super::{MeasuredUnitArgs, SensorArgs, ThreadArgs};
@@ -26,6 +27,10 @@ use super::{MeasuredUnitArgs, SensorArgs, ThreadArgs};
     Depth is along the optical axis, as NPY or NPZ in metres or as 16-bit PNG, TIFF, EXR or PFM. Record without post filters, several \
     frames at each distance. Choose distances that cover all phases of a pixel of disparity, or for time of flight, of \
     the wiggling error, which repeats about every 0.4 m.\n\n\
+    With --latency, RECORDING is two CSV files with the columns time_s and position: first the camera's, with the time at which \
+    each image arrived at the host and the position of an edge in it, in pixels, then a reference's, such as an encoder of the axis that \
+    moves the edge, on the same clock and in any unit. Move the edge irregularly for 10 s or more, and sample the reference densely. \
+    The result is the time from the middle of an exposure until its image arrives, for Stream in Python and bridge --latency.\n\n\
     PARAMS.toml is read by --params of sense, accuracy and render.\n\n\
     The exit code is 1 if a parameter cannot be fitted or the recording has findings."
 )]
@@ -35,8 +40,16 @@ pub(crate) struct FitArgs {
     pub(crate) recordings: Vec<PathBuf>,
 
     /// The model
-    #[arg(long)]
-    pub(crate) model: String,
+    #[arg(long, required_unless_present = "latency")]
+    pub(crate) model: Option<String>,
+
+    /// Estimate the latency: the RECORDINGs are two CSV files of times and positions
+    #[arg(long, conflicts_with_all = ["model", "output", "plot"])]
+    pub(crate) latency: bool,
+
+    /// The longest latency that is searched, in seconds
+    #[arg(long, value_name = "SECONDS", default_value_t = LONGEST_S, requires = "latency")]
+    pub(crate) longest: f64,
 
     /// Write the parameters to this file
     #[arg(short, long, value_name = "PARAMS.toml", value_hint = ValueHint::FilePath)]

@@ -4,11 +4,13 @@ use std::sync::mpsc::{self, Receiver};
 use std::thread;
 
 use oaktwin::camera::RigidTransform;
-use oaktwin::catalog::Twin;
+use oaktwin::catalog::{Twin, TwinDepthSensor};
 use oaktwin::robot::{Attachment, Description, RobotError};
 use oaktwin::sense::{FieldOfView, SenseOptions};
-use oaktwin::sensor::depth_sensor;
-use oaktwin_bridge::{BridgeOptions, DeviceFrames, Event, Filter, Network, Started, Status, run as bridge};
+use oaktwin::sensor::{depth_sensor, latency, sensor};
+use oaktwin_bridge::{
+    BridgeOptions, Delivery, DeviceFrames, Event, Filter, Network, Started, Status, run as bridge,
+};
 
 use crate::args::BridgeArgs;
 use crate::context::{Context, Exit, Result};
@@ -45,6 +47,7 @@ pub(crate) fn run(context: &Context, args: &BridgeArgs) -> Result<Exit> {
         frames: frames(context, args, &twin, &sensor.spec.prim)?,
         is_reliable: args.reliable,
         is_input_reliable: args.reliable_inputs,
+        delivery: delivery(args, &twin, sensor)?,
     };
     let prim = sensor.spec.prim.clone();
     let filter = Filter::new(twin, sense_options(args, prim)?)?;
@@ -117,6 +120,34 @@ fn frames(context: &Context, args: &BridgeArgs, twin: &Twin, depth: &str) -> Res
     }))
 }
 
+/// Returns when frames are published.
+fn delivery(args: &BridgeArgs, twin: &Twin, depth: &TwinDepthSensor) -> Result<Delivery> {
+    let options = args.engine.options()?;
+    let mut delivery = Delivery {
+        jitter_s: args.jitter.unwrap_or(0.0),
+        drop: args.drop,
+        seed: options.seed,
+        ..Delivery::default()
+    };
+    match args.latency.as_deref() {
+        Some("catalog") => {
+            let (made, _) = sensor(twin, depth, &options)?;
+            let latency = latency(twin, depth, made.engine().as_ref(), None).ok_or_else(|| {
+                format!(
+                    "--latency: the catalog has no latency of {} {}; measure it with fit --latency, and give seconds",
+                    twin.device.name, depth.spec.prim
+                )
+            })?;
+            delivery.latency_s = (1e-3 * latency.ms.0, 1e-3 * latency.ms.1);
+            delivery.jitter_s = args.jitter.unwrap_or(1e-3 * latency.largest_jitter_ms());
+        }
+        Some(text) => delivery.latency_s = Delivery::parse_latency(text)?,
+        None => {}
+    }
+    delivery.check()?;
+    Ok(delivery)
+}
+
 fn sense_options(args: &BridgeArgs, prim: String) -> Result<SenseOptions> {
     Ok(SenseOptions {
         sensor: args.engine.options()?,
@@ -173,6 +204,7 @@ fn line(status: &Status) -> String {
         (status.lost, "lost in the network"),
         (status.incomplete, "incomplete"),
         (status.rejected, "rejected"),
+        (status.undelivered, "lost by --drop"),
     ] {
         if count > 0 {
             line += &format!(", {count} {what}");

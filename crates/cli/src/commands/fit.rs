@@ -1,3 +1,4 @@
+mod latency;
 mod text;
 
 use std::path::Path;
@@ -11,6 +12,9 @@ use crate::plot::Plot;
 use crate::{destination, output, progress};
 
 pub(crate) fn run(context: &Context, args: &FitArgs) -> Result<Exit> {
+    let Some(model) = args.model.as_deref().filter(|_| !args.latency) else {
+        return latency::run(args);
+    };
     let plot = args.plot.as_deref().map(Plot::new).transpose()?;
     let options = Options {
         sensor: args.sensor.clone(),
@@ -21,7 +25,7 @@ pub(crate) fn run(context: &Context, args: &FitArgs) -> Result<Exit> {
         from_m: args.from,
         fits_focal_length: args.fit.contains(&Also::Focal),
     };
-    let (twin, mut findings) = context.twin(&args.model, &args.unit.unit())?;
+    let (twin, mut findings) = context.twin(model, &args.unit.unit())?;
     let written = [args.output.as_deref(), args.plot.as_deref()];
     for file in written.into_iter().flatten() {
         let inputs = args.recordings.iter().map(|path| Some(path.as_path()));

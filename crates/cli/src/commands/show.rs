@@ -1,6 +1,6 @@
 use std::fmt::Write;
 
-use oaktwin::catalog::{Imu, Sensor, Source, Sourced, Sources};
+use oaktwin::catalog::{Imu, Latency, Sensor, Source, Sourced, Sources};
 use oaktwin::diagnostic;
 use oaktwin::report::{CameraReport, DepthReport, DeviceReport};
 
@@ -282,6 +282,9 @@ fn depth_text(out: &mut String, sensor: &DepthReport, provenance: bool) {
             mark_key(sensor.source, &sensor.sources, "ideal_range_m")
         ),
     );
+    if let Some(latency) = &sensor.latency {
+        latency_text(out, latency, provenance);
+    }
     for at in &sensor.at {
         let step = |s: Option<f64>| s.map_or_else(|| "n/a".to_owned(), |s| format!("{:.1} mm", s * 1e3));
         field(
@@ -300,21 +303,51 @@ fn depth_text(out: &mut String, sensor: &DepthReport, provenance: bool) {
     }
 }
 
+fn latency_text(out: &mut String, latency: &Latency, provenance: bool) {
+    let range = |(low, high): (f64, f64)| match low < high {
+        true => format!("{low:.1}–{high:.1} ms"),
+        false => format!("{low:.1} ms"),
+    };
+    let stages: Vec<String> = latency
+        .stages
+        .iter()
+        .map(|stage| format!("{} {}{}", stage.stage, range(stage.ms), mark_source(stage.source)))
+        .collect();
+    let text = format!(
+        "{} from mid-exposure to the host over {}, {}: {}",
+        range(latency.ms),
+        latency.connection,
+        latency.mode,
+        stages.join(", ")
+    );
+    field(out, "latency", &text);
+    if provenance {
+        for stage in &latency.stages {
+            field(
+                out,
+                "",
+                &format!("{}: {} ({})", stage.stage, stage.source.as_str(), stage.from),
+            );
+        }
+    }
+}
+
 fn field(out: &mut String, label: &str, value: &str) {
     let _ = writeln!(out, "  {label:<26}{}", value.trim_end());
 }
 
 /// Marks estimates, also without `--provenance`.
 fn mark(table: &impl Sourced, key: &str) -> &'static str {
-    match table.source_of(key) {
-        Source::Estimate => " (estimate)",
-        _ => "",
-    }
+    mark_source(table.source_of(key))
 }
 
 /// Marks estimates of a table whose sources are known.
 fn mark_key(source: Source, others: &Sources, key: &str) -> &'static str {
-    match others.get(key).copied().unwrap_or(source) {
+    mark_source(others.get(key).copied().unwrap_or(source))
+}
+
+fn mark_source(source: Source) -> &'static str {
+    match source {
         Source::Estimate => " (estimate)",
         _ => "",
     }

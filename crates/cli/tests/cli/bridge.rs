@@ -20,6 +20,11 @@ fn invalid_requests_are_rejected() {
         &["--model", "OAK-D-Pro-PoE", "--points-step", "4"],
         &["--model", "OAK-D-Pro-PoE", "--points", "--points-step", "0"],
         &["--model", "OAK-D-Pro-PoE", "--tf", "my oak"],
+        &["--model", "OAK-D-Pro-PoE", "--latency", "soon"],
+        &["--model", "OAK-D-Pro-PoE", "--latency", "0.2,0.1"],
+        &["--model", "OAK-D-Pro-PoE", "--jitter", "-1"],
+        &["--model", "OAK-D-Pro-PoE", "--drop", "1"],
+        &["--model", "OAK-D-ToF", "--latency", "catalog"],
         // An address for documentation (RFC 5737).
         &["--model", "OAK-D-Pro-PoE", "--interface", "198.51.100.7"],
     ] {

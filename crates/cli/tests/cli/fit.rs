@@ -329,3 +329,60 @@ fn invalid_requests_are_rejected() {
     }
     insta::assert_snapshot!(all);
 }
+
+/// The place of an edge that moves irregularly.
+fn place(t: f64) -> f64 {
+    (4.4 * t).sin() + 0.6 * (7.1 * t + 0.4).sin()
+}
+
+fn track(samples: u32, every_s: f64, of: impl Fn(f64) -> (f64, f64)) -> String {
+    let mut text = "time_s,position\n".to_owned();
+    for sample in 0..samples {
+        let (time_s, position) = of(f64::from(sample) * every_s);
+        let _ = writeln!(text, "{time_s:.6},{position:.4}");
+    }
+    text
+}
+
+#[test]
+fn a_latency() {
+    let program = Program::new();
+    program.put("encoder.csv", track(6000, 1e-3, |t| (t, place(t))));
+    let late = |t: f64| (t + 0.0437, 320.0 - 150.0 * place(t));
+    program.put("camera.csv", track(170, 1.0 / 30.0, late));
+    let arguments = ["fit", "--latency", "camera.csv", "encoder.csv"];
+    insta::assert_snapshot!(program.good(&arguments));
+    let json = program.good(&[&arguments[..], &["--json"]].concat());
+    for key in [
+        "\"latency_s\": 0.0437",
+        "\"confidence_interval_95\"",
+        "\"passed\": true",
+    ] {
+        assert!(json.contains(key), "{key}: {json}");
+    }
+    // The other files are no recordings of it.
+    for (options, expected) in [
+        (
+            &["camera.csv"][..],
+            "error: --latency: 1 file given; give the camera's and the reference's\n",
+        ),
+        (
+            &["camera.csv", "encoder.csv", "--longest", "0"],
+            "error: --longest 0: is out of range; give seconds above 0, up to 60\n",
+        ),
+        (
+            &["camera.csv", "encoder.csv", "--longest", "6"],
+            "camera.csv: has 0 images while the reference was recorded",
+        ),
+        (
+            &["camera.csv", "encoder.csv", "--model", "oak4-d"],
+            "cannot be used with",
+        ),
+        (&["camera.csv", "absent.csv"], "absent.csv"),
+    ] {
+        let refused = program.refused(&[&["fit", "--latency"], options].concat());
+        assert!(refused.contains(expected), "{options:?}: {refused}");
+    }
+    let refused = program.refused(&["fit", "camera.csv"]);
+    assert!(refused.contains("--model <MODEL>"), "{refused}");
+}

@@ -3,7 +3,7 @@ use oaktwin_image::{Image, ImageView};
 use oaktwin_simd::Level;
 
 use super::temporal::Memory;
-use super::{Decimation, Filter, Pixel, Sample};
+use super::{Decimation, DecimationMode, Filter, Pixel, Sample};
 use crate::reason::{self, ReasonCodes};
 
 /// A sequence of filters with their memory of earlier frames, for one camera and one type of pixel.
@@ -120,7 +120,12 @@ impl<P: Pixel> Chain<P> {
             }
             if let Some(reasons) = &mut reasons {
                 if let Filter::Decimation(decimation) = filter {
-                    reasons.0 = decimation.companion(&reasons.0);
+                    // Codes have no mean. Where a block has no value, its first pixel has none either.
+                    let first = Decimation {
+                        mode: DecimationMode::PixelSkipping,
+                        ..*decimation
+                    };
+                    reasons.0 = first.companion(&reasons.0);
                 }
                 let code = reason::of_filter(filter);
                 reasons.after(image.pixels(), |value| value != P::default(), |_| code);

@@ -40,6 +40,8 @@ pub enum Stage {
     Population = 9,
     /// The seeds that engines outside this crate are called with.
     Engine = 10,
+    /// The delays and losses of frames on their way to a host.
+    Delivery = 11,
     /// The positions of a projector's dots.
     Dots = 16,
 }

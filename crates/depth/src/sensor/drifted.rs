@@ -1,4 +1,4 @@
-use oaktwin_camera::{ImageSize, Intrinsics, OpenCv, PixelPoint, StereoDrift};
+use oaktwin_camera::{DriftedMatches, ImageSize, Intrinsics, OpenCv, PixelPoint, StereoDrift};
 use oaktwin_image::{Image, ImageView};
 use rayon::prelude::*;
 
@@ -20,13 +20,19 @@ pub struct DriftedPair {
 }
 
 impl DriftedPair {
+    /// Returns what the pair sees in images of a size, and the factor by which its processor then scales depth.
+    #[must_use]
+    pub fn matches(&self, size: ImageSize) -> (DriftedMatches, f64) {
+        let intrinsics = self.intrinsics.resized(size, true);
+        let matches = self.drift.matches(&intrinsics, self.baseline_m);
+        (matches, self.depth_baseline_m / self.baseline_m)
+    }
+
     /// Returns the depth that the processor assigns to the true disparity of each pixel, metres. Values that are not finite and
     /// positive are unchanged. The shift of the left image by the drift of its focal length, a small part of a pixel, is neglected.
     pub(super) fn assumed_depth(&self, depth: ImageView<'_, f32>) -> Image<f32> {
         let (width, height) = (depth.width(), depth.height());
-        let intrinsics = self.intrinsics.resized(ImageSize::new(width, height), true);
-        let matches = self.drift.matches(&intrinsics, self.baseline_m);
-        let scale = self.depth_baseline_m / self.baseline_m;
+        let (matches, scale) = self.matches(ImageSize::new(width, height));
         let has_drifted = !self.drift.is_none();
         let mut assumed = Image::filled(width, height, 0.0);
         let rows = assumed.pixels_mut().par_chunks_exact_mut((width as usize).max(1));

@@ -3,7 +3,7 @@ use serde::Serialize;
 use oaktwin_base::parameter::nvidia::Attributes;
 use oaktwin_base::parameter::{Kind, Table};
 use oaktwin_camera::StereoGeometry;
-use oaktwin_catalog::{DepthKind, Role, Source, Sources, Twin, TwinDepthSensor};
+use oaktwin_catalog::{DepthKind, Latency, MatchingMode, Role, Source, Sources, Twin, TwinDepthSensor};
 
 /// One depth sensor: its attributes and derived ranges.
 #[derive(Clone, Debug, Serialize)]
@@ -27,6 +27,9 @@ pub struct DepthReport {
     pub ideal_range_m: (f64, f64),
     /// Disparity and depth steps at some distances.
     pub at: Vec<AtDistance>,
+    /// The latency in the default mode, over the device's connection, if sources state it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub latency: Option<Latency>,
     /// The source of the catalog's values.
     pub source: Source,
     /// The keys with another source.
@@ -90,10 +93,22 @@ impl DepthReport {
                     step_subpixel_m: finite(geometry.depth_step(z_m, 1.0 / 32.0)),
                 })
                 .collect(),
+            latency: latency(twin, sensor),
             source: spec.source,
             sources: spec.sources.clone(),
         }
     }
+}
+
+fn latency(twin: &Twin, sensor: &TwinDepthSensor) -> Option<Latency> {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a width in pixels"
+    )]
+    let width_px = sensor.spec.sensor_size_px as u32;
+    twin.device
+        .latency(sensor.spec.kind, MatchingMode::default(), width_px, None)
 }
 
 fn finite(value: f64) -> Option<f64> {

@@ -3,6 +3,7 @@
 mod choose;
 mod drift;
 mod frame;
+mod latency;
 mod matching;
 mod median;
 mod option;
@@ -25,6 +26,7 @@ pub use oaktwin_depth::{
 
 pub use choose::{depth_sensor, stereo_cameras};
 pub(crate) use frame::{capture, frame, sensor_view};
+pub use latency::latency;
 pub(crate) use matching::needs_a_pair;
 pub use matching::stereo_matching;
 pub use option::{OptionValue, SENSOR_OPTIONS, SensorOption, assignment};

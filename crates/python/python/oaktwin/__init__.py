@@ -24,7 +24,7 @@ from ._devices import Device, models, parameters, presets, simulate_imu
 from ._findings import Error, Finding, FindingWarning
 from ._fit import Fit, fit
 from ._images import Filter, align
-from ._oaktwin import __version__, set_memory_limit
+from ._oaktwin import __version__, fit_latency, set_memory_limit
 from ._poses import BodyPose, CameraPose
 from ._rigs import Rig
 from ._scenes import Mesh, Recording, Scene, annotators
@@ -66,6 +66,7 @@ __all__ = [
     "coverage",
     "filters",
     "fit",
+    "fit_latency",
     "generate",
     "look_at",
     "models",

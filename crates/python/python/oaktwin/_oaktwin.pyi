@@ -2,6 +2,7 @@ from collections.abc import Mapping, Sequence
 from os import PathLike
 from typing import Final
 
+import numpy as np
 import numpy.typing as npt
 from typing_extensions import Unpack
 
@@ -18,7 +19,7 @@ from ._findings import Error as Error, Finding as Finding, FindingWarning as Fin
 from ._images import Filter as Filter, align as align
 from ._rigs import Rig as Rig
 from ._scenes import Mesh as Mesh, Recipe as Recipe, Recording as Recording, Scene as Scene, annotators as annotators
-from ._sensors import DepthSensor as DepthSensor, SensorBatch as SensorBatch, StereoMatcher as StereoMatcher
+from ._sensors import DepthSensor as DepthSensor, SensorBatch as SensorBatch, StereoMatcher as StereoMatcher, _drift as _drift
 from ._types import _Array, _Json, _Progress, _SensorOptions
 from ._worlds import Worlds as Worlds
 
@@ -42,6 +43,7 @@ __all__ = [
     "__version__",
     "_camera",
     "_device",
+    "_drift",
     "_finding",
     "_read_from",
     "accuracy",
@@ -49,6 +51,7 @@ __all__ = [
     "annotators",
     "coverage",
     "fit",
+    "fit_latency",
     "look_at",
     "main",
     "models",
@@ -113,6 +116,25 @@ def fit(
     **options: Unpack[_SensorOptions],
 ) -> tuple[_Json, str]:
     """Wraps the report of `oaktwin fit --json` and its parameter file, for `oaktwin.fit`."""
+def fit_latency(
+    camera: tuple[Sequence[float] | npt.NDArray[np.float64], Sequence[float] | npt.NDArray[np.float64]],
+    reference: tuple[Sequence[float] | npt.NDArray[np.float64], Sequence[float] | npt.NDArray[np.float64]],
+    *,
+    longest: float = ...,
+) -> _Json:
+    """Estimates the latency of a camera, the time from the middle of an exposure until its image arrives, from a moving edge; what `oaktwin fit
+    --latency` does for files.
+
+    camera: the times at which images arrived in seconds, increasing, and the positions of the edge in them, such as in pixels.
+    reference: the times and positions of a reference that moves the edge, such as an encoder, on the same clock, in any unit, sampled densely.
+    longest: the longest latency that is searched, seconds; the reference has to begin so much earlier than the images that count.
+
+    Returns a dictionary: "latency_s" for `Stream(latency=)`, its "confidence_interval_95", "jitter_s" (the standard deviation from frame to
+    frame), "edge_noise", "correlation", "images", "seconds", "passed".
+
+    Issues an oaktwin.FindingWarning if several latencies explain the motion. Raises oaktwin.Error for times that do not increase, numbers
+    that are not finite, fewer than 20 images that count, and positions that do not follow each other.
+    """
 def main(arguments: Sequence[str]) -> int:
     """Runs the program `oaktwin` in this process and returns its exit code.
 

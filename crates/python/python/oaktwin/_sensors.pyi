@@ -20,6 +20,7 @@ from ._types import (
     _Fill,
     _Isaac,
     _Items,
+    _Json,
     _Matched,
     _Measured,
     _Out,
@@ -33,7 +34,9 @@ from ._types import (
     _SensorAnnotator,
 )
 
-__all__ = ["DepthSensor", "SensorBatch", "StereoMatcher"]
+__all__ = ["DepthSensor", "SensorBatch", "StereoMatcher", "_drift"]
+
+def _drift(sensor: DepthSensor, width: int, height: int) -> list[float] | None: ...
 
 @final
 class DepthSensor:
@@ -302,6 +305,10 @@ class DepthSensor:
     @property
     def filters(self) -> list[str]:
         """The filters, in the format of `filters=`."""
+    def latency(self, connection: Literal["usb", "poe"] | None = None) -> _Json | None:
+        """The time from the middle of an exposure until its depth is at the host, with its stages and their sources; see `Stream`. None
+        where no source states it. connection: "usb" or "poe"; by default the device's.
+        """
     @property
     def findings(self) -> list[Finding]:
         """Findings about the settings, for the most recent image size, and about the images measured so far: "depth-unit" (metres

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._findings import Error
+from ._latency import catalog_latency
 from ._policy_image import PolicyImage
 from ._random import seeds, uniforms
 
@@ -48,11 +49,12 @@ class Stream:
     sensor: an `oaktwin.DepthSensor` or `oaktwin.warp.DepthSensor` without a temporal filter, which cannot follow environments
         whose cameras expose at different times.
     latency: the time from the exposure of a frame until the policy can use it, in seconds: a number, or (low, high), from which
-        each episode of each environment draws one. There is no default, because it depends on the exposure, the device's
-        mode and the connection; measure it, for instance by filming a clock.
+        each episode of each environment draws one; or "catalog", the range of the device in the sensor's mode, from published
+        measurements and estimates (`DepthSensor.latency`). There is no default, because it depends on the exposure, the device's
+        mode and the connection; `oaktwin.fit_latency` measures yours.
     camera_hz: the rate of the camera, at most `control_hz`.
     control_hz: the rate of calls.
-    jitter: the largest additional delay of a single frame, in seconds, uniformly distributed from 0.
+    jitter: the largest additional delay of a single frame, in seconds, uniformly distributed from 0; by default 0, or the catalog's.
     drop: the probability that a frame never arrives.
     history: the number of frames in an observation.
     crop: the pixels to remove from measured images, (top, bottom, left, right).
@@ -86,10 +88,10 @@ class Stream:
         self,
         sensor: _Sensor,
         *,
-        latency: float | Sequence[float],
+        latency: float | Sequence[float] | str,
         camera_hz: float = 30.0,
         control_hz: float = 50.0,
-        jitter: float = 0.0,
+        jitter: float | None = None,
         drop: float = 0.0,
         history: int = 1,
         crop: Sequence[int] | None = None,
@@ -110,13 +112,18 @@ class Stream:
             remedy = "call the stream at each simulated step, with its rate as control_hz, and use every nth observation"
             raise Error(f"camera_hz: {camera:g} exceeds control_hz, {control_hz:g}, but a step provides one image; {remedy}")
         self._frames_per_step = camera * self._control_s
-        bounds = [latency, latency] if isinstance(latency, (int, float)) else list(latency)
+        most = 0.0
+        if isinstance(latency, str):
+            if latency != "catalog":
+                raise Error(f"latency: is {latency!r}; pass seconds, (low, high), or 'catalog'")
+            latency, most = catalog_latency(sensor)
+        bounds: list[Any] = list(latency) if isinstance(latency, (tuple, list, np.ndarray)) else [latency, latency]
         if len(bounds) != 2:
             raise Error(f"latency: has {len(bounds)} values; pass seconds, or (low, high)")
         self._latency = [_number("latency", bound) for bound in bounds]
         if self._latency[0] > self._latency[1]:
             raise Error(f"latency: low, {bounds[0]:g}, exceeds high, {bounds[1]:g}; pass (low, high)")
-        self._jitter = _number("jitter", jitter)
+        self._jitter = _number("jitter", most if jitter is None else jitter)
         self._drop = _number("drop", drop)
         if self._drop >= 1:
             raise Error(f"drop: is {drop:g}, so that no frame arrives; pass a probability below 1")

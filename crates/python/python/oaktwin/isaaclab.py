@@ -80,13 +80,13 @@ class OakDepthNoise(NoiseModel):
         self._noise = DepthNoise(noise_model_cfg.model, noise_model_cfg.sensor)
 
     def __call__(self, data: Any) -> Any:
-        """Measures (N, H, W, 1) metres, of `mdp.image` with normalize=False."""
+        """Measures (N, H, W, 1) metres, of `mdp.image_depth` with normalize=False."""
         return self._noise(data)
 
 
 @configclass
 class OakDepthNoiseCfg(NoiseModelCfg):
-    """The noise of an OAK without delay, for `mdp.image` of "distance_to_image_plane" with normalize=False.
+    """The noise of an OAK without delay, for `mdp.image_depth` (`mdp.image` in version 2) of "distance_to_image_plane" with normalize=False.
 
     model: the model, or an `oaktwin.Device`.
     sensor: arguments of `oaktwin.DepthSensor`, such as {"hfov_deg": 77.0}.

@@ -1,7 +1,9 @@
 mod annotate;
 mod batch;
+mod drifted;
 mod eye;
 mod image_camera;
+mod latency;
 mod many;
 mod memory;
 mod sense;
@@ -20,6 +22,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 pub(crate) use batch::SensorBatch;
+pub(crate) use drifted::_drift;
 use eye::{Eye, Source};
 use image_camera::field_of_view;
 use memory::Memory;
@@ -28,7 +31,7 @@ use units::Units;
 
 use crate::arguments::{self, Annotators, FrameNumber, Size};
 use crate::camera::Camera;
-use crate::choice::named;
+use crate::choice::{maybe_named, named};
 use crate::device::Device;
 use crate::engine::PythonEngine;
 use crate::error::{error, wrong};
@@ -396,12 +399,15 @@ impl DepthSensor {
     #[getter]
     fn filters(&self, py: Python<'_>) -> PyResult<Vec<String>> {
         let sensor = self.now(py, None)?.sensor;
-        Ok(sensor
-            .filters()
-            .filters()
-            .iter()
-            .map(ToString::to_string)
-            .collect())
+        let filters = sensor.filters().filters().iter();
+        Ok(filters.map(ToString::to_string).collect())
+    }
+
+    /// The time from the middle of an exposure until its depth is at the host, with its stages and their sources; see `Stream`. None
+    /// where no source states it. connection: "usb" or "poe"; by default the device's.
+    #[pyo3(signature = (connection = None))]
+    fn latency<'py>(&self, py: Python<'py>, connection: Option<&str>) -> PyResult<Bound<'py, PyAny>> {
+        self.latency_of(py, maybe_named("connection", connection)?)
     }
 
     /// Findings about the settings, for the most recent image size, and about the images measured so far: "depth-unit" (metres

@@ -34,16 +34,16 @@ class Images:
         self.array = array if array.shape == shape else array.reshape(shape)
         self.millimetres = array.dtype == wp.uint16
 
-    def empty(self) -> Any:
-        """A new array of the same library, shape and type."""
+    def empty(self, dims: tuple[int, ...]) -> Any:
+        """A new array of the same library and type."""
         if self.library == "torch":
             import torch
 
-            return torch.empty_like(self._given)
+            return torch.empty(dims, dtype=self._given.dtype, device=self._given.device)
         if self.library == "warp":
-            return wp.empty(self.dims, dtype=self.array.dtype, device=self.array.device)
+            return wp.empty(dims, dtype=self.array.dtype, device=self.array.device)
         if self.library == "numpy":
-            return np.empty(self.dims, self._given.dtype)
+            return np.empty(dims, self._given.dtype)
         return None
 
     def stream(self) -> Any:

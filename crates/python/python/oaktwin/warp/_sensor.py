@@ -11,6 +11,9 @@ import warp as wp
 from .._findings import Error, FindingWarning
 from .._sensors import DepthSensor as RustSensor
 from ._arrays import Images, returned
+from ._chain import Chain, to_metres, to_millimetres
+from ._drift import pairs_of
+from ._filters import KNOWN, decimated, parsed
 from ._single_view import SingleView
 from ._stereo_noise import StereoNoise
 from ._time_of_flight import TimeOfFlight
@@ -18,21 +21,6 @@ from ._time_of_flight import TimeOfFlight
 wp.set_module_options({"enable_backward": False, "fast_math": False, "fuse_fp": False})
 
 ENGINES: dict[str, Any] = {"stereo-noise": StereoNoise, "single-view": SingleView, "time-of-flight": TimeOfFlight}
-
-
-@wp.kernel
-def _to_metres(millimetres: wp.array3d(dtype=wp.uint16), out: wp.array3d(dtype=float)):
-    n, y, x = wp.tid()
-    out[n, y, x] = float(millimetres[n, y, x]) / 1000.0
-
-
-@wp.kernel
-def _to_millimetres(metres: wp.array3d(dtype=float), out: wp.array3d(dtype=wp.uint16)):
-    n, y, x = wp.tid()
-    millimetres = metres[n, y, x] * 1000.0
-    if not (millimetres > 0.0 and millimetres < 65535.5):
-        millimetres = 0.0
-    out[n, y, x] = wp.uint16((millimetres + 8388608.0) - 8388608.0)
 
 
 @wp.kernel
@@ -48,13 +36,15 @@ class DepthSensor:
 
     device: the `oaktwin.Device`.
     on: Warp's device, such as "cuda:0" or "cpu"; by default Warp's preferred one.
-    parameters: as of `oaktwin.DepthSensor`, a mapping. A value can be a sequence of N numbers, one for each environment: "bias",
-        "pixelLocking", "jitter", "closeRangeFactor" and "dropout" of "stereo-noise".
-    device_seed: the seed of the unit's calibration error, or N seeds, one for each environment, with "stereo-noise".
-    options: the other arguments of `oaktwin.DepthSensor`: sensor, fx, hfov_deg, camera, name, engine, preset, extended_disparity, isaac, seed.
+    parameters: as of `oaktwin.DepthSensor`, a mapping. A value can be a sequence of N numbers, one for each environment: most numbers of
+        "time-of-flight" and "single-view", and "bias", "pixelLocking", "jitter", "closeRangeFactor" and "dropout" of "stereo-noise".
+    device_seed: the seed of the unit's calibration error, or N seeds, one for each environment.
+    drift: the change of the pair since its calibration, as of `oaktwin.DepthSensor`, or N of them, one for each environment.
+    options: the other arguments of `oaktwin.DepthSensor`: sensor, fx, hfov_deg, camera, name, engine, preset, filters, extended_disparity,
+        isaac, seed. "brightness" needs colours, and has no effect.
 
     Raises oaktwin.Error as `oaktwin.DepthSensor` does, and for what Warp does not compute: engines that match pairs,
-        filters (also a preset's), drift, and in the first call multipath of "time-of-flight".
+        the filter "temporal" (also a preset's), and in the first call multipath of "time-of-flight".
 
     A call, `sensor(depth, *, frame=None, seed=None, out=None, reasons=None)`, measures a batch:
 
@@ -63,9 +53,9 @@ class DepthSensor:
         captured CUDA graph measures a new frame each time it is launched.
     seed: N seeds. Environment i is measured like the image of a sensor with `seed[i]`.
     out: the output array, float32 metres or uint16 millimetres; it may be `depth`.
-    reasons: a uint8 array (N, H, W) of the same device for the codes why pixels have no value; see `oaktwin.DepthSensor.annotate`.
+    reasons: a uint8 array (N, H, W), or of the size of decimated images, on the same device, for the codes why pixels have no value; see `oaktwin.DepthSensor.annotate`.
 
-    Returns `out`, or a new array of the library of `depth`, with its shape and unit; 0 where invalid. After the first call with a
+    Returns `out`, or a new array of the library of `depth`, with its shape, which decimation reduces, and its unit; 0 where invalid. After the first call with a
     size, nothing is allocated if `out` is given, nothing is copied to the host, and nothing waits for the device.
 
     Raises TypeError for an object that is not an array or has another dtype, oaktwin.Error for an array on another device, with
@@ -79,6 +69,7 @@ class DepthSensor:
         on: str | None = None,
         parameters: Mapping[str, Any] | None = None,
         device_seed: int | Sequence[int] | None = None,
+        drift: Mapping[str, float] | Sequence[Mapping[str, float]] | None = None,
         **options: Any,
     ) -> None:
         wp.init()
@@ -87,27 +78,32 @@ class DepthSensor:
         except Exception as error:
             known = ", ".join(str(known) for known in wp.get_devices())
             raise Error(f"on: '{on}' is not a device of Warp; expected one of {known}") from error
-        if options.get("drift"):
-            raise Error("drift: is not computed by Warp; use oaktwin.DepthSensor, or the parameter bias")
         scalars, worlds = _split(parameters)
+        seeds = None if device_seed is None or isinstance(device_seed, (int, np.integer)) else [int(seed) for seed in device_seed]
+        drifts = None if drift is None or isinstance(drift, Mapping) else list(drift)
+        if seeds == [] or drifts == []:
+            raise Error(f"{'drift' if drifts == [] else 'device_seed'}: is empty; pass one for each environment")
+        if seeds and drifts and len(seeds) != len(drifts):
+            raise Error(f"drift: has {len(drifts)} values, and device_seed {len(seeds)}; pass one for each environment")
         units: list[Any] = []
-        if device_seed is not None and not isinstance(device_seed, (int, np.integer)):
-            units = [RustSensor(device, parameters=scalars, device_seed=int(seed), **options) for seed in device_seed]
-            if any(unit.engine != "stereo-noise" for unit in units):
-                raise Error("device_seed: has a seed for each environment, which only stereo-noise supports; pass one")
-            if not units:
-                raise Error("device_seed: is empty; pass a seed for each environment")
-            device_seed = int(device_seed[0])
+        if seeds or drifts:
+            both = zip(seeds or [device_seed] * len(drifts), drifts or [drift] * len(seeds))
+            units = [RustSensor(device, parameters=scalars, device_seed=seed, drift=own, **options) for seed, own in both]
+            if seeds and "bias" not in units[0].parameters:
+                raise Error(f"device_seed: has a seed for each environment, but {units[0].engine} has no bias of units; leave it out")
+            device_seed = seeds[0] if seeds else device_seed
+            drift = drifts[0] if drifts else drift
+        options["drift"] = drift
         # The limits of the parameters are those of the table: the extremes of the environments are checked by the engine itself.
         self._rust = RustSensor(device, parameters=_with(scalars, worlds, np.max), device_seed=device_seed, **options)
         self._rust = RustSensor(device, parameters=_with(scalars, worlds, np.min), device_seed=device_seed, **options)
-        if units:
-            worlds["bias"] = np.array([unit.parameters["bias"] for unit in units])
+        self._units = units
         name = self._rust.engine
         if name not in ENGINES:
             raise Error(f"engine: '{name}' does not run in Warp; expected {', '.join(ENGINES)}, or use oaktwin.DepthSensor")
-        if self._rust.filters:
-            raise Error(f"filters: '{self._rust.filters[0]}' does not run in Warp; leave out filters and presets, or use oaktwin.DepthSensor")
+        missing = [text for text in self._rust.filters if parsed(text)[0] not in KNOWN]
+        if missing:
+            raise Error(f"filters: '{missing[0]}' does not run in Warp; leave it out with filters=, or use oaktwin.DepthSensor")
         self._engine = ENGINES[name]
         new = set(self._rust.parameters) - self._engine.PARAMETERS - self._engine.COLOURS
         if new:
@@ -116,7 +112,7 @@ class DepthSensor:
         if unknown:
             known = ", ".join(self._engine.PER_WORLD) or "none"
             raise Error(f"parameters: {', '.join(sorted(unknown))} cannot differ between environments; those that can: {known}")
-        lengths = {name: len(values) for name, values in worlds.items()}
+        lengths = {name: len(values) for name, values in worlds.items()} | ({"units": len(units)} if units else {})
         if len(set(lengths.values())) > 1:
             raise Error(f"parameters: have different lengths, {lengths}; pass a number for each environment")
         self._worlds, self._count = worlds, next(iter(lengths.values()), None)
@@ -138,13 +134,17 @@ class DepthSensor:
 
     @property
     def filters(self) -> list[str]:
-        """The filters: none."""
-        return []
+        """The filters, as of `oaktwin.DepthSensor`."""
+        return self._rust.filters
+
+    def latency(self, connection: str | None = None) -> Any:
+        """The latency of the device, as of `oaktwin.DepthSensor`."""
+        return self._rust.latency(connection)
 
     @property
     def parameters(self) -> dict[str, Any]:
         """The engine's parameters by name, for the most recent image size; arrays where they differ between environments."""
-        return {**self._rust.parameters, **self._worlds}
+        return {**self._rust.parameters, **self._of_units(), **self._worlds}
 
     @property
     def seed(self) -> int:
@@ -172,14 +172,16 @@ class DepthSensor:
             raise Error(f"depth: has {images.shape[0]} images, but parameters have {self._count} values; pass one for each")
         if frame is not None and (isinstance(frame, bool) or not isinstance(frame, (int, np.integer)) or not 0 <= frame < 1 << 64):
             raise Error(f"frame: is {frame!r}; pass a whole number from 0 to 2^64 - 1")
+        shape = (images.shape[0], *decimated(self._rust.filters, *images.shape[1:]))
+        dims = (*shape, *images.dims[3:])
         if out is None:
-            out = images.empty()
-        target = Images("out", images.array if out is None else out, self._on)
-        if out is None:  # a library whose arrays cannot be written
-            target.array = wp.empty(images.shape, dtype=images.array.dtype, device=self._on)
-        if target.shape != images.shape:
-            raise Error(f"out: has the shape {target.dims}, and depth {images.dims}; pass an array of the same shape")
-        codes = self._reasons(reasons, images.shape)
+            out = images.empty(dims)
+        # Some libraries have arrays that cannot be written.
+        given = wp.empty(dims, dtype=images.array.dtype, device=self._on) if out is None else out
+        target = Images("out", given, self._on)
+        if target.shape != shape:
+            raise Error(f"out: has the shape {target.dims}, and measured depth {dims}; pass an array of this shape")
+        codes = self._reasons(reasons, shape)
         with images.stream():
             self._prepare(images.shape)
             keys, items = self._random(seed, images.shape[0])
@@ -191,7 +193,7 @@ class DepthSensor:
             self._measure(images, target, keys, items, number, codes)
             if frame is None:
                 wp.launch(_advance, 1, [], [self._numbered], device=self._on)
-        return returned(target.array.reshape(images.dims), images.library) if out is None else out
+        return returned(target.array.reshape(dims), images.library) if out is None else out
 
     def _reasons(self, reasons: Any, shape: tuple[int, ...]) -> Any:
         if reasons is None:
@@ -211,12 +213,12 @@ class DepthSensor:
         shape, on = images.shape, self._on
         depth = images.array
         if images.millimetres:
-            wp.launch(_to_metres, shape, [depth], [self._metres_in], device=on)
+            wp.launch(to_metres, shape, [depth], [self._metres_in], device=on)
             depth = self._metres_in
         out = self._metres_out if target.millimetres else target.array
         self._kernels.launch(depth, keys, items, number, out, codes)
         if target.millimetres:
-            wp.launch(_to_millimetres, shape, [out], [target.array], device=on)
+            wp.launch(to_millimetres, target.shape, [out], [target.array], device=on)
 
     def _prepare(self, shape: tuple[int, ...]) -> None:
         """Allocates what images of a size need, and compares one with the reference."""
@@ -225,13 +227,21 @@ class DepthSensor:
         if 0 not in shape:
             if self._shape is None or shape[1:] != self._shape[1:]:
                 self._compare(shape[1:])
-            self._kernels = self._engine(self._rust.parameters, self._worlds, shape, self._on)
+            # The drift of a size has to be known before the parameters that follow from it.
+            pairs = pairs_of(self._units or [self._rust], shape[1:], self._on)
+            kernels = self._engine(self._rust.parameters, {**self._of_units(), **self._worlds}, shape, self._on)
+            self._kernels = Chain(kernels, self._rust.filters, shape, self._on, pairs)
             self._metres_in = wp.empty(shape, dtype=float, device=self._on)
-            self._metres_out = wp.empty(shape, dtype=float, device=self._on)
+            self._metres_out = wp.empty(self._kernels.shape, dtype=float, device=self._on)
             self._items = wp.array(np.arange(shape[0], dtype=np.uint32), device=self._on)
             self._no_items = wp.zeros(shape[0], dtype=wp.uint32, device=self._on)
         self._keys_of = None
         self._shape = shape
+
+    def _of_units(self) -> dict[str, Any]:
+        """What follows from the seed of a unit and its drift, such as the bias and the share of pixels that its matcher loses."""
+        all_values = {name: [unit.parameters[name] for unit in self._units] for name in self._engine.PER_WORLD}
+        return {name: np.array(values, np.float64) for name, values in all_values.items() if len(set(values)) > 1}
 
     def _random(self, seed: Any, count: int) -> tuple[Any, Any]:
         """The keys and items of the random numbers."""
@@ -255,16 +265,18 @@ class DepthSensor:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", FindingWarning)
             expected = self._rust(exact, frame=5)
-        kernels = self._engine(self._rust.parameters, {}, (1, *size), self._on)
+        shape = (1, *size)
+        pairs = pairs_of([self._rust], size, self._on)
+        kernels = Chain(self._engine(self._rust.parameters, {}, shape, self._on), self._rust.filters, shape, self._on, pairs)
         keys = wp.array(np.array([self._engine.keys(self._seed, self._camera)], np.uint32), device=self._on)
         items, frame = wp.zeros(1, dtype=wp.uint32, device=self._on), wp.full(1, 5, dtype=wp.uint32, device=self._on)
-        out = wp.empty((1, *size), dtype=float, device=self._on)
+        out = wp.empty(kernels.shape, dtype=float, device=self._on)
         kernels.launch(wp.array(exact[None], dtype=float, device=self._on), keys, items, frame, out, self._no_reasons)
         differ = int((out.numpy()[0] != expected).sum())
         if differ:
             raise Error(
-                f"device: {differ} of {expected.size} pixels of a test image differ from oaktwin.DepthSensor on {self._on}, for"
-                " instance because the unit's depth is computed with another baseline than it has; use oaktwin.DepthSensor"
+                f"device: {differ} of {expected.size} pixels of a test image differ from oaktwin.DepthSensor on {self._on};"
+                " use oaktwin.DepthSensor"
             )
 
 

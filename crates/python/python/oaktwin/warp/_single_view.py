@@ -75,13 +75,14 @@ def move(
     normals: wp.array3d(dtype=float),
     row_patches: wp.array(dtype=wp.int32),
     column_patches: wp.array(dtype=wp.int32),
-    p: Plan,
+    plans: wp.array(dtype=Plan),
     ranks: wp.array3d(dtype=wp.uint32),
     out: wp.array3d(dtype=float),
     reasons: wp.array3d(dtype=wp.uint8),
 ):
     """Moves the samples of a row; twice the bits of depth are the rank of a sample, and of several the smallest wins."""
     n, y = wp.tid()
+    p = plans[wp.min(n, plans.shape[0] - 1)]
     width = depth.shape[2]
     explains = reasons.shape[0] > 0
     for x in range(width):
@@ -146,10 +147,11 @@ def move(
 
 @wp.kernel
 def explain(
-    ranks: wp.array3d(dtype=wp.uint32), distance: wp.array3d(dtype=float), p: Plan, reasons: wp.array3d(dtype=wp.uint8)
+    ranks: wp.array3d(dtype=wp.uint32), distance: wp.array3d(dtype=float), plans: wp.array(dtype=Plan), reasons: wp.array3d(dtype=wp.uint8)
 ):
     """The codes of a row before the removal of outliers."""
     n, y = wp.tid()
+    p = plans[wp.min(n, plans.shape[0] - 1)]
     width = distance.shape[2]
     # What moves into the image at its border is outside the view.
     outside = bool(True)
@@ -176,14 +178,17 @@ def explain(
 
 
 @wp.kernel
-def remove_outliers(distance: wp.array3d(dtype=float), p: Plan, out: wp.array3d(dtype=float), reasons: wp.array3d(dtype=wp.uint8)):
+def remove_outliers(
+    distance: wp.array3d(dtype=float), plans: wp.array(dtype=Plan), out: wp.array3d(dtype=float), reasons: wp.array3d(dtype=wp.uint8)
+):
     """Lone pixels take the state of their neighbours."""
     n, y, x = wp.tid()
+    p = plans[wp.min(n, plans.shape[0] - 1)]
     height = distance.shape[1]
     width = distance.shape[2]
     z = distance[n, y, x]
     measured = z > 0.0
-    alone = bool(True)
+    alone = p.outlier_range > 0
     for away in range(1, 2 * p.outlier_range + 2):
         # Rows from the nearest to the farthest: 0, -1, 1, -2, ...
         dy = away // 2
@@ -216,7 +221,18 @@ def remove_outliers(distance: wp.array3d(dtype=float), p: Plan, out: wp.array3d(
 class SingleView:
     """The engine for images of one size, with the arrays that it needs."""
 
-    PER_WORLD: tuple[str, ...] = ()
+    # What can differ between environments.
+    PER_WORLD = (
+        "baselineMM",
+        "focalLengthPixel",
+        "sensorSizePixel",
+        "maxDisparityPixel",
+        "minDistance",
+        "maxDistance",
+        "noiseMean",
+        "noiseSigma",
+        "outlierRemovalEnabled",
+    )
     # The parameters that change the measurement, and those that only change what colours show, or nothing.
     PARAMETERS = frozenset(
         {
@@ -260,29 +276,11 @@ class SingleView:
 
     def __init__(self, parameters: dict[str, Any], worlds: dict[str, Any], shape: tuple[int, int, int], device: Any) -> None:
         count, height, width = shape
-        a = parameters
-        signed = a["baselineMM"] / 1000.0 * a["focalLengthPixel"] * width / a["sensorSizePixel"]
-        whole = (0.0, float(np.finfo(np.float32).max))
-        limits = (a["minDistance"], min(a["maxDistance"], whole[1]))
-        before = a["range-cut"] == "before"
-        p = Plan()
-        p.px_m = np.float32(abs(signed))
-        p.side = 1.0 if (signed > 0) == (a["direction"] == "right") else -1.0
-        p.least, p.most = (np.float32(limit) for limit in (limits if before else whole))
-        p.reported_least, p.reported_most = (np.float32(limit) for limit in (whole if before else limits))
-        unit = width / a["sensorSizePixel"] if a["max-disparity-unit"] == "sensor" else 1.0
-        p.max_disparity = np.float32(a["maxDisparityPixel"] * unit)
-        p.clamps = int(a["max-disparity"] == "clamp")
-        p.step = np.float32(a["noiseMean"])
-        p.floors = int(a["quantizer"] == "floor")
-        p.sigma = np.float32(a["noiseSigma"] * (a["noiseMean"] if a["sigma-unit"] == "steps" else 1.0))
-        p.recomputes = int(a["depth"] == "recomputed")
-        p.floors_target = int(a["target-rounding"] == "floor")
-        p.last_wins = int(a["collision"] == "last")
-        p.outlier_range = int(a["outlierRemovalEnabled"]) if height * width > 1 else 0
-        p.outlier_diamond = int(a["outlier-neighbourhood"] == "4")
-        self._plan, self._shape, self._device = p, shape, device
-        patches = [(np.arange(size) / a["noiseDownscaleFactorPixel"]).astype(np.int32) for size in (height, width)]
+        plans = [_plan(own, height, width) for own in of_each(parameters, worlds)]
+        self._plans, self._shape, self._device = wp.array(plans, dtype=Plan, device=device), shape, device
+        self._jitters = any(plan.step > 0 and plan.sigma > 0 for plan in plans)
+        self._removes = any(plan.outlier_range > 0 for plan in plans)
+        patches = [(np.arange(size) / parameters["noiseDownscaleFactorPixel"]).astype(np.int32) for size in (height, width)]
         self._patches = [wp.array(places, dtype=wp.int32, device=device) for places in patches]
         self._normals = wp.empty((count, *(int(places[-1]) + 1 for places in patches)), dtype=float, device=device)
         self._ranks = wp.empty(shape, dtype=wp.uint32, device=device)
@@ -295,14 +293,45 @@ class SingleView:
 
     def launch(self, depth: Any, keys: Any, items: Any, frame: Any, out: Any, reasons: Any) -> None:
         """Measures a batch."""
-        p, device, rows = self._plan, self._device, self._shape[:2]
-        if p.step > 0 and p.sigma > 0:
+        p, device, rows = self._plans, self._device, self._shape[:2]
+        if self._jitters:
             count, patch_rows, patch_columns = self._normals.shape
             blocks = 16 * -(-patch_columns // 64)
             wp.launch(draw, (count, patch_rows, blocks), [keys, items, frame], [self._normals], device=device)
-        moved = self._moved if p.outlier_range else out
+        moved = self._moved if self._removes else out
         wp.launch(move, rows, [depth, self._normals, *self._patches, p], [self._ranks, moved, reasons], device=device)
         if reasons.shape[0]:
             wp.launch(explain, rows, [self._ranks, moved, p], [reasons], device=device)
-        if p.outlier_range:
+        if self._removes:
             wp.launch(remove_outliers, self._shape, [moved, p], [out, reasons], device=device)
+
+
+def of_each(parameters: dict[str, Any], worlds: dict[str, Any]) -> list[dict[str, Any]]:
+    """The parameters of each environment; of the first alone, if they do not differ."""
+    count = max((len(values) for values in worlds.values()), default=1)
+    return [{**parameters, **{name: values[item].item() for name, values in worlds.items()}} for item in range(count)]
+
+
+def _plan(a: dict[str, Any], height: int, width: int) -> Plan:
+    """The plan of an environment's parameters."""
+    signed = a["baselineMM"] / 1000.0 * a["focalLengthPixel"] * width / a["sensorSizePixel"]
+    whole = (0.0, float(np.finfo(np.float32).max))
+    limits = (a["minDistance"], min(a["maxDistance"], whole[1]))
+    before = a["range-cut"] == "before"
+    p = Plan()
+    p.px_m = np.float32(abs(signed))
+    p.side = 1.0 if (signed > 0) == (a["direction"] == "right") else -1.0
+    p.least, p.most = (np.float32(limit) for limit in (limits if before else whole))
+    p.reported_least, p.reported_most = (np.float32(limit) for limit in (whole if before else limits))
+    unit = width / a["sensorSizePixel"] if a["max-disparity-unit"] == "sensor" else 1.0
+    p.max_disparity = np.float32(a["maxDisparityPixel"] * unit)
+    p.clamps = int(a["max-disparity"] == "clamp")
+    p.step = np.float32(a["noiseMean"])
+    p.floors = int(a["quantizer"] == "floor")
+    p.sigma = np.float32(a["noiseSigma"] * (a["noiseMean"] if a["sigma-unit"] == "steps" else 1.0))
+    p.recomputes = int(a["depth"] == "recomputed")
+    p.floors_target = int(a["target-rounding"] == "floor")
+    p.last_wins = int(a["collision"] == "last")
+    p.outlier_range = int(a["outlierRemovalEnabled"]) if height * width > 1 else 0
+    p.outlier_diamond = int(a["outlier-neighbourhood"] == "4")
+    return p

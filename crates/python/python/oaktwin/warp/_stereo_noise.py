@@ -365,6 +365,7 @@ class StereoNoise:
         s.left_right = int(p["occlusion"] and p["leftRightCheck"])
         s.left_right_px = max(np.float32(p["leftRightCheckThreshold"]) * np.float32(image_px), np.float32(1.0))
         self._scale, self._shape, self._device = s, shape, device
+        self._parameters, self._largest = p, largest
         self._by_rows = not device.is_cuda
         variance = 1024.0**2 if normals else 65535 / 12
         columns = {
@@ -394,6 +395,19 @@ class StereoNoise:
         """The keys of the random numbers of an image."""
         return [*key(seed, camera, JITTER), *key(seed, camera, DROPOUT)]
 
+    def disparities(self, spread_over: float | None) -> tuple[Any, float, int]:
+        """Measures fixed-point disparities from now on, in place of metres, for filters: spread over a range, if one is given.
+
+        Returns the depth of each, the value of a disparity of one pixel, and the largest value.
+        """
+        bits = int(self._parameters["subpixelFractionalBits"])
+        scale = 1.0 if spread_over is None else spread_over / (self._largest << bits)
+        fixed = np.arange(self._scale.max_fixed + 1)
+        values = np.maximum(np.floor(fixed * scale + 0.5), fixed > 0)
+        self._metres = wp.array(values.astype(np.float32), dtype=float, device=self._device)
+        depths = wp.array(_depths(self._parameters, bits, 65535, scale), dtype=float, device=self._device)
+        return depths, scale * (1 << bits), int(values[-1])
+
     def launch(self, depth: Any, keys: Any, items: Any, frame: Any, out: Any, reasons: Any) -> None:
         """Measures a batch."""
         count, height, width = self._shape
@@ -420,9 +434,9 @@ def _rounded(value: float) -> int:
     return math.floor(value + 0.5)
 
 
-def _depths(p: dict[str, Any], bits: int, last: int) -> Any:
-    """The depth of each fixed-point disparity, metres."""
-    d = np.arange(1, last + 1) * (1 / (1 << bits)) + p["disparityShift"]
+def _depths(p: dict[str, Any], bits: int, last: int, scale: float = 1.0) -> Any:
+    """The depth of each fixed-point disparity, metres, with `scale` units per step."""
+    d = np.arange(1, last + 1) * (1 / (1 << bits) / scale) + p["disparityShift"]
     exact = p["focalLength"] * p["baseline"] / d * 1000.0
     millimetres = np.floor(exact + 0.5) if p["depthRounding"] == "nearest" else np.floor(exact)
     metres = np.where(millimetres > 65535, 0.0, millimetres / 1000.0)

@@ -9,7 +9,7 @@ import warp as wp
 
 from .._findings import Error
 from ._random import box_muller, key, philox, sine_of_turns
-from ._single_view import draw
+from ._single_view import draw, of_each
 
 wp.set_module_options({"enable_backward": False, "fast_math": False, "fuse_fp": False})
 
@@ -127,11 +127,12 @@ def reflect(
     pattern: wp.array3d(dtype=float),
     u: wp.array(dtype=float),
     v: wp.array(dtype=float),
-    c: Camera,
+    cameras: wp.array(dtype=Camera),
     light: wp.array4d(dtype=float),
 ):
     """The phasors of both frequencies, and all light: electrons per sample."""
     n, y, x = wp.tid()
+    c = cameras[wp.min(n, cameras.shape[0] - 1)]
     w = inverse(depth, n, y, x)
     gx = gradient(inverse(depth, n, y, x - 1), w, inverse(depth, n, y, x + 1), c.focal_length)
     gy = gradient(inverse(depth, n, y - 1, x), w, inverse(depth, n, y + 1, x), c.focal_length)
@@ -191,12 +192,13 @@ def receive(
     u: wp.array(dtype=float),
     v: wp.array(dtype=float),
     candidates: wp.array2d(dtype=float),
-    c: Camera,
+    cameras: wp.array(dtype=Camera),
     out: wp.array3d(dtype=float),
     reasons: wp.array3d(dtype=wp.uint8),
 ):
     """Samples, phases and distances."""
     n, y, x = wp.tid()
+    c = cameras[wp.min(n, cameras.shape[0] - 1)]
     turns = wp.vec2()
     strength = wp.vec2()
     fullest = wp.vec2()
@@ -270,7 +272,25 @@ def receive(
 class TimeOfFlight:
     """The engine for images of one size, with the arrays that it needs."""
 
-    PER_WORLD: tuple[str, ...] = ()
+    # What can differ between environments.
+    PER_WORLD = (
+        "phaseUnwrapErrorThreshold",
+        "wiggling",
+        "wigglingResidual",
+        "fixedPattern",
+        "bias",
+        "signal",
+        "contrast",
+        "ambient",
+        "readNoise",
+        "fullWell",
+        "albedo",
+        "pixelMixing",
+        "radialVelocity",
+        "measurementInterval",
+        "minAmplitude",
+        "confidenceThreshold",
+    )
     # The parameters that change the measurement, and those that only colours need.
     PARAMETERS = frozenset(
         {
@@ -315,33 +335,13 @@ class TimeOfFlight:
         if "," in str(p["principalPoint"]):
             centre = tuple(float(part) * scale for part in p["principalPoint"].split(","))
         per_px = 1.0 / (p["focalLength"] * scale)
-        frequencies = [float(part) for part in p["modulationFrequencies"].split(",")]
-        turns = [_LIGHT_M_S / (2e6 * frequency) for frequency in frequencies]
-        shuffles, bursts = p["enablePhaseShuffleTemporalFilter"], p["enableBurstMode"]
-        ages = [age * p["measurementInterval"] for age in ((2.0, 1.0) if shuffles else (1.0, 0.0))]
-        weights, candidates, threshold = _unwrapping(p, frequencies, turns)
-
-        def single(value: float) -> float:
-            return float(np.float32(value))
-
-        c = Camera()
-        c.focal_length = single(p["focalLength"] * scale)
-        c.signal, c.contrast, c.ambient = single(p["signal"]), single(p["contrast"]), single(float(p["ambient"]))
-        c.turns_per_m = wp.vec2(*(single(1.0 / turn) for turn in turns))
-        c.age = wp.vec2(*map(single, ages))
-        c.mixing, c.wiggling = single(p["pixelMixing"]), single(p["wiggling"])
-        c.residual = single(p["wigglingResidual"] if p["enableWiggleCorrection"] else p["wiggling"])
-        c.read_variance = single(p["readNoise"] * p["readNoise"])
-        c.noise = single(1.0 if not shuffles else math.sqrt(0.5) if bursts else 0.5)
-        c.shares = int(shuffles and not bursts)
-        c.min_amplitude, c.full_well = single(p["minAmplitude"]), single(p["fullWell"])
-        c.is_depth, c.albedo = int(p["enableOpticalCorrection"]), single(p["albedo"])
-        c.bias, c.velocity = single(p["bias"]), single(p["radialVelocity"])
-        c.fixed_pattern = 0.0 if p["enableFPPNCorrection"] else single(p["fixedPattern"])
-        c.confidence = single(p["confidenceThreshold"])
-        c.turn_m, c.weights, c.threshold = wp.vec2(*map(single, turns)), wp.vec2(*map(single, weights)), single(threshold)
-        c.stride = -(-width // 64) * 64
-        self._camera, self._shape, self._device = c, shape, device
+        cameras, candidates = [], []
+        for own in of_each(parameters, worlds):
+            camera, candidates = _camera(own, width)
+            cameras.append(camera)
+        self._shares, self._stride = cameras[0].shares, cameras[0].stride
+        self._has_pattern = any(camera.fixed_pattern > 0 for camera in cameras)
+        self._cameras, self._shape, self._device = wp.array(cameras, dtype=Camera, device=device), shape, device
 
         def row(size: int, middle: float) -> Any:
             return wp.array(((np.arange(size) + 0.5 - middle) * per_px).astype(np.float32), dtype=float, device=device)
@@ -349,9 +349,9 @@ class TimeOfFlight:
         self._rays = [row(width, centre[0]), row(height, centre[1])]
         self._candidates = wp.array(np.array(candidates, np.float32), dtype=float, device=device)
         self._light = wp.empty((count, 5, height, width), dtype=float, device=device)
-        self._words = wp.empty((count, height, 2 * c.stride), dtype=wp.uint32, device=device)
-        self._earlier = wp.empty_like(self._words) if c.shares else self._words
-        self._pattern = wp.empty(shape if c.fixed_pattern > 0 else (0, 0, 0), dtype=float, device=device)
+        self._words = wp.empty((count, height, 2 * self._stride), dtype=wp.uint32, device=device)
+        self._earlier = wp.empty_like(self._words) if self._shares else self._words
+        self._pattern = wp.empty(shape if self._has_pattern else (0, 0, 0), dtype=float, device=device)
         self._zeros = wp.zeros(max(count, 1), dtype=wp.uint32, device=device)
 
     @staticmethod
@@ -361,17 +361,49 @@ class TimeOfFlight:
 
     def launch(self, depth: Any, keys: Any, items: Any, frame: Any, out: Any, reasons: Any) -> None:
         """Measures a batch."""
-        c, device, (count, height, width) = self._camera, self._device, self._shape
-        size = (count, height, 2 * c.stride // 4)
-        for before, words in [(0, self._words), (1, self._earlier)][: 1 + c.shares]:
+        c, device, (count, height, width) = self._cameras, self._device, self._shape
+        size = (count, height, 2 * self._stride // 4)
+        for before, words in [(0, self._words), (1, self._earlier)][: 1 + self._shares]:
             wp.launch(draw_words, size, [keys, items, frame, before], [words], device=device)
-        if c.fixed_pattern > 0:
+        if self._has_pattern:
             # The same for every frame of the device.
             zeros, blocks = self._zeros, 16 * -(-width // 64)
             wp.launch(draw, (count, height, blocks), [keys[:, 2:], zeros, zeros], [self._pattern], device=device)
         wp.launch(reflect, self._shape, [depth, self._pattern, *self._rays, c], [self._light], device=device)
         images = [depth, self._light, self._words, self._earlier]
         wp.launch(receive, self._shape, [*images, *self._rays, self._candidates, c], [out, reasons], device=device)
+
+
+def _camera(p: dict[str, Any], width: int) -> tuple[Camera, Any]:
+    """The camera of an environment's parameters, and the candidates of its distances."""
+    scale = width / p["width"]
+    frequencies = [float(part) for part in p["modulationFrequencies"].split(",")]
+    turns = [_LIGHT_M_S / (2e6 * frequency) for frequency in frequencies]
+    shuffles, bursts = p["enablePhaseShuffleTemporalFilter"], p["enableBurstMode"]
+    ages = [age * p["measurementInterval"] for age in ((2.0, 1.0) if shuffles else (1.0, 0.0))]
+    weights, candidates, threshold = _unwrapping(p, frequencies, turns)
+
+    def single(value: float) -> float:
+        return float(np.float32(value))
+
+    c = Camera()
+    c.focal_length = single(p["focalLength"] * scale)
+    c.signal, c.contrast, c.ambient = single(p["signal"]), single(p["contrast"]), single(float(p["ambient"]))
+    c.turns_per_m = wp.vec2(*(single(1.0 / turn) for turn in turns))
+    c.age = wp.vec2(*map(single, ages))
+    c.mixing, c.wiggling = single(p["pixelMixing"]), single(p["wiggling"])
+    c.residual = single(p["wigglingResidual"] if p["enableWiggleCorrection"] else p["wiggling"])
+    c.read_variance = single(p["readNoise"] * p["readNoise"])
+    c.noise = single(1.0 if not shuffles else math.sqrt(0.5) if bursts else 0.5)
+    c.shares = int(shuffles and not bursts)
+    c.min_amplitude, c.full_well = single(p["minAmplitude"]), single(p["fullWell"])
+    c.is_depth, c.albedo = int(p["enableOpticalCorrection"]), single(p["albedo"])
+    c.bias, c.velocity = single(p["bias"]), single(p["radialVelocity"])
+    c.fixed_pattern = 0.0 if p["enableFPPNCorrection"] else single(p["fixedPattern"])
+    c.confidence = single(p["confidenceThreshold"])
+    c.turn_m, c.weights, c.threshold = wp.vec2(*map(single, turns)), wp.vec2(*map(single, weights)), single(threshold)
+    c.stride = -(-width // 64) * 64
+    return c, candidates
 
 
 def _unwrapping(p: dict[str, Any], frequencies: list[float], turns: list[float]) -> tuple[Any, Any, float]:
