@@ -374,15 +374,19 @@ fn a_latency() {
             &["camera.csv", "encoder.csv", "--longest", "6"],
             "camera.csv: has 0 images while the reference was recorded",
         ),
-        (
-            &["camera.csv", "encoder.csv", "--model", "oak4-d"],
-            "cannot be used with",
-        ),
         (&["camera.csv", "absent.csv"], "absent.csv"),
     ] {
         let refused = program.refused(&[&["fit", "--latency"], options].concat());
         assert!(refused.contains(expected), "{options:?}: {refused}");
     }
-    let refused = program.refused(&["fit", "camera.csv"]);
-    assert!(refused.contains("--model <MODEL>"), "{refused}");
+    for (arguments, expected) in [
+        (&["fit", "camera.csv"][..], "--model <MODEL>"),
+        (
+            &["fit", "--latency", "camera.csv", "encoder.csv", "--model", "oak4-d"],
+            "cannot be used with",
+        ),
+    ] {
+        let ended = program.run(arguments);
+        assert!(ended.code == 2 && ended.stderr.contains(expected), "{}", ended.stderr);
+    }
 }
