@@ -382,11 +382,22 @@ fn a_latency() {
     for (arguments, expected) in [
         (&["fit", "camera.csv"][..], "--model <MODEL>"),
         (
-            &["fit", "--latency", "camera.csv", "encoder.csv", "--model", "oak4-d"],
+            &[
+                "fit",
+                "--latency",
+                "camera.csv",
+                "encoder.csv",
+                "--model",
+                "oak4-d",
+            ],
             "cannot be used with",
         ),
     ] {
         let ended = program.run(arguments);
-        assert!(ended.code == 2 && ended.stderr.contains(expected), "{}", ended.stderr);
+        assert!(
+            ended.code == 2 && ended.stderr.contains(expected),
+            "{}",
+            ended.stderr
+        );
     }
 }
