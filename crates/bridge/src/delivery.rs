@@ -80,7 +80,6 @@ impl Delivery {
 
     fn numbers(&self, frame: u64, purpose: u32) -> Numbers {
         // A plane knows 32 bits of the frame's number.
-        #[expect(clippy::cast_possible_truncation, reason = "the upper half")]
         let upper = (frame >> 32) as u32;
         let plane = Stream::new(self.seed, NAME).plane(Stage::Delivery, frame, upper ^ purpose);
         Numbers::new(plane)
