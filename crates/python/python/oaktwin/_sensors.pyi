@@ -34,7 +34,7 @@ from ._types import (
     _SensorAnnotator,
 )
 
-__all__ = ["DepthSensor", "SensorBatch", "StereoMatcher", "_drift"]
+__all__ = ["DepthSensor", "SensorBatch", "StereoMatcher"]
 
 def _drift(sensor: DepthSensor, width: int, height: int) -> list[float] | None: ...
 
