@@ -4,6 +4,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use oaktwin::camera::math::DVec3;
 use pyo3::prelude::*;
+use pyo3::types::PyRange;
 use pyo3::{Borrowed, FromPyObject};
 
 use crate::array::numbers;
@@ -149,4 +150,26 @@ pub(crate) fn vector(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<DVec
             "pass three numbers",
         )),
     }
+}
+
+/// Reads `frames`: a range without gaps, or its ends.
+pub(crate) fn frame_range(object: &Bound<'_, PyAny>) -> PyResult<Option<(u64, u64)>> {
+    if object.is_none() {
+        return Ok(None);
+    }
+    let wrong = || {
+        mistyped(
+            "frames",
+            object,
+            "a range, or the first frame and the one after the last",
+        )
+    };
+    if object.is_instance_of::<PyRange>() {
+        let part = |name: &str| object.getattr(name)?.extract::<u64>();
+        return match (part("start"), part("stop"), part("step")) {
+            (Ok(start), Ok(stop), Ok(1)) => Ok(Some((start, stop))),
+            _ => Err(wrong()),
+        };
+    }
+    object.extract().map(Some).map_err(|_| wrong())
 }

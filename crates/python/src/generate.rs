@@ -8,9 +8,9 @@ use oaktwin::generate::{GenerateError, GenerateOptions, Generated, Generator};
 use oaktwin::sensor::EngineRef;
 use pyo3::exceptions::{PyIndexError, PyTypeError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList, PyRange, PySlice, PyTuple};
+use pyo3::types::{PyDict, PyList, PySlice, PyTuple};
 
-use crate::arguments::{formats, frame, frames, optional};
+use crate::arguments::{formats, frame, frame_range, frames, optional};
 use crate::camera::Camera;
 use crate::engine::{PythonEngine, serve_all};
 use crate::error::{error, reading, wrong};
@@ -72,28 +72,6 @@ impl Source {
             Self::Mapping(mapping) => Ok(mapping.bind(py).clone()),
         }
     }
-}
-
-/// Reads `frames`: a range without gaps, or its ends.
-fn frame_range(object: &Bound<'_, PyAny>) -> PyResult<Option<(u64, u64)>> {
-    if object.is_none() {
-        return Ok(None);
-    }
-    let wrong = || {
-        mistyped(
-            "frames",
-            object,
-            "a range, or the first frame and the one after the last",
-        )
-    };
-    if object.is_instance_of::<PyRange>() {
-        let part = |name: &str| object.getattr(name)?.extract::<u64>();
-        return match (part("start"), part("stop"), part("step")) {
-            (Ok(start), Ok(stop), Ok(1)) => Ok(Some((start, stop))),
-            _ => Err(wrong()),
-        };
-    }
-    object.extract().map(Some).map_err(|_| wrong())
 }
 
 /// Whether Ray makes the frames, and where.
