@@ -102,7 +102,7 @@ impl Device {
         imu_frame: &str,
         catalog: Option<PathBuf>,
     ) -> PyResult<Self> {
-        let choices = Choices::new(lens, imu_frame)?.with_rig(pair.as_ref(), platform)?;
+        let choices = Choices::new(lens, imu_frame)?.with_rig(pair, platform)?;
         let raw = parts::calibration(calibration)?;
         let path = PathBuf::from(&raw.name);
         Self::unit(Models::open(catalog)?, raw, model, &path, force, choices)

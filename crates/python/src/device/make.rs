@@ -47,9 +47,9 @@ impl Choices {
     }
 
     /// The choices for a rig: the names of its sockets and of its processor.
-    pub(super) fn with_rig(self, pair: Option<&(String, String)>, platform: Option<&str>) -> PyResult<Self> {
-        let socket = |name: &String| {
-            Socket::from_name(name).ok_or_else(|| {
+    pub(super) fn with_rig(self, pair: Option<(String, String)>, platform: Option<&str>) -> PyResult<Self> {
+        let socket = |name: String| {
+            Socket::from_name(&name).ok_or_else(|| {
                 wrong(
                     "pair",
                     format_args!("'{name}' is not a socket"),
@@ -177,6 +177,6 @@ pub(crate) fn _device(
         model,
         Path::new(&name),
         force,
-        Choices::new(&lens, &imu_frame)?.with_rig(pair.as_ref(), platform.as_deref())?,
+        Choices::new(&lens, &imu_frame)?.with_rig(pair, platform.as_deref())?,
     )
 }
