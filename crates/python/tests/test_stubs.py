@@ -10,7 +10,7 @@ import oaktwin
 from conftest import ROOT
 
 PACKAGE = ROOT / "crates/python/python/oaktwin"
-STUBS = ["_cameras", "_devices", "_findings", "_images", "_oaktwin", "_rigs", "_scenes", "_sensors", "_worlds"]
+STUBS = ["_batches", "_cameras", "_devices", "_findings", "_images", "_oaktwin", "_rigs", "_scenes", "_sensors", "_worlds"]
 
 
 def documented(body: list[ast.stmt], owner: object) -> list[tuple[ast.ClassDef | ast.FunctionDef, str]]:

@@ -17,6 +17,7 @@ images, and all objects are thread-safe. Builds of Python without the GIL are no
 
 from . import filters
 from ._accuracy import Accuracy, accuracy
+from ._batches import SensorBatch
 from ._cameras import Camera, Rectification, look_at
 from ._coverage import Coverage, coverage
 from ._datasets import Recipe, Sample, generate
@@ -28,7 +29,7 @@ from ._oaktwin import __version__, fit_latency, set_memory_limit
 from ._poses import BodyPose, CameraPose
 from ._rigs import Rig
 from ._scenes import Mesh, Recording, Scene, annotators
-from ._sensors import DepthSensor, SensorBatch, StereoMatcher
+from ._sensors import DepthSensor, StereoMatcher
 from ._shots import Shot
 from ._stream import Observation, Stream
 from ._worlds import Worlds

@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 from typing_extensions import Unpack
 
+from ._batches import SensorBatch as SensorBatch
 from ._cameras import Camera as Camera, Rectification as Rectification, _camera as _camera, look_at as look_at
 from ._devices import (
     Device as Device,
@@ -19,7 +20,7 @@ from ._findings import Error as Error, Finding as Finding, FindingWarning as Fin
 from ._images import Filter as Filter, align as align
 from ._rigs import Rig as Rig
 from ._scenes import Mesh as Mesh, Recipe as Recipe, Recording as Recording, Scene as Scene, annotators as annotators
-from ._sensors import DepthSensor as DepthSensor, SensorBatch as SensorBatch, StereoMatcher as StereoMatcher, _drift as _drift
+from ._sensors import DepthSensor as DepthSensor, StereoMatcher as StereoMatcher, _drift as _drift
 from ._types import _Array, _Json, _Progress, _SensorOptions
 from ._worlds import Worlds as Worlds
 

@@ -1,5 +1,5 @@
 """Depth sensors and matchers."""
 
-from ._oaktwin import DepthSensor, SensorBatch, StereoMatcher
+from ._oaktwin import DepthSensor, StereoMatcher
 
-__all__ = ["DepthSensor", "SensorBatch", "StereoMatcher"]
+__all__ = ["DepthSensor", "StereoMatcher"]

@@ -1,4 +1,5 @@
 pub(crate) mod annotators;
+mod cameras;
 pub(crate) mod coverage;
 mod parts;
 mod time;
@@ -17,9 +18,10 @@ use oaktwin::scene::Instance;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use self::cameras::cameras;
 use self::parts::{Parts, Stage};
 pub(crate) use self::parts::{path, unknown_part};
-use self::time::{Animation, cameras};
+use self::time::Animation;
 use crate::arguments::{Annotators, FrameNumber, Size, optional, subdivide};
 use crate::asset;
 use crate::camera::Camera;

@@ -12,7 +12,7 @@ use oaktwin::scene::{self, Instance, Label, MaterialSpan, Up};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use super::time::Cameras;
+use super::cameras::Cameras;
 use super::{Origin, Scene};
 use crate::choice::named;
 use crate::error::wrong;

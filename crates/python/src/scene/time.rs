@@ -3,33 +3,17 @@
 use std::path::Path;
 use std::sync::PoisonError;
 
-use oaktwin::diagnostic;
-use oaktwin::render::{
-    AnimatedScene, CameraError, OpenOptions, PlacedCamera, SceneCameraOptions, SceneChange, SceneFile,
-    SceneFileError, scene_cameras,
-};
+use oaktwin::render::{AnimatedScene, OpenOptions, SceneChange, SceneFile, SceneFileError};
 use pyo3::prelude::*;
 
+use super::cameras::cameras;
 use super::parts::Stage;
 use super::{Origin, Scene};
 use crate::error::{reading, wrong};
 use crate::finding;
 
-/// The cameras of a file, or why there are none.
-pub(super) type Cameras = Result<Vec<PlacedCamera>, CameraError>;
-
 /// A file that can be read at other times, with its rest at the present one.
 pub(super) type Animation = (AnimatedScene, SceneFile);
-
-/// The cameras of a file, with findings.
-pub(super) fn cameras(file: &SceneFile) -> (Cameras, Vec<diagnostic::Finding>) {
-    match scene_cameras(file, &SceneCameraOptions::default()) {
-        Ok((cameras, findings)) => (Ok(cameras), findings),
-        Err(CameraError::NoCamera { .. }) => (Ok(Vec::new()), Vec::new()),
-        // Reported when the cameras are requested.
-        Err(error) => (Err(error), Vec::new()),
-    }
-}
 
 /// The open stage, which is opened at the same time as the scene, to whose instances changes refer.
 fn opened<'a>(

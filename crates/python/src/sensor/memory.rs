@@ -9,7 +9,7 @@ use oaktwin::sensor::Capture;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
-use super::many::{Images, Items};
+use super::items::{Images, Items};
 use crate::error::{error, wrong};
 use crate::threads;
 

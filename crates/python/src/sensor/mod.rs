@@ -3,6 +3,7 @@ mod batch;
 mod drifted;
 mod eye;
 mod image_camera;
+mod items;
 mod latency;
 mod many;
 mod memory;

@@ -9,7 +9,7 @@ use oaktwin::sensor::{Sensor, SensorOptions};
 use pyo3::prelude::*;
 
 use super::DepthSensor;
-use super::many::{Item, Items};
+use super::items::{Item, Items};
 use crate::arguments::FrameNumber;
 use crate::error::wrong;
 use crate::finding::Notices;

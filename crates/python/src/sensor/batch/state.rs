@@ -13,7 +13,7 @@ use super::{SensorBatch, in_item};
 use crate::arguments::FrameNumber;
 use crate::images::Shape;
 use crate::sensor::eye::Eye;
-use crate::sensor::many::{Item, Items};
+use crate::sensor::items::{Item, Items};
 use crate::sensor::units::number;
 use crate::threads;
 

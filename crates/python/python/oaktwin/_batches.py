@@ -1,0 +1,5 @@
+"""The depth sensors of many environments."""
+
+from ._oaktwin import SensorBatch
+
+__all__ = ["SensorBatch"]
