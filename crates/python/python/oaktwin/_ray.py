@@ -35,7 +35,7 @@ def opened(job: dict[str, Any]) -> Recipe:
     key = repr(job)
     if key not in last:
         last.clear()
-        options = {name: job[name] for name in ("formats", "seed", "save_scenes", "catalog", "engine")}
+        options = {name: job[name] for name in ("formats", "seed", "save_scenes", "catalog", "engine") if name in job}
         last[key] = Recipe(job["recipe"], **options)
     return last[key]
 
@@ -96,7 +96,8 @@ def frames(
     """Makes batches of frames, and yields each that is complete.
 
     batches: the first frame and the frame after the last one of each.
-    job: the paths "recipe" and "output", which all machines can open, and the options "formats", "seed", "save_scenes" and "catalog" of a recipe.
+    job: the paths "recipe" and "output", which all machines can open, and the options "formats", "seed", "save_scenes", "catalog" and
+        "engine" of a recipe, of which the program has not all.
     address: of the cluster: "auto", "host:port", "ray://host:port" or "local"; by default RAY_ADDRESS, else this machine.
     workers: the maximum number of batches that are made at the same time; by default the number of processors.
     task: what a worker does.
