@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use oaktwin_camera::{LensFamily, RectifiedIntrinsics};
-use oaktwin_catalog::{DepthKind, ImuFrame, Role};
+use oaktwin_catalog::{Catalog, DepthKind, ImuFrame, Role};
 use oaktwin_depth::align::{AlignedZ, Fill};
 use oaktwin_depth::parameters::{Choice, ENGINES, GROUPS, Platform};
 use oaktwin_depth::rectify::Method;
@@ -106,6 +106,8 @@ fn names() -> String {
         .map(|name| name.to_lowercase().replace('_', "-"))
         .collect();
     let presets: Vec<&str> = presets.iter().map(String::as_str).collect();
+    let models = Catalog::builtin().devices().iter();
+    let models: Vec<&str> = models.map(|device| device.name.as_str()).collect();
     let mut out = String::new();
     for (name, names) in [
         ("AlignedZ", AlignedZ::NAMES),
@@ -119,6 +121,7 @@ fn names() -> String {
         ("Isaac", IsaacVersion::NAMES),
         ("Lens", LensChoice::NAMES),
         ("LensModel", &lenses),
+        ("Model", &models),
         ("Mount", Mount::NAMES),
         ("Offsets", oaktwin_camera::ApertureOffsets::NAMES),
         ("Platform", Platform::NAMES),

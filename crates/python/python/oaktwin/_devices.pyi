@@ -17,6 +17,7 @@ from ._types import (
     _Isaac,
     _Json,
     _Lens,
+    _Model,
     _Mount,
     _Offsets,
     _Part,
@@ -47,7 +48,7 @@ class Device:
     """
     def __new__(
         cls,
-        model: str,
+        model: _Model | str,
         *,
         lens: _Lens = "pinhole",
         imu_frame: _ImuFrame = "driver",
@@ -67,7 +68,7 @@ class Device:
     @staticmethod
     def from_calibration(
         calibration: str | PathLike[str] | bytes | bytearray | Mapping[str, object] | _CalibrationHandler,
-        model: str | None = None,
+        model: _Model | str | None = None,
         *,
         pair: tuple[str, str] | None = None,
         platform: _Platform | None = None,

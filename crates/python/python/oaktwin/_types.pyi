@@ -22,6 +22,45 @@ _Intrinsics = Literal["zero-disparity", "free-disparity", "left-camera", "right-
 _Isaac = Literal["5.1", "6"]
 _Lens = Literal["pinhole", "fisheye"]
 _LensModel = Literal["pinhole", "opencv", "fisheye"]
+_Model = Literal[
+    "OAK-D Pro PoE",
+    "OAK-D Pro W PoE",
+    "OAK4-D",
+    "OAK4-D Wide",
+    "OAK-D ToF",
+    "OAK4-CS",
+    "OAK4-D Pro",
+    "OAK4-D Pro W",
+    "OAK4-S",
+    "OAK-1",
+    "OAK-1 Lite",
+    "OAK-1 MAX",
+    "OAK-1 W",
+    "OAK-D",
+    "OAK-D CM4",
+    "OAK-D Lite",
+    "OAK-D LR",
+    "OAK-D PoE",
+    "OAK-D Pro",
+    "OAK-D Pro W",
+    "OAK-D S2",
+    "OAK-D S2 PoE",
+    "OAK-D SR",
+    "OAK-D W",
+    "OAK-D W PoE",
+    "OAK Thermal",
+    "Azure Kinect",
+    "Femto Bolt",
+    "Gemini 335",
+    "RealSense D405",
+    "RealSense D435i",
+    "RealSense D455",
+    "RealSense D457",
+    "RealSense D555",
+    "ZED 2i",
+    "ZED Mini",
+    "ZED X",
+]
 _Mount = Literal["cameras", "front", "back", "bottom", "top"]
 _Offsets = Literal["openusd", "document", "zero"]
 _Platform = Literal["rvc2", "rvc4"]

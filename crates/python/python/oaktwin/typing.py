@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from ._types import (
         _Engine as Engine,
+        _Model as Model,
         _PairOptions as PairOptions,
         _Platform as Platform,
         _Preset as Preset,
@@ -25,6 +26,6 @@ if TYPE_CHECKING:
     )
 else:
     PairOptions = SensorOptions = dict
-    Engine = Platform = Preset = Role = SceneAnnotator = SensorAnnotator = str
+    Engine = Model = Platform = Preset = Role = SceneAnnotator = SensorAnnotator = str
 
-__all__ = ["Engine", "PairOptions", "Platform", "Preset", "Role", "SceneAnnotator", "SensorAnnotator", "SensorOptions"]
+__all__ = ["Engine", "Model", "PairOptions", "Platform", "Preset", "Role", "SceneAnnotator", "SensorAnnotator", "SensorOptions"]
