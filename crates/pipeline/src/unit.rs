@@ -93,21 +93,8 @@ pub fn of_raw(
     Ok((twin, findings))
 }
 
-/// Returns the twin of a rig with a calibration file, and the findings; see [`calibration::rig`].
-///
-/// # Errors
-/// Returns an error if the file cannot be read, is not a calibration, or does not determine a stereo pair.
-pub fn open_rig(
-    path: &Path,
-    pair: Option<(Socket, Socket)>,
-    platform: Platform,
-    force: bool,
-) -> Result<(Twin, Vec<Finding>), UnitError> {
-    let (raw, _, _) = read_calibration(path)?;
-    rig_of_raw(&raw, path, pair, platform, force)
-}
-
-/// Returns the twin of a rig with a calibration that was read from `path`, and the findings.
+/// Returns the twin of a rig with a calibration that was read from `path`, and the findings; see [`calibration::rig`]. `known` is the model of
+/// the catalog that the calibration names, if it names one; its processor is used by default, and RVC2 if it has none.
 ///
 /// # Errors
 /// Returns an error if the calibration is invalid, or does not determine a stereo pair.
@@ -115,20 +102,23 @@ pub fn rig_of_raw(
     raw: &Raw,
     path: &Path,
     pair: Option<(Socket, Socket)>,
-    platform: Platform,
+    platform: Option<Platform>,
+    known: Result<&Device, UnknownModel>,
     force: bool,
 ) -> Result<(Twin, Vec<Finding>), UnitError> {
+    let own = known.as_ref().ok().and_then(|device| device.depthai_platform());
+    let platform = platform.or(own).unwrap_or(Platform::Rvc2);
     let (calibration, mut findings) = Calibration::from_raw(raw)?;
     accept(path, &mut findings, force)?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let (twin, more) = calibration::rig(&calibration, pair, platform, &name)?;
     findings.extend(more);
+    findings.extend(known.err().as_ref().map(no_model));
     Ok((twin, findings))
 }
 
 /// Says that a calibration is of no model in the catalog, so that its rig is known from it alone.
-#[must_use]
-pub fn no_model(unknown: &UnknownModel) -> Finding {
+fn no_model(unknown: &UnknownModel) -> Finding {
     let remedy = match unknown.nearest.is_empty() {
         true => Message::default(),
         false => message![

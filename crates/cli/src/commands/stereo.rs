@@ -2,6 +2,7 @@ mod report;
 
 use std::path::Path;
 
+use oaktwin::calibration::Raw;
 use oaktwin::catalog::{Device, Twin, UnknownModel};
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::RectifyOptions;
@@ -75,13 +76,14 @@ fn twin(context: &Context, args: &StereoArgs) -> Result<Option<(Twin, Vec<Findin
         }
         (None, None) => return Ok(None),
         (None, Some(file)) => {
-            let board = unit::read_calibration(file)?.1.board;
+            let (raw, calibration, _) = unit::read_calibration(file)?;
+            let board = &calibration.board;
             let known = context
                 .catalog
                 .device_of_unit(&board.product_name, &board.board_name);
             match known {
                 Ok(device) if args.pair.is_none() => device.id.clone(),
-                known => return rig(args, file, known).map(Some),
+                known => return rig(args, file, &raw, known).map(Some),
             }
         }
     };
@@ -96,17 +98,15 @@ fn twin(context: &Context, args: &StereoArgs) -> Result<Option<(Twin, Vec<Findin
 fn rig(
     args: &StereoArgs,
     file: &Path,
+    raw: &Raw,
     known: std::result::Result<&Device, UnknownModel>,
 ) -> Result<(Twin, Vec<Finding>)> {
     let pair = match args.pair.as_deref() {
         Some([left, right]) => Some((*left, *right)),
         _ => None,
     };
-    let own = known.as_ref().ok().and_then(|device| device.depthai_platform());
-    let platform = args.platform.or(own).unwrap_or(Platform::Rvc2);
-    let (twin, mut findings) = unit::open_rig(file, pair, platform, args.unit.force)?;
+    let (twin, findings) = unit::rig_of_raw(raw, file, pair, args.platform, known, args.unit.force)?;
     render::check_lens(&twin, args.unit.lens)?;
-    findings.extend(known.err().as_ref().map(unit::no_model));
     Ok((twin, findings))
 }
 

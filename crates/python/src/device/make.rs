@@ -108,50 +108,41 @@ impl Device {
         choices: Choices,
     ) -> PyResult<Self> {
         let (calibration, _) = Calibration::from_raw(&raw).map_err(error)?;
-        let device = match (model, choices.pair) {
+        let board = &calibration.board;
+        let known = match (model, choices.pair) {
             (Some(_), Some(_)) => {
                 let is = "is for rigs, which are of no model";
                 return Err(wrong("pair", is, "omit model, or the pair"));
             }
-            (Some(model), None) => models.entry(model)?,
-            (None, pair) => {
-                let board = &calibration.board;
-                let known = models
-                    .get()
-                    .device_of_unit(&board.product_name, &board.board_name);
-                match known {
-                    Ok(device) if pair.is_none() => device,
-                    known => {
-                        let own = known.as_ref().ok().and_then(|device| device.depthai_platform());
-                        let platform = choices.platform.or(own).unwrap_or(Platform::Rvc2);
-                        let rig = unit::rig_of_raw(&raw, path, pair, platform, force);
-                        let (twin, mut findings) = rig.map_err(error)?;
-                        findings.extend(known.err().as_ref().map(unit::no_model));
-                        let calibrated = Calibrated {
-                            raw,
-                            calibration,
-                            force,
-                            is_rig: true,
-                        };
-                        return Self::new(twin, choices, models, Some(calibrated), findings);
-                    }
+            (Some(model), None) => Ok(models.entry(model)?),
+            (None, _) => models
+                .get()
+                .device_of_unit(&board.product_name, &board.board_name),
+        };
+        let is_rig = choices.pair.is_some() || known.is_err();
+        let (twin, findings) = match known {
+            Ok(device) if !is_rig => {
+                if choices.platform.is_some() {
+                    let is = "is for rigs, which are of no model";
+                    return Err(wrong("platform", is, "omit it; a model has its own"));
                 }
+                let device = &device.with_imu_frame(choices.imu_frame);
+                let made = unit::of_raw(models.get(), device, &raw, path, force);
+                let (twin, mut findings) = made.map_err(error)?;
+                if choices.imu_frame != ImuFrame::default() {
+                    findings.extend(unit::imu_frame_without_effect(models.get(), device, &twin));
+                }
+                (twin, findings)
+            }
+            known => {
+                unit::rig_of_raw(&raw, path, choices.pair, choices.platform, known, force).map_err(error)?
             }
         };
-        if choices.platform.is_some() {
-            let is = "is for rigs, which are of no model";
-            return Err(wrong("platform", is, "omit it; a model has its own"));
-        }
-        let device = &device.with_imu_frame(choices.imu_frame);
-        let (twin, mut findings) = unit::of_raw(models.get(), device, &raw, path, force).map_err(error)?;
-        if choices.imu_frame != ImuFrame::default() {
-            findings.extend(unit::imu_frame_without_effect(models.get(), device, &twin));
-        }
         let calibrated = Calibrated {
             raw,
             calibration,
             force,
-            is_rig: false,
+            is_rig,
         };
         Self::new(twin, choices, models, Some(calibrated), findings)
     }

@@ -7,6 +7,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use numpy::{IntoPyArray, PyArray1, PyArrayMethods};
 use oaktwin::camera::ImageSize;
+use oaktwin::depth::ReasonCodes;
 use oaktwin::image::Image;
 use oaktwin::image::annotation::{Annotator, Reasons};
 use oaktwin::sensor::{Capture, SensorOptions};
@@ -19,6 +20,7 @@ use values::{Values, of_items, sources};
 use super::DepthSensor;
 use super::annotate::{not_made, sensor_annotator};
 use super::eye::Source;
+use super::items::Items;
 use super::many::{Batch, copy};
 use super::memory::Memory;
 use super::units::{notice, numbers_of};
@@ -26,7 +28,7 @@ use crate::arguments::{Annotators, FrameNumber};
 use crate::engine::PythonEngine;
 use crate::error::{Error, wrong};
 use crate::finding::{self, Finding, Notices};
-use crate::images::{Depth, Out, Pictures, Shape};
+use crate::images::{Depth, DepthSlice, Out, Pictures, Shape};
 use crate::layers::names;
 use crate::settings::{item_numbers, whole};
 
@@ -122,6 +124,24 @@ impl SensorBatch {
         self.locked().clocks.len()
     }
 
+    /// Returns what measures the images of a call.
+    fn measuring<'a>(
+        &'a self,
+        items: &'a Items,
+        depth: DepthSlice<'a>,
+        rgb: Option<&'a [[u8; 4]]>,
+        shape: Shape,
+    ) -> Batch<'a> {
+        Batch {
+            items,
+            memory: &self.memory,
+            engine: self.engine.as_ref(),
+            depth,
+            rgb,
+            shape,
+        }
+    }
+
     /// Reads the images of a call, one for each item.
     fn read<'py>(&self, depth: &Bound<'py, PyAny>) -> PyResult<(Depth<'py>, Shape)> {
         let (depth, shape) = Depth::read("depth", depth)?;
@@ -187,14 +207,7 @@ impl SensorBatch {
         let items = self.at_size(py, shape.size, |state| self.next(state, frame))?;
         let rgb = pictures.as_ref().map(Pictures::rgba).transpose()?;
         let mut room = out.slice()?;
-        let batch = Batch {
-            items: &items,
-            memory: &self.memory,
-            engine: self.engine.as_ref(),
-            depth: depth.slice()?,
-            rgb: rgb.as_deref(),
-            shape,
-        };
+        let batch = self.measuring(&items, depth.slice()?, rgb.as_deref(), shape);
         batch.sense(py, out_shape.pixels(), &mut room)?;
         notice(&self.notices, py, batch.depth, shape, &room, rgb.is_some())?;
         Ok(result)
@@ -231,14 +244,7 @@ impl SensorBatch {
         let out_shape = self.out_shape(py, shape)?;
         let items = self.at_size(py, shape.size, |state| self.next(state, frame))?;
         let rgb = pictures.as_ref().map(Pictures::rgba).transpose()?;
-        let batch = Batch {
-            items: &items,
-            memory: &self.memory,
-            engine: self.engine.as_ref(),
-            depth: depth.slice()?,
-            rgb: rgb.as_deref(),
-            shape,
-        };
+        let batch = self.measuring(&items, depth.slice()?, rgb.as_deref(), shape);
         let pixels = out_shape.pixels().max(1);
         let (mut distance, mut confidence, mut reasons) = (
             vec![0.0_f32; pixels * shape.count()],
@@ -257,7 +263,7 @@ impl SensorBatch {
             if let Some(confidence) = captured.take::<Image<u16>>(Annotator::DepthSensorConfidence) {
                 copy(&confidence, levels);
             }
-            if let Some(made) = captured.take::<oaktwin::depth::ReasonCodes>(Annotator::DepthSensorReason) {
+            if let Some(made) = captured.take::<ReasonCodes>(Annotator::DepthSensorReason) {
                 let made = Reasons::from(made);
                 copy(&made.codes, codes);
                 *legend.lock().unwrap_or_else(PoisonError::into_inner) = Some(made);

@@ -236,16 +236,8 @@ class SingleView:
     # The parameters that change the measurement, and those that only change what colours show, or nothing.
     PARAMETERS = frozenset(
         {
-            "baselineMM",
-            "focalLengthPixel",
-            "sensorSizePixel",
-            "maxDisparityPixel",
-            "minDistance",
-            "maxDistance",
-            "noiseMean",
-            "noiseSigma",
+            *PER_WORLD,
             "noiseDownscaleFactorPixel",
-            "outlierRemovalEnabled",
             "depth",
             "max-disparity-unit",
             "max-disparity",

@@ -294,33 +294,18 @@ class TimeOfFlight:
     # The parameters that change the measurement, and those that only colours need.
     PARAMETERS = frozenset(
         {
+            *PER_WORLD,
             "focalLength",
             "width",
             "principalPoint",
             "modulationFrequencies",
             "enablePhaseUnwrapping",
             "phaseUnwrappingLevel",
-            "phaseUnwrapErrorThreshold",
             "enablePhaseShuffleTemporalFilter",
             "enableBurstMode",
             "enableOpticalCorrection",
             "enableWiggleCorrection",
-            "wiggling",
-            "wigglingResidual",
             "enableFPPNCorrection",
-            "fixedPattern",
-            "bias",
-            "signal",
-            "contrast",
-            "ambient",
-            "readNoise",
-            "fullWell",
-            "albedo",
-            "pixelMixing",
-            "radialVelocity",
-            "measurementInterval",
-            "minAmplitude",
-            "confidenceThreshold",
         }
     )
     COLOURS = frozenset({"multipath"})
