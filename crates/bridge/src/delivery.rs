@@ -13,7 +13,7 @@ use crate::BridgeError;
 const MAX_WAITING: usize = 256;
 /// The longest delay, s.
 const MAX_DELAY_S: f64 = 60.0;
-/// The name that distinguishes the random numbers from those of cameras.
+/// The name of the random stream. Cameras have streams of other names.
 const NAME: &str = "delivery";
 
 /// How frames reach the subscribers. Delays count from the arrival of the exact depth, whose stamp, the middle of the exposure, stays.

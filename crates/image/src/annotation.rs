@@ -125,9 +125,9 @@ macro_rules! annotators {
         #[derive(Clone, Debug, Default, PartialEq)]
         pub struct Frame {
             $(#[doc = $doc] pub $name: Option<$data>,)+
-            /// What depth cameras take for `distance_to_image_plane`, where mirrors or transparent surfaces are seen: metres along the
-            /// optical axis at which what is brightest in each pixel appears to be, `+inf` for the sky. It is no annotation; `None` where it
-            /// would be equal.
+            /// The distance that a depth camera sees where mirrors or transparent surfaces are: along the optical axis, metres, to the apparent
+            /// place of the brightest light in each pixel, and `+inf` for the sky. It is not an annotation. `None` if it would equal
+            /// `distance_to_image_plane` everywhere.
             pub apparent_depth: Option<ZDepth>,
         }
 

@@ -2,12 +2,13 @@
 //!
 //! The camera reports where the edge is in each image, with the time at which the image arrived; a reference, such as an encoder of the
 //! axis that moves the edge, reports where it was, on the same clock. The position in an image that arrives at t is taken for an affine
-//! function of the reference's position at t − L, between whose samples the reference is linear. The latency L is the one that leaves
-//! the smallest squares, that is, the largest correlation; it is not limited to whole frames. As the edge is blurred symmetrically by
+//! function of the reference's position at t − L, which is interpolated linearly between samples. The latency L is the one with the smallest
+//! sum of squared residuals, that is, the largest correlation; it is not limited to whole frames. As the edge is blurred symmetrically by
 //! the exposure, L counts from the middle of the exposure.
 //!
-//! The residual of a frame is the noise of the edge and the frame's own delay times the speed of the edge. Squared residuals over
-//! squared speeds therefore separate the two: the slope is the variance of the delay (`jitter`), the intercept that of the edge.
+//! The residual of a frame is the measurement noise of the edge, plus the frame's own delay times the speed of the edge. A line through the
+//! squared residuals over the squared speeds therefore separates the two: its slope is the variance of the delay (`jitter`), and its intercept
+//! is the variance of the measured edge.
 
 mod search;
 #[cfg(test)]

@@ -278,7 +278,7 @@ impl DepthSensor {
     /// count: the number of items.
     /// seeds, device_seeds: a seed for each item, as in a call.
     /// parameters: parameters of the engine that differ between items, by name, such as `{"jitter": array}`: an array with a value for each
-    ///     item, or one value for all. They override those of the sensor.
+    ///     item, or one value for all. They override the parameters of the sensor.
     /// drift: the same for the change of the stereo pair, such as `{"yaw": array}`.
     /// units: a `Device` for each item, such as `device.population(count)`: units of one model with their calibrations.
     ///

@@ -76,7 +76,7 @@ def grey_frame(grey: Image, kind: dai.ImgFrame.Type = Type.GRAY8) -> dai.ImgFram
 
 def raw_frame(values: npt.NDArray[np.uint16]) -> dai.ImgFrame:
     """An image message of raw values (H, W) from 0 to 1023, packed like MIPI's RAW10: four pixels in five bytes, the last of which has the
-    lowest bits. The stride is that of DepthAI, in pixels.
+    lowest bits. As in DepthAI, the stride counts pixels.
     """
     height, width = values.shape
     groups = values.reshape(-1, 4)

@@ -20,7 +20,7 @@ def add_recorders(pipeline: Any, twin: Twin, config: dai.RecordConfig) -> None:
     """Adds a recorder to every camera and inertial sensor of a pipeline, and writes the configuration and the calibration."""
     folder = Path(config.outputDir)
     if not folder.is_dir():
-        raise Error(f"Pipeline.enableHolisticRecord: {folder} is no folder; make it first")
+        raise Error(f"Pipeline.enableHolisticRecord: {folder} is not a folder; create it first")
     for node in list(pipeline._nodes):
         if isinstance(node, IMU):
             recorder = pipeline.create(dai.node.RecordMetadataOnly)

@@ -111,7 +111,7 @@ def model_name(model: Any) -> str:
 
 
 def chosen(networks: dict[str, str], node: str, model: Any = None) -> Network:
-    """The network for a node: the one with the name of its model, or with that of the node."""
+    """Returns the network of a node: the one that is named like the node's model, else the one that is named like the node."""
     names = [node] if model is None else [model_name(model), node]
     for name in names:
         if name in networks:
