@@ -7,7 +7,7 @@ use numpy::{
     PyUntypedArrayMethods,
 };
 use oaktwin::camera::ImageSize;
-use oaktwin::image::{Image, millimetres};
+use oaktwin::image::{Image, ZDepth, millimetres};
 use oaktwin::render::check_size;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -371,6 +371,21 @@ impl OutSlice<'_> {
             }
         }
     }
+}
+
+/// Exact depth, and the colours of its pixels.
+type Exact = (Option<ZDepth>, Option<Image<[u8; 4]>>);
+
+/// Returns one image of exact depth in metres, `None` without pixels, and the colour image of the same pixels.
+pub(crate) fn exact(depth: &Depth<'_>, rgb: Option<&Bound<'_, PyAny>>, shape: Shape) -> PyResult<Exact> {
+    let ImageSize { width, height } = shape.size;
+    let pictures = rgb.map(|rgb| Pictures::read(rgb, shape)).transpose()?;
+    let rgba = pictures.as_ref().map(Pictures::rgba).transpose()?;
+    let depth = Image::new(width, height, depth.slice()?.metres().into_owned());
+    Ok((
+        depth.map(ZDepth),
+        rgba.and_then(|rgba| Image::new(width, height, rgba.into_owned())),
+    ))
 }
 
 /// The colour images of depth images: (..., H, W, 4) borrowed, (..., H, W, 3) copied.

@@ -17,7 +17,7 @@ pub(crate) fn from_python<T: DeserializeOwned>(argument: &str, value: &Bound<'_,
         .import("oaktwin._settings")?
         .call_method1("as_json", (argument, value))?;
     serde_json::from_str(text.extract()?).map_err(|failed| {
-        // The line and column are those of a text that the caller never sees.
+        // The message's line and column refer to a text that the caller never sees.
         let failed = failed.to_string();
         let what = failed.rsplit_once(" at line ").map_or(&*failed, |(what, _)| what);
         error(format!("{argument}: {what}"))

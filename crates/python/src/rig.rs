@@ -4,8 +4,6 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use oaktwin::camera::ImageSize;
-use oaktwin::image::annotation::Annotator;
-use oaktwin::image::{Image, ZDepth};
 use oaktwin::pair::PairOptions;
 use oaktwin::render::{self, Backend, PlacedCamera, RigSpec, Transparent, annotator};
 use pyo3::prelude::*;
@@ -18,23 +16,14 @@ use crate::device::Device;
 use crate::engine::{PythonEngine, serve_all};
 use crate::error::{error, wrong};
 use crate::finding;
-use crate::images::{Depth, Pictures};
+use crate::images::{Depth, exact};
 use crate::json::{from_python, to_python};
 use crate::layers::layers;
 use crate::pose::Of;
 use crate::progress::Report;
 use crate::scene::Scene;
 use crate::settings::{fresh_seed, keywords, sensor_options, strings};
-use crate::shot::shot;
-
-/// The annotators by default; an engine may lack the last ones.
-const DEFAULT: [Annotator; 5] = [
-    Annotator::Rgb,
-    Annotator::DistanceToImagePlane,
-    Annotator::DepthSensorDistance,
-    Annotator::DepthSensorReason,
-    Annotator::DepthSensorConfidence,
-];
+use crate::shot::{OUTPUTS, shot};
 
 /// The arguments besides the options of the sensor.
 const ARGUMENTS: [&str; 6] = ["cameras", "size", "annotators", "pair", "backend", "transparent"];
@@ -111,10 +100,10 @@ impl Rig {
                 .transpose()?
                 .unwrap_or_default(),
             size: size.map(|Size(width, height)| ImageSize::new(width, height)),
-            // Only what was asked for has to be there.
+            // Annotators that the caller did not name may be missing.
             are_outputs_optional: asked.is_none(),
             is_sensor_optional: asked.is_none(),
-            annotators: asked.transpose()?.unwrap_or_else(|| DEFAULT.to_vec()),
+            annotators: asked.transpose()?.unwrap_or_else(|| OUTPUTS.to_vec()),
             pair: pair.unwrap_or(own),
             sensor,
             backend: named::<Backend>("backend", backend)?,
@@ -222,11 +211,7 @@ impl Rig {
                 "pass one image (H, W), or call a DepthSensor",
             ));
         }
-        let pictures = rgb.map(|rgb| Pictures::read(rgb, shape)).transpose()?;
-        let rgba = pictures.as_ref().map(Pictures::rgba).transpose()?;
-        let (width, height) = (shape.size.width, shape.size.height);
-        let rgb = rgba.and_then(|rgba| Image::new(width, height, rgba.into_owned()));
-        let depth = Image::new(width, height, depth.slice()?.metres().into_owned()).map(ZDepth);
+        let (depth, rgb) = exact(&depth, rgb, shape)?;
         let depth = depth.ok_or_else(|| wrong("depth", "has no pixels", "pass an image (H, W)"))?;
         let number = FrameNumber::or_next(frame, &self.next_frame);
         let measured = serve_all(py, self.engine.as_slice(), Report::default(), |_| {

@@ -4,8 +4,7 @@ use std::path::PathBuf;
 
 use oaktwin::diagnostic::suggest;
 use oaktwin::sensor::{
-    EngineKind, EngineRef, OptionValue, ParameterFile, SENSOR_OPTIONS, SensorOption, SensorOptions,
-    assignment,
+    EngineKind, EngineRef, OptionValue, ParameterFile, SensorOption, SensorOptions, assignment,
 };
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -27,7 +26,7 @@ pub(crate) fn sensor_options(
         return Ok(options);
     };
     let fresh = keywords.get_item("seed")?;
-    let offered = || offered().filter(|option| is_offered(option));
+    let offered = || SensorOption::without_files().filter(|option| is_offered(option));
     for name in keywords.keys() {
         let name: String = name.extract()?;
         if !offered().any(|option| option.name == name) {
@@ -75,13 +74,6 @@ pub(crate) fn engine(name: &str, value: &Bound<'_, PyAny>) -> PyResult<EngineRef
         Err(_) if value.is_callable() => PythonEngine::of(value),
         Err(_) => Err(mistyped(name, value, "the name of an engine, or a callable")),
     }
-}
-
-/// The options that Python has: `parameters` takes files, too.
-fn offered() -> impl Iterator<Item = &'static SensorOption> {
-    SENSOR_OPTIONS
-        .iter()
-        .filter(|option| !matches!(option.value, OptionValue::File))
 }
 
 /// Reads parameters of an engine from a `Fit` or a file, and returns them with the place for messages; `None` for a mapping.
@@ -148,7 +140,7 @@ pub(crate) fn keywords<'py>(
     is_offered: fn(&SensorOption) -> bool,
 ) -> PyResult<Bound<'py, PyDict>> {
     let keywords = PyDict::new(py);
-    for option in offered().filter(|option| is_offered(option)) {
+    for option in SensorOption::without_files().filter(|option| is_offered(option)) {
         let values = (option.get)(options);
         let Some(first) = values.first() else {
             continue;

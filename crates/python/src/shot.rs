@@ -3,6 +3,7 @@
 use oaktwin::camera::RigidTransform;
 use oaktwin::dataset;
 use oaktwin::diagnostic::Finding;
+use oaktwin::image::annotation::Annotator;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -11,6 +12,15 @@ use crate::error::wrong;
 use crate::finding;
 use crate::layers::layers;
 use crate::pose::Of;
+
+/// The outputs of a shot by default, in this order; an engine may lack the last ones.
+pub(crate) const OUTPUTS: [Annotator; 5] = [
+    Annotator::Rgb,
+    Annotator::DistanceToImagePlane,
+    Annotator::DepthSensorDistance,
+    Annotator::DepthSensorReason,
+    Annotator::DepthSensorConfidence,
+];
 
 /// Returns what a camera of a rig made of a scene, with the body of the device at a pose.
 pub(crate) fn shot<'py>(

@@ -186,6 +186,38 @@ def test_parts_move_while_others_render():
     assert found and found <= expected
 
 
+def test_pairs_of_a_still_scene_equal_those_of_a_new_one():
+    """The light of a pair is kept while nothing moves; what changes between two calls must not be kept."""
+    scene, device = arm(), oaktwin.Device("OAK-D Pro PoE")
+    bodies = [oaktwin.look_at((0, -2, 1), (x, 0, 0.5), frame="body") for x in (0, 0.2)]
+    steps = [
+        (bodies[0], {"frame": 0}), (bodies[0], {"frame": 1}), (bodies[0], {"frame": 1, "seed": 5}),
+        (bodies[0], {"imager": {"autoExposure": False, "exposure": 0.3}}), (bodies[0], {"projector": 1.0}), (bodies[0], {"ambient": 0.1}),
+        (bodies[1], {}), (bodies[0], {"size": (80, 50)}), (bodies[0], {"device_seed": 3}), (bodies[0], {"drift": {"pitch": 4}}), (bodies[0], {}),
+    ]
+
+    def check(fresh):
+        for body, options in steps:
+            options = {"size": (160, 100), "frame": 0, **options}
+            kept, new = (one.render_pair(device, body, **options) for one in (scene, fresh()))
+            assert equal(kept, new), options
+
+    check(arm)
+    moved, version = pose(x=-0.4, y=0.3, z=0.7), scene.version
+    assert scene.version == version
+    scene.set_pose("arm/link_2", moved)
+    assert scene.version != version
+
+    def fresh():
+        other = arm()
+        other.set_pose("arm/link_2", moved)
+        return other
+
+    check(fresh)
+    frames = [scene.render_pair(device, bodies[0], size=(160, 100), frame=frame)["left"] for frame in (0, 1)]
+    assert not np.array_equal(*frames)
+
+
 def test_errors_name_the_argument():
     vertices, faces = box(1, 1, 1)
     link, scene = oaktwin.Mesh(vertices, faces), arm()

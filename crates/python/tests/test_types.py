@@ -68,7 +68,7 @@ def python(tmp_path, *arguments):
 
 
 def test_the_stubs_are_the_modules(tmp_path):
-    # Modules for other packages have no stubs: their classes are those of the packages in disguise, and need them.
+    # Modules for other packages have no stubs, because their classes derive from classes of these packages.
     (tmp_path / "allowed").write_text(r"oaktwin\.(depthai|gymnasium|isaaclab|mjlab|warp)(\..*)?" + "\n")
     options = ["--ignore-disjoint-bases", "--allowlist", "allowed", "--ignore-unused-allowlist"]
     done = python(tmp_path, "mypy.stubtest", "oaktwin", *options)

@@ -65,7 +65,7 @@ def test_images_are_those_of_the_virtual_device(folder, name):
     assert [frame.getSequenceNum() for frame in frames] == list(range(10))
     with virtual_device(MODEL, scene=textured_scene(), pose=to_the_left, fast=True), dai.Pipeline() as pipeline:
         camera = pipeline.create(dai.node.Camera).build(getattr(dai.CameraBoardSocket, name.removeprefix("Camera")))
-        queue = camera.requestOutput(SIZE, dai.ImgFrame.Type.NV12, fps=FPS).createOutputQueue()
+        queue = camera.requestOutput(SIZE, dai.ImgFrame.Type.NV12, fps=FPS).createOutputQueue(maxSize=100, blocking=True)
         pipeline.start()
         expected = [queue.get() for _ in range(10)]
     for frame, one in zip(frames, expected):

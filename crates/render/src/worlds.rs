@@ -48,7 +48,7 @@ impl Worlds {
     /// Sets `world_from_mesh` of instances in some worlds: `poses` has those of all instances in the first of these worlds, then in the
     /// second, and so on. Worlds, instances and poses out of range are ignored.
     pub fn set_poses(&mut self, worlds: &[usize], instances: &[usize], poses: &[DAffine3]) {
-        let places: Vec<usize> = instances.iter().map(|instance| self.place(*instance)).collect();
+        let places = self.places(instances);
         let width = self.moved.len();
         for (world, own) in worlds.iter().zip(poses.chunks_exact(instances.len().max(1))) {
             let Some(row) = self.poses.get_mut(world * width..(world + 1) * width) else {
@@ -70,21 +70,31 @@ impl Worlds {
         }
     }
 
-    /// Returns the place of an instance among those that have moved.
-    fn place(&mut self, instance: usize) -> usize {
-        if let Some(place) = self.moved.iter().position(|one| *one == instance) {
-            return place;
-        }
+    /// Returns the places of instances among the ones that have moved, to which it adds them.
+    fn places(&mut self, instances: &[usize]) -> Vec<usize> {
         let width = self.moved.len();
-        let first = self.first(instance).unwrap_or_default();
-        let mut poses = Vec::with_capacity(self.count * (width + 1));
-        for world in 0..self.count {
-            poses.extend_from_slice(&self.poses[world * width..(world + 1) * width]);
-            poses.push(first);
+        let mut places = Vec::with_capacity(instances.len());
+        for instance in instances {
+            let known = self.moved.iter().position(|one| one == instance);
+            places.push(known.unwrap_or(self.moved.len()));
+            if known.is_none() {
+                self.moved.push(*instance);
+            }
         }
-        self.poses = poses;
-        self.moved.push(instance);
-        width
+        let new = &self.moved[width..];
+        if !new.is_empty() {
+            let firsts: Vec<DAffine3> = new
+                .iter()
+                .map(|one| self.first(*one).unwrap_or_default())
+                .collect();
+            let mut poses = Vec::with_capacity(self.count * self.moved.len());
+            for world in 0..self.count {
+                poses.extend_from_slice(&self.poses[world * width..(world + 1) * width]);
+                poses.extend_from_slice(&firsts);
+            }
+            self.poses = poses;
+        }
+        places
     }
 
     /// The pose of an instance that no world has moved.

@@ -53,10 +53,8 @@ pub fn choose<C: Choice>(option: &str, name: &str) -> Result<C, ParameterError> 
 /// Returns an error that suggests the nearest names if there is no such variant.
 pub fn deserialize_choice<'de, C: Choice, D: Deserializer<'de>>(deserializer: D) -> Result<C, D::Error> {
     let name = Cow::<'de, str>::deserialize(deserializer)?;
-    C::find(&name).ok_or_else(|| {
-        let remedy = suggest(&name, C::NAMES.iter().copied());
-        D::Error::custom(format_args!("invalid value '{name}'; {remedy}"))
-    })
+    choose("", &name)
+        .map_err(|ParameterError { what, remedy, .. }| D::Error::custom(format_args!("{what}; {remedy}")))
 }
 
 /// Declares an enumeration whose variants have names; the first variant is the default. A name may be followed by others that

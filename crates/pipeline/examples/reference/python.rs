@@ -24,8 +24,7 @@ const WIDTH: usize = 120;
 
 /// The generated files: path and text.
 pub(crate) fn files(root: &Path) -> io::Result<Vec<(PathBuf, String)>> {
-    let is_offered = |option: &&SensorOption| !matches!(option.value, OptionValue::File);
-    let all: Vec<&SensorOption> = SENSOR_OPTIONS.iter().filter(is_offered).collect();
+    let all: Vec<&SensorOption> = SensorOption::without_files().collect();
     let of_matcher: Vec<&SensorOption> = all
         .iter()
         .copied()

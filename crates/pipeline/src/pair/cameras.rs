@@ -13,7 +13,7 @@ use oaktwin_depth::imager::{Imager, Recorded};
 use oaktwin_depth::preset::Platform;
 use oaktwin_depth::random::{Stage, Stream};
 use oaktwin_depth::rectify::{Rectify, RectifyOptions, StereoRectify};
-use oaktwin_image::{Image, ImageView};
+use oaktwin_image::{Image, ImageView, ZDepth};
 
 /// The maximum bias, far above any calibration error, px.
 const MAX_BIAS_PX: f64 = 10.0;
@@ -27,6 +27,16 @@ pub struct PairCameras {
     rectify: StereoRectify,
     projector: Option<ActiveProjector>,
     ambient: f32,
+}
+
+/// The light of a pair in a still scene, before exposure and noise.
+#[derive(Clone, Debug)]
+pub struct PairLight {
+    /// The luminance in the raw left image; 1 is a white diffuse surface in typical light.
+    left: Image<f32>,
+    right: Image<f32>,
+    z: ZDepth,
+    findings: Vec<Finding>,
 }
 
 /// One camera of the pair.
@@ -120,44 +130,67 @@ impl PairCameras {
     /// Renders a pair with the body at a pose in metres; the noise depends on the frame number.
     #[must_use]
     pub fn look(&self, renderer: &Renderer, world_from_body: &RigidTransform, frame: u64) -> Pair {
-        let (left, mut findings) = self.light(&self.left, renderer, world_from_body);
-        let (right, more) = self.light(&self.right, renderer, world_from_body);
+        self.record(&self.light(renderer, world_from_body), frame)
+    }
+
+    /// Renders the light that arrives at the cameras with the body at a pose in metres, from which [`record`](Self::record) makes any
+    /// number of frames.
+    #[must_use]
+    pub fn light(&self, renderer: &Renderer, world_from_body: &RigidTransform) -> PairLight {
+        let (left, mut findings) = self.light_of(&self.left, renderer, world_from_body);
+        let (right, more) = self.light_of(&self.right, renderer, world_from_body);
         for finding in more {
             if !findings.contains(&finding) {
                 findings.push(finding);
             }
         }
+        let truth = View {
+            camera: Camera::new(self.rectify.geometry().left, LensModel::Pinhole),
+            world_from_camera: *world_from_body * self.body_from_rectified_left(),
+            clip: self.left.clip,
+        };
+        PairLight {
+            left,
+            right,
+            z: renderer.depth(&truth, Backend::Auto),
+            findings,
+        }
+    }
+
+    /// Exposes and records a pair; the noise depends on the frame number.
+    #[must_use]
+    pub fn record(&self, light: &PairLight, frame: u64) -> Pair {
+        let PairLight {
+            left,
+            right,
+            z,
+            findings,
+        } = light;
         let [left_intrinsics, right_intrinsics] = [&self.left, &self.right].map(|eye| &eye.camera.intrinsics);
         let exposure = self.imager.expose(&[
-            (ImageView::from(&left), left_intrinsics),
-            (ImageView::from(&right), right_intrinsics),
+            (ImageView::from(left), left_intrinsics),
+            (ImageView::from(right), right_intrinsics),
         ]);
         let record = |eye: &StereoCamera, light: &Image<f32>| {
             let random = eye.random.plane(Stage::Exposure, frame, 0);
             (self.imager).record(light.into(), &eye.camera.intrinsics, exposure, &random)
         };
-        let (left, right) = (record(&self.left, &left), record(&self.right, &right));
-        let geometry = *self.rectify.geometry();
-        let truth = View {
-            camera: Camera::new(geometry.left, LensModel::Pinhole),
-            world_from_camera: *world_from_body * self.body_from_rectified_left(),
-            clip: self.left.clip,
-        };
+        let (left, right) = (record(&self.left, left), record(&self.right, right));
         Pair {
             rectified_left: rectified(self.rectify.left(), &left),
             rectified_right: rectified(self.rectify.right(), &right),
             left,
             right,
-            z: renderer.depth(&truth, Backend::Auto),
+            z: z.clone(),
             exposure,
-            geometry,
-            findings,
+            geometry: *self.rectify.geometry(),
+            findings: findings.clone(),
         }
     }
 }
 
 impl PairCameras {
-    fn light(
+    fn light_of(
         &self,
         eye: &StereoCamera,
         renderer: &Renderer,

@@ -47,8 +47,7 @@ mod options;
 )]
 mod tests;
 
-pub use cameras::PairCameras;
-pub use cameras::{default_projector, illumination, shifted};
+pub use cameras::{PairCameras, PairLight, default_projector, illumination, shifted};
 pub use error::PairError;
 pub use options::PairOptions;
 

@@ -33,6 +33,14 @@ pub struct SensorOption {
     pub get: fn(&SensorOptions) -> Vec<String>,
 }
 
+impl SensorOption {
+    /// The options whose values are values and not files, as libraries and files of options offer them.
+    pub fn without_files() -> impl Iterator<Item = &'static Self> {
+        let is_file = |option: &&Self| matches!(option.value, OptionValue::File);
+        SENSOR_OPTIONS.iter().filter(move |option| !is_file(option))
+    }
+}
+
 /// The type of an option's value.
 #[derive(Debug)]
 pub enum OptionValue {

@@ -10,7 +10,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{OptionValue, SENSOR_OPTIONS, SensorOption, SensorOptions, assignment};
 
-/// The key of [`SensorOptions::name`], which is no option: front ends derive it.
+/// The key of [`SensorOptions::name`], which front ends derive and do not offer as an option.
 const NAME: &str = "name";
 
 /// The value of an option.
@@ -109,10 +109,7 @@ impl<'de> Deserialize<'de> for SensorOptions {
             Some(_) => return Err(D::Error::custom("name: expected a text")),
         }
         // A file of parameters is an option of command lines: what it contains is written here.
-        for option in SENSOR_OPTIONS
-            .iter()
-            .filter(|option| !matches!(option.value, OptionValue::File))
-        {
+        for option in SensorOption::without_files() {
             let Some(entry) = given.remove(option.name) else {
                 continue;
             };
@@ -162,10 +159,7 @@ mod tests {
         let written = serde_json::to_string(&options).unwrap();
         assert_eq!(serde_json::from_str::<SensorOptions>(&written).unwrap(), options);
         // Every option, because options are written by their table.
-        for option in SENSOR_OPTIONS
-            .iter()
-            .filter(|option| !matches!(option.value, OptionValue::File))
-        {
+        for option in SensorOption::without_files() {
             assert!(
                 written.contains(&format!("\"{}\":", option.name)),
                 "{}: {written}",

@@ -144,6 +144,9 @@ class Scene:
         Issues an oaktwin.FindingWarning for contents that cannot be read. Raises oaktwin.Error for other scenes.
         """
     @property
+    def version(self) -> int:
+        """A number that changes whenever parts or the time do, by which programs find out whether an image is still true. It is not pickled."""
+    @property
     def time(self) -> float | None:
         """The time code, if there is one."""
     @property

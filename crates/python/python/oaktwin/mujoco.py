@@ -85,8 +85,8 @@ class Worlds:
         """Moves the bodies of worlds.
 
         qpos: (N, nq), the positions of the joints in N worlds, from which MuJoCo computes where the geoms and cameras are. Or
-        geom_xpos, geom_xmat: (N, ngeom, 3) and (N, ngeom, 9) or (N, ngeom, 3, 3), where they are: those of mujoco_warp's data, or stacked from
-            those of several mujoco.MjData, which is faster.
+        geom_xpos, geom_xmat: (N, ngeom, 3) and (N, ngeom, 9) or (N, ngeom, 3, 3), where they are: from mujoco_warp's data, or stacked from several
+            mujoco.MjData. That is faster than qpos.
         cam_xpos, cam_xmat: (N, ncam, 3) and (N, ncam, 9) or (N, ncam, 3, 3), where the cameras are then, if they move.
         worlds: the numbers of the N worlds, or a mask; by default all.
 

@@ -1,6 +1,7 @@
 pub(crate) mod annotators;
 mod cameras;
 pub(crate) mod coverage;
+mod lit;
 mod parts;
 mod time;
 mod views;
@@ -12,7 +13,7 @@ use std::sync::{Mutex, RwLock};
 
 use numpy::PyArray2;
 use oaktwin::diagnostic;
-use oaktwin::pair::{PairCameras, PairError};
+use oaktwin::pair::PairError;
 use oaktwin::render::{AnnotateOptions, OpenOptions, SceneFile, Transparent, check_saved_name, save_usd};
 use oaktwin::scene::Instance;
 use pyo3::prelude::*;
@@ -193,6 +194,12 @@ impl Scene {
         self.go_to(py, time)
     }
 
+    /// A number that changes whenever parts or the time do, by which programs find out whether an image is still true. It is not pickled.
+    #[getter]
+    fn version(&self, py: Python<'_>) -> u64 {
+        self.read(py).version
+    }
+
     /// The time code, if there is one.
     #[getter]
     fn time(&self, py: Python<'_>) -> Option<f64> {
@@ -346,10 +353,12 @@ impl Scene {
         let frame = FrameNumber::or_next(frame, &self.next_frame);
         py.check_signals()?;
         let stage = self.read(py);
-        let renderer = &stage.renderer;
         let pair = threads::run(py, || {
-            let cameras = PairCameras::new(&device.twin, &options)?;
-            let pair = cameras.look(renderer, &world_from_body, frame);
+            let (cameras, light) =
+                stage
+                    .lit
+                    .pair(&stage.renderer, &device.twin, &options, &world_from_body)?;
+            let pair = cameras.record(&light, frame);
             Ok::<_, PairError>((pair, pair::Rectified::of(&cameras)))
         })?;
         let (pair, rectified) = pair.map_err(error)?;

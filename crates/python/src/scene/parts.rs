@@ -13,6 +13,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
 use super::cameras::Cameras;
+use super::lit::Lit;
 use super::{Origin, Scene};
 use crate::choice::named;
 use crate::error::wrong;
@@ -35,6 +36,15 @@ pub(crate) struct Stage {
     /// The pose and the rest of the transform of each instance with a given pose, by its index; see
     /// [`Instance::pose_and_rest`], which returns the others'.
     placed: BTreeMap<usize, (RigidTransform, DAffine3)>,
+    pub(super) lit: Lit,
+    /// A number that no other state of a scene has.
+    pub(super) version: u64,
+}
+
+/// The number of the next state of a scene.
+fn next_version() -> u64 {
+    static NEXT: AtomicU64 = AtomicU64::new(0);
+    NEXT.fetch_add(1, Ordering::Relaxed)
 }
 
 impl Stage {
@@ -44,7 +54,16 @@ impl Stage {
             cameras,
             time,
             placed: BTreeMap::new(),
+            lit: Lit::default(),
+            version: next_version(),
         }
+    }
+
+    /// Moves instances.
+    fn move_all(&mut self, transforms: impl IntoIterator<Item = (usize, DAffine3)>) {
+        self.renderer.set_poses(transforms);
+        self.lit.clear();
+        self.version = next_version();
     }
 
     pub(super) fn poses(&self) -> impl Iterator<Item = (&str, RigidTransform)> {
@@ -73,7 +92,7 @@ impl Stage {
         let transforms = found
             .iter()
             .map(|(index, (pose, rest))| (*index, Instance::placed(pose, *rest)));
-        self.renderer.set_poses(transforms);
+        self.move_all(transforms);
         self.placed.extend(found);
         Ok(())
     }
@@ -83,7 +102,7 @@ impl Stage {
         for (index, _) in &instances {
             self.placed.remove(index);
         }
-        self.renderer.set_poses(instances);
+        self.move_all(instances);
     }
 
     fn find(&self, name: &str) -> PyResult<(usize, &Instance)> {

@@ -1,8 +1,6 @@
 //! Isaac Sim's annotators of the depth sensor as NumPy arrays.
 
-use oaktwin::camera::ImageSize;
 use oaktwin::image::annotation::{Annotation, Annotator, Frame};
-use oaktwin::image::{Image, ZDepth};
 use oaktwin::render::{annotator, sense_frame};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -12,7 +10,7 @@ use super::units::notice_image;
 use crate::arguments::{Annotators, FrameNumber};
 use crate::engine::away;
 use crate::error::{error, wrong};
-use crate::images::{Depth, Pictures};
+use crate::images::{Depth, exact};
 use crate::layers::{names, sensor_array};
 
 impl DepthSensor {
@@ -32,16 +30,10 @@ impl DepthSensor {
         if shape.batch.is_some() {
             return Err(wrong("depth", "is a batch", "give one image (H, W)"));
         }
-        let pictures = rgb.map(|rgb| Pictures::read(rgb, shape)).transpose()?;
-        let ImageSize { width, height } = shape.size;
+        let (distance_to_image_plane, colors) = exact(&depth, rgb, shape)?;
         let mut seen = Frame {
-            distance_to_image_plane: Image::new(width, height, depth.slice()?.metres().into_owned())
-                .map(ZDepth),
-            rgb: pictures
-                .as_ref()
-                .map(Pictures::rgba)
-                .transpose()?
-                .and_then(|rgb| Image::new(width, height, rgb.into_owned())),
+            distance_to_image_plane,
+            rgb: colors,
             ..Frame::default()
         };
         let frame = self.frame(frame);
@@ -54,7 +46,7 @@ impl DepthSensor {
         })?;
         let distance = seen.depth_sensor_distance.as_ref();
         let is_lost = distance.is_some_and(|z| z.0.pixels().iter().all(|metres| *metres == 0.0));
-        notice_image(&self.notices, py, depth.slice()?, is_lost, pictures.is_some())?;
+        notice_image(&self.notices, py, depth.slice()?, is_lost, rgb.is_some())?;
         let all = PyDict::new(py);
         for annotator in asked {
             let data = seen.take(annotator).ok_or_else(|| not_made(annotator))?;

@@ -3,7 +3,6 @@
 use std::sync::{Mutex, PoisonError};
 
 use oaktwin::camera::ImageSize;
-use oaktwin::image::annotation::Annotator;
 use oaktwin::pair::PairOptions;
 use oaktwin::render::{Rig, RigSpec};
 use oaktwin::sense::FieldOfView;
@@ -19,15 +18,7 @@ use crate::pair::PairSettings;
 use crate::pose::Of;
 use crate::progress::Report;
 use crate::scene::Scene;
-
-/// The outputs of each shot, in this order; an engine may lack the last ones.
-const MADE: [Annotator; 5] = [
-    Annotator::Rgb,
-    Annotator::DistanceToImagePlane,
-    Annotator::DepthSensorDistance,
-    Annotator::DepthSensorReason,
-    Annotator::DepthSensorConfidence,
-];
+use crate::shot::OUTPUTS;
 
 /// The rig of the most recent shots, whose filters may remember them.
 #[derive(Default)]
@@ -121,7 +112,7 @@ impl DepthSensor {
         Ok(RigSpec {
             cameras: vec![self.source.depth.spec.prim.clone()],
             size: size.map(|(width, height)| ImageSize::new(width, height)),
-            annotators: MADE.to_vec(),
+            annotators: OUTPUTS.to_vec(),
             are_outputs_optional: true,
             pair: PairOptions {
                 lens: self.lens,

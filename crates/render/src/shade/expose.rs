@@ -27,6 +27,8 @@ pub(super) struct Workspace<'a> {
     strengths: Strengths,
     stack: Stack,
     arrivals: Vec<Arrival<'a>>,
+    /// The light of each arrival.
+    lights: Vec<Vec3>,
 }
 
 /// What a pixel sees.
@@ -55,6 +57,7 @@ impl<'a> ShadingContext<'a> {
             strengths: Strengths::default(),
             stack: Stack::new(),
             arrivals: Vec::new(),
+            lights: Vec::new(),
         }
     }
 
@@ -151,6 +154,7 @@ impl<'a> ShadingContext<'a> {
             strengths,
             stack,
             arrivals,
+            lights,
         } = workspace;
         if let Some(found) = packet.find() {
             let grain = self.scene.micro_texture.as_ref();
@@ -179,6 +183,9 @@ impl<'a> ShadingContext<'a> {
                 };
                 run_lanes_at(self.level, kernel)
             };
+            if followed.is_some() {
+                self.lights(arrivals, lights, strengths, stack);
+            }
             let (colors, matt) = match &followed {
                 None => (radiance(None, self.film), None),
                 Some(followed) => (
@@ -195,9 +202,8 @@ impl<'a> ShadingContext<'a> {
                     },
                     Some((followed, matt)) => {
                         let own = [own, lane_of(matt, lane)];
-                        let arrivals = followed.arrivals(lane, arrivals);
                         let range = f64::from(found.surfaces.range[lane & 7]);
-                        let (light, distance) = self.gathered(own, range, arrivals, strengths, stack);
+                        let (light, distance) = followed.gathered(lane, own, range, arrivals, lights);
                         #[expect(clippy::cast_possible_truncation, reason = "a ratio near 1")]
                         Seen {
                             color: self.film.exposed(light),

@@ -29,6 +29,11 @@ pub(super) fn normals(normal: DVec3, roughness: f32, is_first: bool) -> Lobe {
 }
 
 impl Lobe {
+    /// Whether the reflection is not blurred.
+    pub(super) fn is_sharp(&self) -> bool {
+        self.samples == 1
+    }
+
     /// Returns the share of one ray.
     pub(super) fn share(&self) -> f32 {
         1.0 / f32::from(self.samples)

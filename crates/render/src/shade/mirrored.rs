@@ -3,18 +3,14 @@
 use std::ops::Range;
 
 use glam::Vec3;
-use oaktwin_simd::run_lanes_at;
 
 use super::ShadingContext;
-use super::film::Film;
-use super::occlusion::{Place, Shares};
 use super::optic::Own;
 use super::paint::Finishes;
 use super::path::{Arrival, Origin, Tracer, Vertex};
-use super::reflect::{OwnLight, Radiance};
+use super::reflect::OwnLight;
 use super::rig::luminance;
-use super::strength::Strengths;
-use super::surfaces::{Columns, Found, Surfaces, lane_of, set_lane};
+use super::surfaces::{Found, lane_of};
 use crate::ray::Stack;
 use crate::rays::Rays;
 
@@ -26,7 +22,7 @@ pub(super) struct Followed {
 }
 
 impl OwnLight {
-    fn set(&mut self, lane: usize, own: Own) {
+    pub(super) fn set(&mut self, lane: usize, own: Own) {
         let lane = lane & 7;
         self.scattered[lane] = own.scattered;
         self.glossy[lane] = own.glossy;
@@ -70,9 +66,37 @@ impl Followed {
         Some(followed)
     }
 
-    /// Returns what arrives in a lane.
-    pub(super) fn arrivals<'s, 'w>(&self, lane: usize, of_packet: &'s [Arrival<'w>]) -> &'s [Arrival<'w>] {
-        of_packet.get(self.arrivals[lane & 7].clone()).unwrap_or_default()
+    /// Returns the sum of a surface's own light and of what arrives in its lane, and the distance of the brightest part; `matt` is the own
+    /// light without the highlights of lamps, which are not where the surface is. `lights` is the light of each of the packet's arrivals.
+    pub(super) fn gathered(
+        &self,
+        lane: usize,
+        [own, matt]: [Vec3; 2],
+        range: f64,
+        arrivals: &[Arrival<'_>],
+        lights: &[Vec3],
+    ) -> (Vec3, f64) {
+        let mut sum = own;
+        let mut brightest = (luminance(matt), range);
+        let mut part = (0, 0.0, 0.0);
+        let arrived = arrivals.iter().zip(lights).take(self.arrivals[lane & 7].end);
+        for (arrival, light) in arrived.skip(self.arrivals[lane & 7].start) {
+            let distance = match &arrival.from {
+                Origin::Background(_, distance) => *distance,
+                Origin::Surface(vertex, _) => vertex.transfer.apparent_m(),
+            };
+            let light = *light * arrival.factor;
+            sum += light;
+            // The rays of a blurred reflection are one part, at the distance of the first.
+            part = match part {
+                (route, sum, first) if route == arrival.route => (route, sum + luminance(light), first),
+                _ => (arrival.route, luminance(light), distance),
+            };
+            if part.1 > brightest.0 {
+                brightest = (part.1, part.2);
+            }
+        }
+        (sum, brightest.1)
     }
 }
 
@@ -94,76 +118,5 @@ impl ShadingContext<'_> {
             found.hit(lane),
             range,
         )
-    }
-
-    /// Returns the sum of a surface's own light and of what arrives beyond it, and the distance of the brightest part; `matt` is the own light
-    /// without the highlights of lamps, which are not where the surface is.
-    pub(super) fn gathered(
-        &self,
-        [own, matt]: [Vec3; 2],
-        range: f64,
-        arrivals: &[Arrival<'_>],
-        strengths: &mut Strengths,
-        stack: &mut Stack,
-    ) -> (Vec3, f64) {
-        let mut sum = own;
-        let mut brightest = (luminance(matt), range);
-        let mut part = (0, 0.0, 0.0);
-        for arrival in arrivals {
-            let (light, distance) = match &arrival.from {
-                Origin::Background(direction, distance) => (self.rig.background(*direction), *distance),
-                Origin::Surface(vertex, own) => (
-                    self.light_of(vertex, *own, strengths, stack),
-                    vertex.transfer.apparent_m(),
-                ),
-            };
-            let light = light * arrival.factor;
-            sum += light;
-            // The rays of a blurred reflection are one part, at the distance of the first.
-            part = match part {
-                (route, sum, first) if route == arrival.route => (route, sum + luminance(light), first),
-                _ => (arrival.route, luminance(light), distance),
-            };
-            if part.1 > brightest.0 {
-                brightest = (part.1, part.2);
-            }
-        }
-        (sum, brightest.1)
-    }
-
-    /// Returns the exposed radiance that a surface sends along a ray.
-    fn light_of(&self, vertex: &Vertex<'_>, own: Own, strengths: &mut Strengths, stack: &mut Stack) -> Vec3 {
-        let paint = self.paint(vertex.hit);
-        let eye = self.view.world_from_camera.translation;
-        let surface = &vertex.surface;
-        #[expect(clippy::cast_possible_truncation, reason = "shading is float32")]
-        let place = Place {
-            from_eye: (surface.point - eye).as_vec3(),
-            range: (surface.point - eye).length() as f32,
-            normal: surface.normal.as_vec3(),
-            flat_normal: surface.flat_normal.as_vec3(),
-        };
-        let mut shares = Shares::default();
-        shares.set(0, self.occlusion.sample_alone(&place, strengths, stack).shares());
-        let mut surfaces = Surfaces::default();
-        let mut viewer = Columns::default();
-        for lane in 0..8 {
-            set_lane(&mut surfaces.point, lane, place.from_eye);
-            set_lane(&mut surfaces.normal, lane, place.normal);
-            set_lane(&mut viewer, lane, -vertex.ray.as_vec3());
-        }
-        let mut factors = OwnLight::ALL;
-        factors.set(0, own);
-        let kernel = Radiance {
-            surfaces: &surfaces,
-            finishes: &paint.finish(self.color_at(paint, vertex)),
-            shares: &shares,
-            emitters: self.occlusion.emitters,
-            rig: self.rig,
-            viewer: Some(&viewer),
-            own: Some(&factors),
-            film: Film::Linear,
-        };
-        lane_of(&run_lanes_at(self.level, kernel), 0)
     }
 }

@@ -4,6 +4,7 @@
 //! indirect light is a constant. Sampling is deterministic: the position in the image selects the samples of lamps and
 //! surroundings from a periodic pattern, and a filter over the pattern's period removes the pattern.
 
+mod arrived;
 mod beam;
 mod closed;
 mod coarse;

@@ -9,7 +9,7 @@ use super::lamp::{Emitter, Lamp};
 use super::pattern::{DIRECTIONS_PER_PLACE, Pattern, PatternCell};
 use super::rig::LightRig;
 use super::strength::{MAX_SHADOWS, Strengths, Strongest};
-use super::surfaces::{Found, lane_of};
+use super::surfaces::{Found, Surfaces, lane_of};
 use crate::ray::{Ray, RayCaster, Stack};
 
 /// The luminance of lamp light.
@@ -30,6 +30,9 @@ impl Arrived {
         }
     }
 }
+
+/// The cells that resolve the light of one point: one for each quarter of a lamp, at similar angles from the normal.
+pub(super) const ALONE: [usize; 4] = [0, 6, 9, 15];
 
 /// The light that reaches a point: from lamps of small angular size, which cast sharp shadows, from large lamps, and from the
 /// surroundings.
@@ -141,7 +144,12 @@ pub(super) struct Place {
 impl Place {
     #[inline]
     pub(super) fn new(found: &Found<'_, '_>, lane: usize) -> Self {
-        let surfaces = found.surfaces;
+        Self::of_lane(found.surfaces, lane)
+    }
+
+    /// Returns the point in one of eight lanes.
+    #[inline]
+    pub(super) fn of_lane(surfaces: &Surfaces, lane: usize) -> Self {
         Self {
             from_eye: lane_of(&surfaces.point, lane),
             range: surfaces.range[lane & 7],
@@ -232,11 +240,22 @@ impl Occlusion<'_> {
     pub(super) fn sample_alone(&self, place: &Place, strengths: &mut Strengths, stack: &mut Stack) -> Light {
         strengths.set(0, place.from_eye, place.normal);
         strengths.measure(self.emitters, self.level);
-        let strongest = strengths.strongest(0);
-        // One cell for each quarter of a lamp, at similar angles from the normal.
-        [0usize, 6, 9, 15]
-            .into_iter()
-            .map(|cell| {
+        self.sample(place, strengths.strongest(0), &ALONE, stack)
+    }
+
+    /// Averages pattern cells at one point.
+    pub(super) fn sample(
+        &self,
+        place: &Place,
+        strongest: Strongest,
+        cells: &[usize],
+        stack: &mut Stack,
+    ) -> Light {
+        #[expect(clippy::cast_precision_loss, reason = "a small count")]
+        let share = 1.0 / cells.len() as f32;
+        cells
+            .iter()
+            .map(|&cell| {
                 let cell = PatternCell {
                     of_place: cell,
                     of_tile: cell,
@@ -249,7 +268,7 @@ impl Occlusion<'_> {
                     ..light
                 }
             })
-            .fold(Light::default(), |sum, light| sum.plus(light, 0.25))
+            .fold(Light::default(), |sum, light| sum.plus(light, share))
     }
 
     /// Returns the unoccluded shares of the surroundings and the sky.

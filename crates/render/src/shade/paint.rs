@@ -40,6 +40,15 @@ impl Finishes {
     fn set_color(&mut self, lane: usize, color: Vec3) {
         set_lane(&mut self.color, lane, color);
     }
+
+    /// Sets one of eight lanes to a paint with a base colour.
+    #[inline]
+    pub(super) fn set(&mut self, lane: usize, paint: &Paint<'_>, color: Vec3) {
+        self.set_color(lane, color);
+        set_lane(&mut self.emissive, lane, paint.emissive);
+        self.metallic[lane & 7] = paint.metallic;
+        self.roughness[lane & 7] = paint.roughness;
+    }
 }
 
 impl<'a> Paint<'a> {
@@ -96,20 +105,6 @@ impl<'a> Paint<'a> {
     #[inline]
     pub(super) fn optic(&self) -> Option<&Optic> {
         self.optic.as_ref()
-    }
-
-    /// Returns the properties at one place, in all lanes, with a base colour.
-    pub(super) fn finish(&self, color: Vec3) -> Finishes {
-        let mut finishes = Finishes {
-            metallic: [self.metallic; 8],
-            roughness: [self.roughness; 8],
-            ..Finishes::default()
-        };
-        for lane in 0..8 {
-            finishes.set_color(lane, color);
-            set_lane(&mut finishes.emissive, lane, self.emissive);
-        }
-        finishes
     }
 
     /// Whether the colours of places are those of a texture.
@@ -220,10 +215,7 @@ pub(super) fn finishes(
                 Vec3::ZERO
             }
         };
-        finishes.set_color(lane, color);
-        set_lane(&mut finishes.emissive, lane, paint.emissive);
-        finishes.metallic[lane & 7] = paint.metallic;
-        finishes.roughness[lane & 7] = paint.roughness;
+        finishes.set(lane, paint, color);
     }
     // One material at a time.
     while textured != 0 {

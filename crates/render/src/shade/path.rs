@@ -50,6 +50,8 @@ pub(super) struct Arrival<'a> {
     pub(super) from: Origin<'a>,
     /// The reflections and passages on its way, as bits, after a leading 1: equal for all rays of a blurred reflection.
     pub(super) route: u64,
+    /// The number of the ray in a blurred reflection; `None` if all reflections are sharp.
+    pub(super) ray: Option<u8>,
 }
 
 /// Where light comes from.
@@ -69,6 +71,7 @@ struct Progress {
     reflections: u32,
     passes: u32,
     route: u64,
+    ray: Option<u8>,
 }
 
 /// Follows the rays of an image.
@@ -126,6 +129,7 @@ impl<'c, 'a> Tracer<'c, 'a> {
             reflections: 0,
             passes: 0,
             route: 1,
+            ray: None,
         };
         self.send_on(vertex, optic, color, progress)
     }
@@ -187,7 +191,15 @@ impl<'c, 'a> Tracer<'c, 'a> {
         };
         let widening = lobe.widening(vertex.ray, vertex.next);
         let transfer = vertex.transfer.reflected(self.curvature(vertex));
-        for normal in lobe.iter() {
+        for (index, normal) in (0..).zip(lobe.iter()) {
+            let progress = Progress {
+                ray: if lobe.is_sharp() {
+                    progress.ray
+                } else {
+                    Some(index)
+                },
+                ..progress
+            };
             let normal = match mirrored(vertex.ray, normal).dot(vertex.surface.flat_normal) > 0.0 {
                 true => normal,
                 false => vertex.surface.flat_normal,
@@ -270,6 +282,7 @@ impl<'c, 'a> Tracer<'c, 'a> {
                 factor: progress.factor,
                 from: Origin::Background(ray, transfer.apparent_sky_m()),
                 route: progress.route,
+                ray: progress.ray,
             });
             return;
         };
@@ -294,6 +307,7 @@ impl<'c, 'a> Tracer<'c, 'a> {
             factor: progress.factor,
             from: Origin::Surface(vertex, own),
             route: progress.route,
+            ray: progress.ray,
         });
     }
 }

@@ -48,6 +48,12 @@ pub(super) struct OwnLight {
     pub(super) emitted: [f32; 8],
 }
 
+impl Default for OwnLight {
+    fn default() -> Self {
+        Self::ALL
+    }
+}
+
 impl OwnLight {
     /// All of the light.
     pub(super) const ALL: Self = Self {

@@ -66,7 +66,7 @@ pub struct RigSpec {
 choice! {
     /// What the stereo pair of a rig is for.
     PairUse {
-        /// For engines that match it; without one there is no pair.
+        /// Rendered for engines that match pairs, and not for others.
         Matched = "matched",
         /// For engines that match it, and as PNG in each shot: `left`, `right`, `rectified_left`, `rectified_right`.
         Written = "written",

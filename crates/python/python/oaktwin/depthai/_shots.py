@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from .._cameras import Camera
 from .._devices import Device
+from .._poses import BodyPose
 from ._exposure import Shutter, imager_settings
 from ._library import warn_once
 from ._world import World
@@ -20,8 +21,8 @@ if TYPE_CHECKING:
     from ._twin import Light
 
 _Result = TypeVar("_Result")
-# Images of several outputs of one frame, and of the next one.
-_KEPT = 24
+# Images of several outputs of one frame, and of the next one, each by its time and by its view.
+_KEPT = 48
 
 
 class Shots:
@@ -32,13 +33,21 @@ class Shots:
         self._cache: OrderedDict[object, Any] = OrderedDict()
         self._lock = threading.Lock()
 
-    def _shared(self, key: object, make: Callable[[], _Result]) -> _Result:
+    def _shared(self, key: Hashable, seconds: float, make: Callable[[BodyPose], _Result], *, is_noisy: bool = False) -> _Result:
+        """What `make` makes of the body's pose at a time. A still view is made once, unless its images differ in noise."""
+        now = key, seconds
         with self._lock:
-            if key not in self._cache:
-                self._cache[key] = make()
+            if now not in self._cache:
+                self.world.advance(seconds)
+                pose = self.world.body_pose(seconds)
+                view = key, self.world.scene.version, np.asarray(pose).tobytes(), seconds if is_noisy else None
+                if view not in self._cache:
+                    self._cache[view] = make(pose)
+                self._cache[now] = self._cache[view]
+                self._cache.move_to_end(view)
                 while len(self._cache) > _KEPT:
                     self._cache.popitem(last=False)
-            result: _Result = self._cache[key]
+            result: _Result = self._cache[now]
             return result
 
     def pair(self, seconds: float, frame: int, size: tuple[int, int], shutter: Shutter) -> dict[str, Any]:
@@ -48,9 +57,7 @@ class Shots:
         """
         dots = self._dots()
 
-        def make() -> dict[str, Any]:
-            self.world.advance(seconds)
-            pose = self.world.body_pose(seconds)
+        def make(pose: BodyPose) -> dict[str, Any]:
             return dict(
                 self.world.scene.render_pair(
                     self.device,
@@ -64,7 +71,7 @@ class Shots:
                 )
             )
 
-        return self._shared(("pair", seconds, size, shutter, dots), make)
+        return self._shared(("pair", size, shutter, dots), seconds, make, is_noisy=True)
 
     def _dots(self) -> float:
         if self.light.flood:
@@ -83,19 +90,15 @@ class Shots:
     def colour(self, seconds: float, camera: Camera) -> npt.NDArray[np.uint8]:
         """What a camera sees at a time, (H, W, 3) uint8 sRGB, without noise."""
 
-        def make() -> npt.NDArray[np.uint8]:
-            self.world.advance(seconds)
-            pose = self.world.body_pose(seconds) @ camera.body_from_camera
-            return self.world.scene.render(camera, pose, annotators=["rgb"])["rgb"][..., :3]
+        def make(pose: BodyPose) -> npt.NDArray[np.uint8]:
+            return self.world.scene.render(camera, pose @ camera.body_from_camera, annotators=["rgb"])["rgb"][..., :3]
 
-        return self._shared(("rgb", seconds, camera), make)
+        return self._shared(("rgb", camera), seconds, make)
 
     def depth(self, seconds: float, camera: Camera) -> npt.NDArray[np.float32]:
         """The exact depth of a camera at a time, (H, W) float32 metres along its axis, inf for a miss."""
 
-        def make() -> npt.NDArray[np.float32]:
-            self.world.advance(seconds)
-            pose = self.world.body_pose(seconds) @ camera.body_from_camera
-            return self.world.scene.render(camera, pose)["distance_to_image_plane"]
+        def make(pose: BodyPose) -> npt.NDArray[np.float32]:
+            return self.world.scene.render(camera, pose @ camera.body_from_camera)["distance_to_image_plane"]
 
-        return self._shared(("depth", seconds, camera), make)
+        return self._shared(("depth", camera), seconds, make)

@@ -94,7 +94,7 @@ class DepthSensor:
             device_seed = seeds[0] if seeds else device_seed
             drift = drifts[0] if drifts else drift
         options["drift"] = drift
-        # The limits of the parameters are those of the table: the extremes of the environments are checked by the engine itself.
+        # The engine checks the smallest and the largest value of the environments against its own limits.
         self._rust = RustSensor(device, parameters=_with(scalars, worlds, np.max), device_seed=device_seed, **options)
         self._rust = RustSensor(device, parameters=_with(scalars, worlds, np.min), device_seed=device_seed, **options)
         self._units = units
