@@ -96,6 +96,12 @@ def test_batches_have_reasons_and_confidence(depth, sensor):
     assert np.all((got["depth_sensor_reason"] == 0) == (got["depth_sensor_distance"] > 0))
 
 
+def test_depth_in_millimetres_is_reported(depth, sensor):
+    for measure in (sensor.batch(N), lambda images: sensor.batch(N).annotate(images, annotators=["depth_sensor_distance"])):
+        with pytest.warns(oaktwin.FindingWarning, match="looks like millimetres"):
+            measure(depth * 1000)
+
+
 def test_copies_and_pickles_continue(depth, sensor):
     batch = sensor.batch(N, parameters={"jitter": [0.0, 0.1, 0.2, 0.3]})
     batch(depth)

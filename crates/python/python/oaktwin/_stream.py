@@ -69,7 +69,8 @@ class Stream:
 
     A call, `stream(depth, rgb=None, *, env_ids=None)`, is one control step:
 
-    depth: the exact depth of all environments at this step, (N, H, W) or (N, H, W, 1), float32 metres, as `sensor` takes it.
+    depth: the exact depth of all environments at this step, (N, H, W) or (N, H, W, 1), float32 metres, as `sensor` takes it. A Warp array
+        is read as a NumPy array on the CPU, and as a torch tensor on a GPU.
     rgb: the colour images, if the sensor uses them.
     env_ids: the environments for which time passes, numbers or a mask, such as those that were reset between two steps; the others
         observe what they observed before. By default all.
@@ -144,6 +145,7 @@ class Stream:
 
     def __call__(self, depth: Any, rgb: Any = None, *, env_ids: Any = None) -> Observation:
         """Advances all environments by one control step; see the class."""
+        depth = _indexable(depth)
         shape = _batch_shape(depth)
         # Also after a first step that failed.
         if self._ring is None:
@@ -285,6 +287,17 @@ def _whole(name: str, value: int, least: int) -> int:
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not least <= value < 1 << 64:
         raise Error(f"{name}: is {value!r}; pass a whole number of at least {least}")
     return int(value)
+
+
+def _indexable(depth: Any) -> Any:
+    """The depth, in a view of NumPy or PyTorch if it is a Warp array, which cannot be indexed by numbers."""
+    if type(depth).__module__.partition(".")[0] != "warp" or not hasattr(depth, "numpy"):
+        return depth
+    if depth.device.is_cpu:
+        return depth.numpy()
+    import warp  # type: ignore[import-not-found, import-untyped, unused-ignore]
+
+    return warp.to_torch(depth)
 
 
 def _batch_shape(depth: Any) -> tuple[int, ...]:

@@ -28,7 +28,7 @@ use crate::arguments::{Annotators, FrameNumber};
 use crate::engine::PythonEngine;
 use crate::error::{Error, wrong};
 use crate::finding::{self, Finding, Notices};
-use crate::images::{Depth, DepthSlice, Out, Pictures, Shape};
+use crate::images::{Depth, DepthSlice, Out, OutSlice, Pictures, Shape};
 use crate::layers::names;
 use crate::settings::{item_numbers, whole};
 
@@ -270,6 +270,8 @@ impl SensorBatch {
             }
         };
         batch.capture(py, &layers, places, take)?;
+        let room = OutSlice::Metres(&mut distance);
+        notice(&self.notices, py, batch.depth, shape, &room, rgb.is_some())?;
         let legend = legend.into_inner().unwrap_or_else(PoisonError::into_inner);
         let all = PyDict::new(py);
         for annotator in asked {
