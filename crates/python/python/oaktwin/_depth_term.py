@@ -10,7 +10,7 @@ from ._sensors import DepthSensor
 from ._stream import Stream
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
 
 
 def make_sensor(model: Any, options: Mapping[str, Any], device: str) -> Any:
@@ -21,6 +21,12 @@ def make_sensor(model: Any, options: Mapping[str, Any], device: str) -> Any:
     from . import warp
 
     return warp.DepthSensor(oak, on=device if ":" in device else "cuda:0", **options)
+
+
+def with_optics(options: Mapping[str, Any] | None, own: Callable[[], dict[str, float]]) -> dict[str, Any]:
+    """The arguments of a sensor, with the optics of the simulator's camera, which `own` returns, unless they name others."""
+    given = dict(options or {})
+    return given if {"hfov_deg", "fx", "camera"} & set(given) else given | own()
 
 
 class DepthStream:

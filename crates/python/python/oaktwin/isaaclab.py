@@ -22,7 +22,7 @@ try:
 except ImportError as error:
     raise ImportError("oaktwin.isaaclab needs Isaac Lab: pip install isaaclab") from error
 
-from ._depth_term import DepthNoise, DepthStream
+from ._depth_term import DepthNoise, DepthStream, with_optics
 from ._findings import Error
 
 __all__ = ["OakDepth", "OakDepthNoise", "OakDepthNoiseCfg"]
@@ -61,9 +61,7 @@ class OakDepth(ManagerTermBase):
         data = env.scene.sensors[sensor_cfg.name].data
         if _DATA_TYPE not in data.output:
             raise Error(f"sensor_cfg: {sensor_cfg.name} renders {', '.join(data.output)}; add '{_DATA_TYPE}' to its data_types")
-        options = dict(sensor or {})
-        if not {"hfov_deg", "fx", "camera"} & set(options):
-            options["fx"] = float(_tensor(data.intrinsic_matrices)[0, 0, 0])
+        options = with_optics(sensor, lambda: {"fx": float(_tensor(data.intrinsic_matrices)[0, 0, 0])})
         return self._depth.observe(env, _tensor(data.output[_DATA_TYPE]), model, options, stream or {})
 
 

@@ -23,7 +23,8 @@ try:
 except ImportError as error:
     raise ImportError("oaktwin.mjlab needs mjlab: pip install mjlab") from error
 
-from ._depth_term import DepthNoise, DepthStream
+from ._depth_term import DepthNoise, DepthStream, with_optics
+from ._findings import Error
 
 __all__ = ["OakDepth", "OakDepthNoise", "OakDepthNoiseCfg"]
 
@@ -56,15 +57,11 @@ class OakDepth(ManagerTermBase):
         stream: dict[str, Any] | None = None,
     ) -> Any:
         """Observes; see the class."""
-        from ._findings import Error
-
         camera = env.scene[sensor_name]
         depth = camera.data.depth
         if depth is None:
             raise Error(f"sensor_name: {sensor_name} renders no depth; add 'depth' to its data_types")
-        options = dict(sensor or {})
-        if not {"hfov_deg", "fx", "camera"} & set(options):
-            options["hfov_deg"] = _hfov_deg(env, camera, depth)
+        options = with_optics(sensor, lambda: {"hfov_deg": _hfov_deg(env, camera, depth)})
         return self._depth.observe(env, depth, model, options, stream or {})
 
 

@@ -95,7 +95,8 @@ class DepthSensor:
             drift = drifts[0] if drifts else drift
         options["drift"] = drift
         # The engine checks the smallest and the largest value of the environments against its own limits.
-        self._rust = RustSensor(device, parameters=_with(scalars, worlds, np.max), device_seed=device_seed, **options)
+        if worlds:
+            RustSensor(device, parameters=_with(scalars, worlds, np.max), device_seed=device_seed, **options)
         self._rust = RustSensor(device, parameters=_with(scalars, worlds, np.min), device_seed=device_seed, **options)
         self._units = units
         name = self._rust.engine
