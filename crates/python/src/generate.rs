@@ -256,6 +256,7 @@ impl Recipe {
     /// output: the folder of the data set.
     /// frames: the frames, such as range(0, 100), or the first one and the one after the last: (0, 100); by default all of the recipe.
     /// resume: whether an existing data set is completed or extended.
+    /// verify: whether the contents of finished files are compared, not only their lengths, and changed frames are made again; with resume.
     /// workers: the number of frames to make at once; by default one per processor, or fewer if memory is short.
     /// only_frames: whether files that span frames are left to another call with resume=True. Several processes, also on several
     ///     machines with a common folder, can make different frames of one data set in this way.
@@ -264,9 +265,9 @@ impl Recipe {
     /// progress: whether a progress bar is shown on standard error; or a callable that gets the numbers of frames that are done and in total.
     ///     Not with Ray, which shows its own.
     #[pyo3(
-        signature = (output, *, frames = None, resume = false, workers = None, only_frames = false, ray = Ray::Switch(false),
+        signature = (output, *, frames = None, resume = false, verify = false, workers = None, only_frames = false, ray = Ray::Switch(false),
             progress = Report::default()),
-        text_signature = "($self, output, *, frames=None, resume=False, workers=None, only_frames=False, ray=False, progress=False)"
+        text_signature = "($self, output, *, frames=None, resume=False, verify=False, workers=None, only_frames=False, ray=False, progress=False)"
     )]
     #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
@@ -276,14 +277,19 @@ impl Recipe {
         output: PathBuf,
         #[pyo3(from_py_with = frame_range)] frames: Option<(u64, u64)>,
         resume: bool,
+        verify: bool,
         #[pyo3(from_py_with = optional::workers)] workers: Option<usize>,
         only_frames: bool,
         ray: Ray,
         progress: Report,
     ) -> PyResult<Py<PyDict>> {
+        if verify && !resume {
+            return Err(wrong("verify", "applies to existing data sets", "pass resume=True too"));
+        }
         let options = GenerateOptions {
             frames: frames.map(|(first, end)| first..end),
             resume,
+            verify,
             workers,
             only_frames,
             ..GenerateOptions::default()

@@ -48,6 +48,21 @@ def test_generates_and_resumes(recipe: Path, tmp_path: Path) -> None:
     assert len(manifest["files"]) == rest["files"]
 
 
+def test_verify_makes_changed_frames_again(recipe: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "set"
+    oaktwin.generate(recipe, folder)
+    image = sorted(folder.rglob("*.png"))[0]
+    made = image.read_bytes()
+    # Another byte, the same length.
+    image.write_bytes(made[:-1] + bytes([made[-1] ^ 1]))
+    assert oaktwin.generate(recipe, folder, resume=True)["frames"] == 0
+    assert image.read_bytes() != made
+    assert oaktwin.generate(recipe, folder, resume=True, verify=True)["frames"] == 1
+    assert image.read_bytes() == made
+    with pytest.raises(oaktwin.Error, match="verify: applies to existing data sets; pass resume=True"):
+        oaktwin.generate(recipe, tmp_path / "new", verify=True)
+
+
 def test_several_processes_make_the_same_data_set(recipe: Path, tmp_path: Path) -> None:
     """Also if they make the same frames."""
     oaktwin.generate(recipe, tmp_path / "whole", formats=["tum", "coco"], seed=4)

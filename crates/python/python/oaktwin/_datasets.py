@@ -64,6 +64,7 @@ def generate(
     *,
     frames: range | tuple[int, int] | None = None,
     resume: bool = False,
+    verify: bool = False,
     formats: Sequence[str] | None = None,
     seed: int | None = None,
     save_scenes: bool = False,
@@ -80,6 +81,7 @@ def generate(
     output: the folder of the data set.
     frames: the frames, such as range(0, 100), or the first one and the one after the last: (0, 100); by default all of the recipe.
     resume: whether an existing data set is completed or extended.
+    verify: whether the contents of finished files are compared, not only their lengths, and changed frames are made again; with resume.
     formats: the names of formats instead of the recipe's, such as ["bop", "coco"].
     seed: the seed instead of the recipe's.
     save_scenes: whether each arrangement is also written as a USD scene, scenes/NUMBER.usda.
@@ -100,4 +102,6 @@ def generate(
     Ray: `pip install oaktwin[ray]`; what is complete remains and can be resumed, also after Ctrl-C.
     """
     opened = Recipe(recipe, formats=formats, seed=seed, save_scenes=save_scenes, catalog=catalog, engine=engine)
-    return opened.generate(output, frames=frames, resume=resume, workers=workers, only_frames=only_frames, ray=ray, progress=progress)
+    return opened.generate(
+        output, frames=frames, resume=resume, verify=verify, workers=workers, only_frames=only_frames, ray=ray, progress=progress
+    )

@@ -403,6 +403,7 @@ class Recipe:
         *,
         frames: range | tuple[int, int] | None = None,
         resume: bool = False,
+        verify: bool = False,
         workers: int | None = None,
         only_frames: bool = False,
         ray: bool | str = False,
@@ -413,6 +414,7 @@ class Recipe:
         output: the folder of the data set.
         frames: the frames, such as range(0, 100), or the first one and the one after the last: (0, 100); by default all of the recipe.
         resume: whether an existing data set is completed or extended.
+        verify: whether the contents of finished files are compared, not only their lengths, and changed frames are made again; with resume.
         workers: the number of frames to make at once; by default one per processor, or fewer if memory is short.
         only_frames: whether files that span frames are left to another call with resume=True. Several processes, also on several
             machines with a common folder, can make different frames of one data set in this way.
