@@ -10,7 +10,7 @@ pub(crate) struct Args {
     /// Duration of the loads, which run at the same time
     #[arg(long, default_value_t = 60.0)]
     minutes: f64,
-    /// Only these loads: render, sense, python
+    /// Only these loads: render, sense, python, studio
     #[arg(long)]
     load: Vec<String>,
     /// Cargo profile of the program and the package

@@ -2,11 +2,13 @@
 
 import importlib.util
 import os
+import sys
 from pathlib import Path
 
 import pytest
 
 SCRIPT = Path(__file__).parents[3] / "tests/soak/soak.py"
+sys.path.insert(0, str(SCRIPT.parent))
 SPEC = importlib.util.spec_from_file_location("soak", SCRIPT)
 soak = importlib.util.module_from_spec(SPEC)
 SPEC.loader.exec_module(soak)
