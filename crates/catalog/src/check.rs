@@ -8,7 +8,7 @@ use oaktwin_base::diagnostic::{fold_name, nearest};
 use oaktwin_camera::math::DVec3;
 
 use crate::document::Document;
-use crate::{Camera, Catalog, CatalogError, DepthSensor, Device, Role, Sensor, Sources};
+use crate::{Camera, Catalog, CatalogError, DepthSensor, Device, Role, Sensor, ShutterKind, Sources};
 use values::{ascending, between, not_negative, one_of, positive, prim_name, text, unique_prim};
 
 pub(crate) use inertial::inertial_part;
@@ -56,6 +56,18 @@ pub(crate) fn sensor(doc: &Document<'_>, sensor: &Sensor) -> Checked {
         if let Some(value) = value {
             positive(doc, key, value)?;
         }
+    }
+    match (sensor.shutter, sensor.readout_ms) {
+        (Some(ShutterKind::Rolling), Some(readout_ms)) => positive(doc, "readout_ms", readout_ms)?,
+        (Some(ShutterKind::Rolling), None) => {
+            let remedy = "give the time from the first row to the last in ms";
+            return Err(doc.error("readout_ms", "is absent of a rolling shutter".to_owned(), remedy));
+        }
+        (_, Some(_)) => {
+            let remedy = "set shutter to \"rolling\", or remove it";
+            return Err(doc.error("readout_ms", "is for rolling shutters".to_owned(), remedy));
+        }
+        (_, None) => {}
     }
     sources(doc, "", &sensor.sources)?;
     evidence(doc, sensor.evidence.iter().map(|e| e.about.as_str()), |about| {

@@ -45,7 +45,7 @@ pub use latency::{Connection, Latency, LatencyStage, MatchingMode};
 pub use model::{
     Accelerometer, Accuracy, AccuracyBand, AccuracyHeadline, Body, BodyShape, Camera, DepthKind, DepthSensor,
     Device, Evidence, Gyroscope, Imu, InertialPart, LegacyDistortion, Magnetometer, Note, Projector, Role,
-    Sensor,
+    Sensor, ShutterKind,
 };
 pub use optics::LensChoice;
 pub use page::models_page;

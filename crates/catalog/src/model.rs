@@ -46,6 +46,12 @@ pub struct Sensor {
     /// The marketed resolution in megapixels.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub megapixels: Option<f64>,
+    /// Whether all rows are exposed at once or one after another; absent if no source states it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shutter: Option<ShutterKind>,
+    /// The time from the exposure of the first row to that of the last in the used mode in ms, of a sensor that rolls.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub readout_ms: Option<f64>,
     /// The wavelength of the light source in nm, for time-of-flight sensors.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wavelength_nm: Option<f64>,
@@ -66,6 +72,17 @@ pub struct Sensor {
     /// The sources of keys that differ from `source`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub sources: Sources,
+}
+
+/// How a sensor exposes its rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum ShutterKind {
+    /// All at once.
+    Global,
+    /// One after another.
+    Rolling,
 }
 
 /// A depth camera: `data/devices/*.toml`.
@@ -421,6 +438,15 @@ impl Camera {
 }
 
 impl Sensor {
+    /// Returns the time from the exposure of the first row to that of the last in s; 0 of a sensor that does not roll.
+    #[must_use]
+    pub fn readout_s(&self) -> f64 {
+        match self.shutter {
+            Some(ShutterKind::Rolling) => self.readout_ms.unwrap_or(0.0) * 1e-3,
+            Some(ShutterKind::Global) | None => 0.0,
+        }
+    }
+
     /// Returns the size of the used mode.
     #[must_use]
     pub const fn used_size(&self) -> ImageSize {

@@ -51,6 +51,8 @@ pub struct TwinCamera {
     pub spec: Camera,
     /// The pixel pitch of the sensor's mode, µm.
     pub pixel_size_um: f64,
+    /// The time from the exposure of the first row to that of the last in s; 0 of a sensor that does not roll.
+    pub readout_s: f64,
     /// The intrinsics at the sensor's used resolution.
     pub intrinsics: Intrinsics,
     /// The lens.

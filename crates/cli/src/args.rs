@@ -27,6 +27,7 @@ mod render;
 mod scene;
 mod sense;
 mod sensor;
+mod shutter;
 mod stereo;
 #[cfg(feature = "studio")]
 mod studio;
@@ -73,6 +74,7 @@ pub(crate) use render::RenderArgs;
 pub(crate) use scene::SceneArgs;
 pub(crate) use sense::SenseArgs;
 pub(crate) use sensor::{MatcherArgs, SensorArgs};
+pub(crate) use shutter::ShutterArgs;
 pub(crate) use stereo::StereoArgs;
 #[cfg(feature = "studio")]
 pub(crate) use studio::StudioArgs;

@@ -79,6 +79,11 @@ pub trait Engine: Comparable + fmt::Debug + Send + Sync {
         None
     }
 
+    /// How long ago each of the two measurements was that a frame combines, s; `None` if there is one.
+    fn ages_s(&self) -> Option<[f64; 2]> {
+        None
+    }
+
     /// Whether images of this width cannot be cropped, because the engine resamples them to another width.
     fn needs_full_width(&self, _width_px: u32) -> bool {
         false

@@ -8,7 +8,7 @@ pub struct Shot<'a> {
     depth: ImageView<'a, f32>,
     rgb: Option<ImageView<'a, [u8; 4]>>,
     positions: Option<ImageView<'a, [f32; 4]>>,
-    radial_velocity: Option<ImageView<'a, f32>>,
+    radial_velocities: Option<[ImageView<'a, f32>; 2]>,
     /// The number in the sequence: noise is new in every frame.
     pub frame: u64,
     /// The number in a batch of images of one frame, for instance a simulator's environments: each has its own noise.
@@ -25,7 +25,7 @@ impl<'a> Shot<'a> {
             depth,
             rgb: None,
             positions: None,
-            radial_velocity: None,
+            radial_velocities: None,
             frame: 0,
             item: 0,
             color_step: 1,
@@ -68,9 +68,20 @@ impl<'a> Shot<'a> {
     ///
     /// # Errors
     /// Returns an error if its size differs from the depth image's.
-    pub fn with_radial_velocity(mut self, velocity: ImageView<'a, f32>) -> Result<Self, ShotError> {
-        self.check("image of velocities", velocity.width(), velocity.height())?;
-        self.radial_velocity = Some(velocity);
+    pub fn with_radial_velocity(self, velocity: ImageView<'a, f32>) -> Result<Self, ShotError> {
+        self.with_radial_velocities([velocity; 2])
+    }
+
+    /// Adds the mean radial velocity in each pixel since each of the two measurements of a time-of-flight camera, m/s: at the edges of what
+    /// moves, they see different surfaces.
+    ///
+    /// # Errors
+    /// Returns an error if a size differs from the depth image's.
+    pub fn with_radial_velocities(mut self, velocities: [ImageView<'a, f32>; 2]) -> Result<Self, ShotError> {
+        for velocity in velocities {
+            self.check("image of velocities", velocity.width(), velocity.height())?;
+        }
+        self.radial_velocities = Some(velocities);
         Ok(self)
     }
 
@@ -92,10 +103,10 @@ impl<'a> Shot<'a> {
         self.positions
     }
 
-    /// The radial velocity in m/s, positive away from the camera.
+    /// The radial velocity since each of two measurements in m/s, positive away from the camera.
     #[must_use]
-    pub fn radial_velocity(&self) -> Option<ImageView<'a, f32>> {
-        self.radial_velocity
+    pub fn radial_velocities(&self) -> Option<[ImageView<'a, f32>; 2]> {
+        self.radial_velocities
     }
 
     fn check(&self, what: &'static str, width: u32, height: u32) -> Result<(), ShotError> {

@@ -129,6 +129,9 @@ macro_rules! annotators {
             /// place of the brightest light in each pixel, and `+inf` for the sky. It is not an annotation. `None` if it would equal
             /// `distance_to_image_plane` everywhere.
             pub apparent_depth: Option<ZDepth>,
+            /// The mean radial velocity of what each pixel sees since each of the two measurements of a time-of-flight camera, m/s, away from
+            /// the camera, 0 where either sees nothing. It is not an annotation. `None` unless the frame takes time.
+            pub radial_velocities: Option<[Image<f32>; 2]>,
         }
 
         impl Frame {
@@ -143,6 +146,7 @@ macro_rules! annotators {
             /// Replaces the annotations that another frame contains, and keeps the rest.
             pub fn update(&mut self, other: Self) {
                 self.apparent_depth = other.apparent_depth.or(self.apparent_depth.take());
+                self.radial_velocities = other.radial_velocities.or(self.radial_velocities.take());
                 $(
                     if other.$name.is_some() {
                         self.$name = other.$name;

@@ -284,7 +284,11 @@ impl Recipe {
         progress: Report,
     ) -> PyResult<Py<PyDict>> {
         if verify && !resume {
-            return Err(wrong("verify", "applies to existing data sets", "pass resume=True too"));
+            return Err(wrong(
+                "verify",
+                "applies to existing data sets",
+                "pass resume=True too",
+            ));
         }
         let options = GenerateOptions {
             frames: frames.map(|(first, end)| first..end),

@@ -4,8 +4,11 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use oaktwin::camera::ImageSize;
+use oaktwin::camera::math::DVec3;
 use oaktwin::pair::PairOptions;
-use oaktwin::render::{self, Backend, PlacedCamera, RigSpec, Transparent, annotator};
+use oaktwin::render::{
+    self, Backend, Passing, PlacedCamera, RigSpec, Shutter, Transparent, Twist, annotator,
+};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -26,11 +29,20 @@ use crate::settings::{fresh_seed, keywords, sensor_options, strings};
 use crate::shot::{OUTPUTS, shot};
 
 /// The arguments besides the options of the sensor.
-const ARGUMENTS: [&str; 6] = ["cameras", "size", "annotators", "pair", "backend", "transparent"];
+const ARGUMENTS: [&str; 8] = [
+    "cameras",
+    "size",
+    "annotators",
+    "pair",
+    "backend",
+    "transparent",
+    "exposure_ms",
+    "readout_ms",
+];
 
 #[doc = concat!(
     "Rig(device, *, cameras=None, size=None, annotators=None, pair=None, backend='auto', ",
-    "transparent='surface', ",
+    "transparent='surface', exposure_ms=None, readout_ms=None, ",
     include_str!("generated/sensor_options.signature"),
     ")\n--\n"
 )]
@@ -46,6 +58,9 @@ const ARGUMENTS: [&str; 6] = ["cameras", "size", "annotators", "pair", "backend"
 ///     "edge_fill"), "lens" ("pinhole" or "fisheye") and "cameras" (the names of the two). The light changes what every engine measures.
 /// backend: "auto", "raster" or "ray".
 /// transparent: the ground truth of transparent surfaces: "surface" (default), or "through" for what lies behind the clear ones.
+/// exposure_ms: how long each row is exposed, ms, which blurs what moves in `shoot` with a velocity. By default frames are moments.
+/// readout_ms: the time from the exposure of the first row to that of the last, ms, of sensors that roll; by default the sensor's own, if
+///     there is an exposure.
 #[doc = include_str!("generated/sensor_options.doc")]
 ///
 /// Raises oaktwin.Error for a camera, a sensor or a pair that the device lacks, and for unknown or invalid options, with the nearest names.
@@ -70,7 +85,7 @@ pub(crate) struct Rig {
 #[pymethods]
 impl Rig {
     #[new]
-    #[pyo3(signature = (device, *, cameras = None, size = None, annotators = None, pair = None, backend = "auto", transparent = "surface", **options))]
+    #[pyo3(signature = (device, *, cameras = None, size = None, annotators = None, pair = None, backend = "auto", transparent = "surface", exposure_ms = None, readout_ms = None, **options))]
     #[pyo3(text_signature = None)]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn new(
@@ -82,6 +97,8 @@ impl Rig {
         pair: Option<&Bound<'_, PyAny>>,
         backend: &str,
         transparent: &str,
+        exposure_ms: Option<f64>,
+        readout_ms: Option<f64>,
         options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Self> {
         let entropy = fresh_seed(py, options)?;
@@ -108,6 +125,10 @@ impl Rig {
             sensor,
             backend: named::<Backend>("backend", backend)?,
             transparent: named::<Transparent>("transparent", transparent)?,
+            shutter: (exposure_ms.is_some() || readout_ms.is_some()).then(|| Shutter {
+                exposure_ms: exposure_ms.unwrap_or(0.0),
+                readout_ms,
+            }),
             ..RigSpec::default()
         };
         let twin = Arc::clone(&device.get().twin);
@@ -138,6 +159,10 @@ impl Rig {
         options.set_item("pair", to_python(py, &self.spec.pair)?)?;
         options.set_item("backend", self.spec.backend.name())?;
         options.set_item("transparent", self.spec.transparent.name())?;
+        if let Some(shutter) = &self.spec.shutter {
+            options.set_item("exposure_ms", shutter.exposure_ms)?;
+            options.set_item("readout_ms", shutter.readout_ms)?;
+        }
         Ok(((&self.device,), options))
     }
 
@@ -155,26 +180,38 @@ impl Rig {
     /// scene: the scene.
     /// world_from_body: the pose of the device's body, (4, 4), metres; x forward, y left, z up. See `Scene.look_at` with a device; a
     ///     `CameraPose` is rejected.
+    /// velocity: (vx, vy, vz, wx, wy, wz): the velocity of the body in the world, m/s, and its angular velocity about its own axes, rad/s,
+    ///     while the frame is taken; requires `exposure_ms` or `readout_ms` of the rig. The pose is that of the middle of the exposure.
     /// frame: the number of the frame. Noise differs between frames and is reproducible for each. By default, shots are numbered from 0 on.
     ///
     /// Returns a dictionary with a `Shot` for each camera: "rgb", "left", "right", "tof", and for the depth sensors "stereo_depth" and
     /// "tof_depth", or "stereo_1_depth" and so on if there are several of a kind.
     ///
     /// Issues an oaktwin.FindingWarning for missing or unsupported contents. Raises oaktwin.Error for an invalid pose.
-    #[pyo3(signature = (scene, world_from_body, *, frame = None))]
+    #[pyo3(signature = (scene, world_from_body, *, velocity = None, frame = None))]
     fn shoot<'py>(
         &self,
         py: Python<'py>,
         scene: &Scene,
         world_from_body: &Bound<'py, PyAny>,
+        velocity: Option<[f64; 6]>,
         frame: Option<FrameNumber>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let world_from_body = Of::Body.one("world_from_body", world_from_body)?;
+        let twist = velocity.map(|velocity| self.twist(velocity)).transpose()?;
         let number = FrameNumber::or_next(frame, &self.next_frame);
         let stage = scene.read(py);
         let renderer = &stage.renderer;
-        let shots = serve_all(py, self.engine.as_slice(), Report::default(), |_| {
-            self.rig().shoot(renderer, Some(&world_from_body), number)
+        let shots = serve_all(py, self.engine.as_slice(), Report::default(), |_| match twist {
+            Some(twist) => self.rig().expose(
+                &mut Passing {
+                    renderer,
+                    world_from_body,
+                    twist,
+                },
+                number,
+            ),
+            None => self.rig().shoot(renderer, Some(&world_from_body), number),
         })?;
         let (shots, findings) = shots.map_err(error)?;
         finding::warn(py, &findings)?;
@@ -258,6 +295,30 @@ impl Rig {
 }
 
 impl Rig {
+    /// Checks a velocity.
+    fn twist(&self, velocity: [f64; 6]) -> PyResult<Twist> {
+        let remedy = "make the rig with exposure_ms or readout_ms";
+        if self.spec.shutter.is_none() {
+            return Err(wrong(
+                "velocity",
+                "has no effect on frames that take no time",
+                remedy,
+            ));
+        }
+        if !velocity.iter().all(|number| number.is_finite()) {
+            return Err(wrong(
+                "velocity",
+                "has a number that is not finite",
+                "pass finite numbers",
+            ));
+        }
+        let [vx, vy, vz, wx, wy, wz] = velocity;
+        Ok(Twist {
+            velocity: DVec3::new(vx, vy, vz),
+            angular_velocity: DVec3::new(wx, wy, wz),
+        })
+    }
+
     /// Locks the rig for the next image. Called with the interpreter released.
     fn rig(&self) -> MutexGuard<'_, render::Rig> {
         let mut rig = self.rig.lock().unwrap_or_else(PoisonError::into_inner);

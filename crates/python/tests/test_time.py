@@ -116,7 +116,7 @@ def test_what_has_no_time(path, tmp_path):
         scene.set_time(float("nan"))
     mesh = tmp_path / "mesh.obj"
     mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
-    with pytest.raises(oaktwin.Error, match="only USD stages are"):
+    with pytest.raises(oaktwin.Error, match="only USD stages and glTF files are"):
         oaktwin.Scene.open(mesh).set_time(1)
     path.unlink()
     with pytest.raises(FileNotFoundError):

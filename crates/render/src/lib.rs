@@ -11,6 +11,7 @@ mod cutout;
 #[cfg(test)]
 mod fixture;
 mod luminance;
+mod radiance;
 mod raster;
 mod ray;
 mod rays;

@@ -171,7 +171,7 @@ impl Oak {
             ..state.spec(studio, size)?
         };
         let made = Rig::new(&twin, &spec).map_err(|error| match &error {
-            RigError::Camera(_) | RigError::NoDepthSensor(_) | RigError::Option(_) => {
+            RigError::Camera(_) | RigError::NoDepthSensor(_) | RigError::Option(_) | RigError::Moment(_) => {
                 Failure::of("sensor", &error)
             }
             RigError::Pair(_) => Failure::of("engine", &error),

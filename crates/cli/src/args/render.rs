@@ -8,7 +8,9 @@ use oaktwin::usd::optics::Projection;
 
 use super::annotators::annotators;
 use super::choice::parser;
-use super::{ImuArgs, OutputArgs, PairArgs, PlaceArgs, SceneArgs, SensorArgs, ThreadArgs, UnitArgs};
+use super::{
+    ImuArgs, OutputArgs, PairArgs, PlaceArgs, SceneArgs, SensorArgs, ShutterArgs, ThreadArgs, UnitArgs,
+};
 
 fn after_help() -> String {
     format!(
@@ -142,6 +144,9 @@ pub(crate) struct RenderArgs {
     /// Mount the OAK on this prim of the stage: poses are relative to it, and follow it
     #[arg(long, value_name = "PRIM", requires = "model", help_heading = "OAK")]
     pub(crate) mount: Option<String>,
+
+    #[command(flatten)]
+    pub(crate) shutter: ShutterArgs,
 
     #[command(flatten, next_help_heading = "Inertial sensor")]
     pub(crate) imu: ImuArgs,

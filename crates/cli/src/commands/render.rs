@@ -35,7 +35,11 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         Some((twin, _)) => {
             let world_from_body = opened.place(request::place(args, scene.scene.up)?);
             let (rig, more) = Rig::new(twin, &spec).map_err(|error| in_scene(args, error))?;
-            (rig.at(&world_from_body), more)
+            let rig = rig.at(&world_from_body);
+            match args.shutter.twist()? {
+                Some(twist) => (rig.moving(twist), more),
+                None => (rig, more),
+            }
         }
         None => {
             let (rig, more) = Rig::of_stage(scene, &spec).map_err(|error| in_scene(args, error))?;

@@ -132,8 +132,9 @@ fn imu_axes(imu: &Imu) -> String {
 fn sensor_text(sensor: &Sensor) -> String {
     let manufacturer = sensor.manufacturer.as_ref();
     let format = sensor.optical_format.as_ref();
+    let readout = sensor.readout_ms;
     format!(
-        "{}{}, {}×{} used of {}×{}, {} µm{}{}",
+        "{}{}, {}×{} used of {}×{}, {} µm{}{}{}",
         manufacturer.map_or_else(String::new, |name| format!("{name} ")),
         sensor.kind,
         sensor.used_resolution.0,
@@ -143,6 +144,10 @@ fn sensor_text(sensor: &Sensor) -> String {
         sensor.pixel_size_um,
         mark(sensor, "pixel_size_um"),
         format.map_or_else(String::new, |format| format!(", {format}")),
+        readout.map_or_else(String::new, |ms| format!(
+            ", rows read in {ms} ms{}",
+            mark(sensor, "readout_ms")
+        )),
     )
 }
 

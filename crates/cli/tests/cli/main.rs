@@ -30,6 +30,7 @@ mod render_pair;
 mod render_record;
 mod render_sensor;
 mod render_sensor_frames;
+mod render_shutter;
 mod scene_limit;
 mod sense;
 mod sense_bad_input;

@@ -231,7 +231,7 @@ fn invalid_requests_are_rejected() {
         ),
         (
             "mesh.obj --frames 0:1".to_owned(),
-            "mesh.obj: is not animated, because only USD stages are",
+            "mesh.obj: is not animated, because only USD stages and glTF files are",
         ),
         (
             format!("stage.usda --frames 0:1 --imu imu.csv {device}"),

@@ -56,6 +56,10 @@ impl Engine for TimeOfFlight {
         self.nearest_m()
     }
 
+    fn ages_s(&self) -> Option<[f64; 2]> {
+        Some(self.ages_s())
+    }
+
     /// The pixels whose light a pixel receives, and their neighbours, which their normals depend on.
     fn support_px(&self) -> u32 {
         2

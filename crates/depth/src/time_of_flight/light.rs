@@ -118,8 +118,8 @@ pub(super) struct Returns<'a> {
     pub(super) albedo: &'a [f32],
     /// The error of the distance, m.
     pub(super) shift: &'a [f32],
-    /// The radial velocity, m/s.
-    pub(super) velocity: &'a [f32],
+    /// The radial velocity since each frequency's measurement, m/s.
+    pub(super) velocity: [&'a [f32]; 2],
     pub(super) focal_length_px: f32,
     pub(super) u: &'a [f32],
     pub(super) v: f32,
@@ -144,8 +144,9 @@ impl<'a> Kernel for Returns<'a> {
             return;
         };
         let inside = |row: &'a [f32]| row.get(..n);
-        let rows = [self.albedo, self.shift, self.velocity, self.u].map(inside);
-        let [Some(albedo), Some(shift), Some(velocity), Some(u)] = rows else {
+        let [slow, fast] = self.velocity;
+        let rows = [self.albedo, self.shift, slow, fast, self.u].map(inside);
+        let [Some(albedo), Some(shift), Some(slow), Some(fast), Some(u)] = rows else {
             return;
         };
         let depth = self.depth;
@@ -167,7 +168,7 @@ impl<'a> Kernel for Returns<'a> {
             let range = depth[x] * ray2.sqrt() + shift[x];
             let range = if surface { range } else { 0.0 };
             let amplitude = contrast * reflected;
-            let seen = [range - velocity[x] * age_s[0], range - velocity[x] * age_s[1]];
+            let seen = [range - slow[x] * age_s[0], range - fast[x] * age_s[1]];
             (re0[x], im0[x]) = phasor(amplitude, seen[0] * turns_per_m[0]);
             (re1[x], im1[x]) = phasor(amplitude, seen[1] * turns_per_m[1]);
             let ambient = if surface { ambient * albedo[x] } else { 0.0 };

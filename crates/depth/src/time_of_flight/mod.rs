@@ -11,8 +11,8 @@
 //!    and pixels steeper than 89° on both sides count as facing the camera. The albedo at 940 nm is estimated as the luma of
 //!    the colour image (not its linear value, as dark surfaces reflect more at 940 nm), at least 0.02; without a colour image
 //!    it is [`Parameters::albedo`].
-//! 2. **Phasors.** C·A·e^{iφ} for each frequency, φ = 4π·f·r/c. If surfaces move ([`Shot::with_radial_velocity`]), each
-//!    frequency sees them at the middle of its measurements; the last one of the higher frequency is now. With
+//! 2. **Phasors.** C·A·e^{iφ} for each frequency, φ = 4π·f·r/c. If surfaces move ([`Shot::with_radial_velocity`],
+//!    [`Shot::with_radial_velocities`]), each frequency sees them at the middle of its measurements; the last one of the higher frequency is now. With
 //!    [`Parameters::multipath`], indirect light is added: one bounce between the visible surfaces, in 40 × 30 patches at
 //!    most, without occlusion. It moves concave corners away and rounds them: two walls at 90° whose edge is 1.5 m away, with
 //!    an albedo of 0.5, by 30 mm at 0.2 m from the edge, with 0.9 by 51 mm, and less at the edge itself.
@@ -40,7 +40,8 @@
 //!   after correction; the fixed pattern; the unit of the unwrapping threshold; the minimum amplitude.
 //! * A measurement is one exposure with all four samples, as a four-tap pixel takes them. The order of the measurements is
 //!   low, high, low shuffled, high shuffled; two per frame, so that each frame shares half of its measurements with
-//!   the previous one except in burst mode. Movement across the image is not modelled: it blurs edges on a device.
+//!   the previous one except in burst mode. The four samples of a frequency see the same; the two frequencies see an
+//!   edge that moves across the image at different places, where the light is that of the frame. A device also blurs it.
 //! * `enableTemperatureCorrection` and `enableDistortionCorrection` have no counterpart: neither temperature nor lens distortion is modelled.
 
 mod batch;
@@ -162,6 +163,12 @@ impl TimeOfFlight {
         let mut codes = Image::filled(depth.width(), depth.height(), 0);
         Job::new(self, shot, random).reasons(codes.pixels_mut());
         ReasonCodes(codes)
+    }
+
+    /// Returns how long ago the middle of each frequency's measurements was, s.
+    #[must_use]
+    pub fn ages_s(&self) -> [f64; 2] {
+        self.constants.lamp.age_s.map(f64::from)
     }
 
     fn constants(&self) -> &Constants {

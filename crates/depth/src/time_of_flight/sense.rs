@@ -22,7 +22,7 @@ pub(super) struct Job<'a> {
     optics: Optics,
     depth: ImageView<'a, f32>,
     picture: Option<ImageView<'a, [u8; 4]>>,
-    velocity: Option<ImageView<'a, f32>>,
+    velocities: Option<[ImageView<'a, f32>; 2]>,
     /// The random numbers of this frame's measurements, and of the previous frame's if they are shared.
     measurements: [Option<Plane>; 2],
     fixed_pattern: Option<Plane>,
@@ -105,7 +105,7 @@ impl<'a> Job<'a> {
             optics: Optics::new(p, depth.width(), depth.height()),
             depth,
             picture: shot.rgb(),
-            velocity: shot.radial_velocity(),
+            velocities: shot.radial_velocities(),
             measurements: [
                 Some(plane(shot.frame)),
                 shares.then(|| plane(shot.frame.wrapping_sub(1))),
@@ -296,7 +296,10 @@ impl Scratch {
                 *shift = c.bias_m + c.fixed_pattern_m * *shift;
             }
         }
-        let velocity = job.velocity.and_then(|velocity| row(velocity, y));
+        let velocity = match job.velocities {
+            Some(velocities) => velocities.map(|velocity| row(velocity, y).unwrap_or(&self.velocity)),
+            None => [&self.velocity[..]; 2],
+        };
         let [above, here, below] = [y - 1, y, y + 1].map(slot);
         let out = &mut self.light[here];
         simd::run_at(
@@ -307,7 +310,7 @@ impl Scratch {
                 depth,
                 albedo: &self.albedo,
                 shift: &self.shift,
-                velocity: velocity.unwrap_or(&self.velocity),
+                velocity,
                 focal_length_px: job.optics.focal_length_px,
                 u: &job.optics.columns,
                 v: job.optics.row(y),
@@ -335,7 +338,7 @@ impl Scratch {
                     surfaces: &self.surfaces,
                     albedo: &self.albedo,
                     shift: &self.shift,
-                    velocity: velocity.unwrap_or(&self.velocity),
+                    velocity,
                     out,
                 },
             );

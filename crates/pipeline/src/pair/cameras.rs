@@ -2,6 +2,7 @@ use oaktwin_render::{Backend, Beam, BeamPattern, Clip, Renderer, View};
 
 use super::{Pair, PairError, PairOptions};
 use crate::limits::check_size;
+use crate::render::{Moments, RigError, Shutter, exposed};
 use crate::sensor::Illumination;
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::math::DVec3;
@@ -15,8 +16,14 @@ use oaktwin_depth::random::{Stage, Stream};
 use oaktwin_depth::rectify::{Rectify, RectifyOptions, StereoRectify};
 use oaktwin_image::{Image, ImageView, ZDepth};
 
+/// The scene's light moves with its surfaces; dots do not.
+const MOVES: [bool; 2] = [true, false];
+
 /// The maximum bias, far above any calibration error, px.
 const MAX_BIAS_PX: f64 = 10.0;
+
+/// What a camera sees, and the findings about it.
+pub(crate) type Light = (Image<f32>, Vec<Finding>);
 
 /// The cameras of a twin's stereo pair.
 #[derive(Clone, Debug)]
@@ -45,7 +52,18 @@ struct StereoCamera {
     camera: Camera,
     body_from_camera: RigidTransform,
     clip: Clip,
+    readout_s: f64,
     random: Stream,
+}
+
+impl StereoCamera {
+    fn view(&self, world_from_body: &RigidTransform) -> View {
+        View {
+            camera: self.camera,
+            world_from_camera: *world_from_body * self.body_from_camera,
+            clip: self.clip,
+        }
+    }
 }
 
 /// An active dot projector.
@@ -137,8 +155,61 @@ impl PairCameras {
     /// number of frames.
     #[must_use]
     pub fn light(&self, renderer: &Renderer, world_from_body: &RigidTransform) -> PairLight {
-        let (left, mut findings) = self.light_of(&self.left, renderer, world_from_body);
-        let (right, more) = self.light_of(&self.right, renderer, world_from_body);
+        let lights = self.eyes().map(|eye| {
+            let view = eye.view(world_from_body);
+            self.light_of(&view, renderer, world_from_body)
+        });
+        self.with_truth(lights, renderer, world_from_body)
+    }
+
+    /// Returns what both cameras see while they take a frame; `None` if nothing moves.
+    pub(crate) fn expose(
+        &self,
+        moments: &mut dyn Moments,
+        camera: usize,
+        shutter: &Shutter,
+    ) -> Result<Option<[Light; 2]>, RigError> {
+        let mut lights = Vec::new();
+        for eye in self.eyes() {
+            let render = |renderer: &Renderer, body: &RigidTransform, view: &View| {
+                let (light, dots, findings) = self.parts(view, renderer, body);
+                let mut both = light.map(|light| [*light, 0.0]);
+                for (pixel, dots) in both
+                    .pixels_mut()
+                    .iter_mut()
+                    .zip(dots.iter().flat_map(Image::pixels))
+                {
+                    pixel[1] = *dots;
+                }
+                (both, findings)
+            };
+            let timing = shutter.timing(Some(eye.readout_s));
+            let Some((light, findings)) =
+                exposed(moments, camera, timing, &|body| eye.view(body), MOVES, render)?
+            else {
+                // What one camera does not see moving, the other may.
+                let (renderer, body) = moments.at(0.0, camera)?;
+                lights.push((self.light_of(&eye.view(&body), renderer, &body), false));
+                continue;
+            };
+            lights.push(((light.map(|[light, dots]| light + dots), findings), true));
+        }
+        let is_moving = lights.iter().any(|(_, is_moving)| *is_moving);
+        let lights: Vec<_> = lights.into_iter().map(|(light, _)| light).collect();
+        Ok(lights.try_into().ok().filter(|_| is_moving))
+    }
+
+    fn eyes(&self) -> [&StereoCamera; 2] {
+        [&self.left, &self.right]
+    }
+
+    /// Adds the ground truth of the body at a pose in metres to what both cameras see.
+    pub(crate) fn with_truth(
+        &self,
+        [(left, mut findings), (right, more)]: [Light; 2],
+        renderer: &Renderer,
+        world_from_body: &RigidTransform,
+    ) -> PairLight {
         for finding in more {
             if !findings.contains(&finding) {
                 findings.push(finding);
@@ -190,35 +261,37 @@ impl PairCameras {
 }
 
 impl PairCameras {
+    /// The light that a camera sees.
     fn light_of(
         &self,
-        eye: &StereoCamera,
+        view: &View,
         renderer: &Renderer,
         world_from_body: &RigidTransform,
     ) -> (Image<f32>, Vec<Finding>) {
-        let view = View {
-            camera: eye.camera,
-            world_from_camera: *world_from_body * eye.body_from_camera,
-            clip: eye.clip,
-        };
+        let (mut light, dots, findings) = self.parts(view, renderer, world_from_body);
+        let dots = dots.iter().flat_map(Image::pixels);
+        for (light, dots) in light.pixels_mut().iter_mut().zip(dots) {
+            *light += dots;
+        }
+        (light, findings)
+    }
+
+    /// The scene's light and the projector's, if it is on.
+    fn parts(
+        &self,
+        view: &View,
+        renderer: &Renderer,
+        world_from_body: &RigidTransform,
+    ) -> (Image<f32>, Option<Image<f32>>, Vec<Finding>) {
         let beam = self.projector.as_ref().map(|lamp| Beam {
             world_from_beam: *world_from_body * lamp.body_from_projector,
             pattern: lamp as &dyn BeamPattern,
         });
-        let (mut seen, findings) = renderer.luminance(&view, Backend::Auto, beam.as_ref());
-        match &seen.beam {
-            Some(beam) => {
-                for (light, dots) in seen.scene.pixels_mut().iter_mut().zip(beam.pixels()) {
-                    *light = *light * self.ambient + dots;
-                }
-            }
-            None => {
-                for light in seen.scene.pixels_mut() {
-                    *light *= self.ambient;
-                }
-            }
+        let (mut seen, findings) = renderer.luminance(view, Backend::Auto, beam.as_ref());
+        for light in seen.scene.pixels_mut() {
+            *light *= self.ambient;
         }
-        (seen.scene, findings)
+        (seen.scene, seen.beam, findings)
     }
 }
 
@@ -253,6 +326,7 @@ fn eye(twin: &Twin, role: Role, options: &PairOptions) -> Result<StereoCamera, P
         camera: optics,
         body_from_camera: camera.body_from_camera,
         clip: Clip { near_m, far_m },
+        readout_s: camera.readout_s,
         random: Stream::new(options.seed, &camera.spec.prim),
     })
 }

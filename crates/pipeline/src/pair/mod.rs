@@ -47,6 +47,7 @@ mod options;
 )]
 mod tests;
 
+pub(crate) use cameras::Light;
 pub use cameras::{PairCameras, PairLight, default_projector, illumination, shifted};
 pub use error::PairError;
 pub use options::PairOptions;

@@ -2,11 +2,13 @@
 
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::RigidTransform;
+use oaktwin_imu::Motion;
 use oaktwin_render::Renderer;
 use oaktwin_scene::Scene;
 use oaktwin_usd::stage::StageTiming;
 
-use super::frames::{Frames, FramesError, Outputs, Written, times_ns, write};
+use super::PlacedCamera;
+use super::frames::{Frames, FramesError, Outputs, Written, at, motion, times_ns, write};
 use super::rig::{Rig, RigSpec};
 use super::scene_camera::{SceneCameraOptions, scene_cameras};
 use super::scene_file::{AnimatedScene, SceneChange, SceneFile};
@@ -85,7 +87,11 @@ pub struct Animation<'a> {
     scene: &'a mut AnimatedScene,
     times: Vec<f64>,
     times_ns: Vec<u64>,
+    /// The time codes in a second of the frames' time.
+    codes_per_s: f64,
     path: &'a [TimedPose],
+    /// The motion along the path, if frames take time.
+    motion: Option<Motion>,
     renderer: Renderer,
     stage: Option<StageCameras<'a>>,
     own_pose: RigidTransform,
@@ -96,6 +102,8 @@ pub struct Animation<'a> {
 struct StageCameras<'a> {
     file: SceneFile,
     spec: &'a RigSpec,
+    /// The poses of the rig's cameras at the time that was read last, if they were asked for.
+    placed: Option<Vec<RigidTransform>>,
 }
 
 impl<'a> Animation<'a> {
@@ -119,13 +127,15 @@ impl<'a> Animation<'a> {
                 path.len()
             ));
         }
-        Ok(Self {
+        let mut made = Self {
             own_pose: rig
                 .cameras()
                 .first()
                 .map_or(RigidTransform::IDENTITY, |camera| camera.world_from_mount),
             ..Self::new(scene, first.scene, times, path)
-        })
+        };
+        made.motion = motion(rig, path, &made.times_ns).map_err(|error| error.to_string())?;
+        Ok(made)
     }
 
     /// Makes the animation of a scene, which was read at the first time code, for its own cameras, whose rig has this specification.
@@ -138,7 +148,11 @@ impl<'a> Animation<'a> {
     ) -> Self {
         let drawn = first.take_scene();
         Self {
-            stage: Some(StageCameras { file: first, spec }),
+            stage: Some(StageCameras {
+                file: first,
+                spec,
+                placed: None,
+            }),
             ..Self::new(scene, drawn, times, &[])
         }
     }
@@ -149,11 +163,17 @@ impl<'a> Animation<'a> {
         (times, times_s): (&TimeCodes, &[Option<f64>]),
         path: &'a [TimedPose],
     ) -> Self {
+        let period_s = match times_s {
+            [Some(first), Some(second), ..] => second - first,
+            _ => times.step / scene.timing().time_codes_per_second,
+        };
         Self {
             scene,
             times: times.codes.clone(),
             times_ns: times_ns(times_s),
+            codes_per_s: times.step / period_s,
             path,
+            motion: None,
             renderer: Renderer::new(first),
             stage: None,
             own_pose: RigidTransform::IDENTITY,
@@ -162,20 +182,63 @@ impl<'a> Animation<'a> {
 }
 
 impl StageCameras<'_> {
-    /// Moves the cameras of the rig; a rig whose optics have changed is made again.
-    fn place(&self, rig: &mut Rig) -> Result<Vec<Finding>, FramesError> {
+    fn cameras(&self) -> Result<Vec<PlacedCamera>, FramesError> {
         let options = SceneCameraOptions {
             cameras: &self.spec.cameras,
             size: self.spec.size,
             projection: self.spec.projection,
         };
-        let (cameras, _) = scene_cameras(&self.file, &options)?;
-        if rig.place_cameras(cameras) {
+        Ok(scene_cameras(&self.file, &options)?.0)
+    }
+
+    /// Moves the cameras of the rig; a rig whose optics have changed is made again.
+    fn place(&self, rig: &mut Rig) -> Result<Vec<Finding>, FramesError> {
+        if rig.place_cameras(self.cameras()?) {
             return Ok(Vec::new());
         }
         let (made, findings) = Rig::of_stage(&self.file, self.spec)?;
         *rig = made;
         Ok(findings)
+    }
+}
+
+impl Animation<'_> {
+    /// Goes to a time code. Returns whether cameras of the stage may have changed.
+    fn go(&mut self, code: f64, findings: &mut Vec<Finding>) -> Result<bool, FramesError> {
+        let (change, mut found) = self.scene.at(Some(code))?;
+        findings.append(&mut found);
+        let has_moved = match change {
+            SceneChange::Moved(instances, cameras) => {
+                self.renderer.set_poses(instances);
+                let has_moved = !cameras.is_empty();
+                if let Some(stage) = &mut self.stage {
+                    for (index, world_from_camera) in cameras {
+                        stage.file.cameras[index].world_from_camera = world_from_camera;
+                    }
+                }
+                has_moved
+            }
+            SceneChange::Rebuilt(mut file) => {
+                self.renderer = Renderer::new(file.take_scene());
+                if let Some(stage) = &mut self.stage {
+                    stage.file = *file;
+                }
+                true
+            }
+        };
+        if let Some(stage) = self.stage.as_mut().filter(|_| has_moved) {
+            stage.placed = None;
+        }
+        Ok(has_moved)
+    }
+
+    /// The pose of an OAK in the world, at a pose on the prim that carries it, if there is one.
+    fn mounted(&self, own: Option<RigidTransform>) -> RigidTransform {
+        let own = own.unwrap_or(self.own_pose);
+        match self.scene.world_from_mount() {
+            Some(world_from_mount) => *world_from_mount * own,
+            None => own,
+        }
     }
 }
 
@@ -191,39 +254,40 @@ impl Frames for Animation<'_> {
         findings: &mut Vec<Finding>,
     ) -> Result<Option<RigidTransform>, FramesError> {
         // The scene was read at the first time.
-        if number > 0 {
-            let (change, mut found) = self.scene.at(Some(self.times[number]))?;
-            findings.append(&mut found);
-            match change {
-                SceneChange::Moved(instances, cameras) => {
-                    self.renderer.set_poses(instances);
-                    if let Some(stage) = self.stage.as_mut().filter(|_| !cameras.is_empty()) {
-                        for (index, world_from_camera) in cameras {
-                            stage.file.cameras[index].world_from_camera = world_from_camera;
-                        }
-                        findings.extend(stage.place(rig)?);
-                    }
-                }
-                SceneChange::Rebuilt(mut file) => {
-                    self.renderer = Renderer::new(file.take_scene());
-                    if let Some(stage) = &mut self.stage {
-                        stage.file = *file;
-                        findings.extend(stage.place(rig)?);
-                    }
-                }
-            }
+        if number > 0
+            && self.go(self.times[number], findings)?
+            && let Some(stage) = &self.stage
+        {
+            findings.extend(stage.place(rig)?);
         }
         if self.stage.is_some() {
             return Ok(None);
         }
-        let own = self
-            .path
-            .get(number)
-            .map_or(self.own_pose, |pose| pose.world_from_mount);
-        Ok(Some(match self.scene.world_from_mount() {
-            Some(world_from_mount) => *world_from_mount * own,
-            None => own,
-        }))
+        let own = self.path.get(number).map(|pose| pose.world_from_mount);
+        Ok(Some(self.mounted(own)))
+    }
+
+    fn shift(
+        &mut self,
+        number: usize,
+        offset_s: f64,
+        camera: usize,
+    ) -> Result<Option<RigidTransform>, FramesError> {
+        // What is found at the times of frames is reported.
+        let code = self.times[number] + offset_s * self.codes_per_s;
+        self.go(code, &mut Vec::new())?;
+        let Some(stage) = &mut self.stage else {
+            let own = at(self.motion.as_ref(), &self.times_ns, number, offset_s);
+            return Ok(Some(self.mounted(own)));
+        };
+        if stage.placed.is_none() {
+            let cameras = stage.cameras()?;
+            stage.placed = Some(cameras.iter().map(|camera| camera.world_from_mount).collect());
+        }
+        Ok(stage
+            .placed
+            .as_ref()
+            .and_then(|placed| placed.get(camera).copied()))
     }
 
     fn renderer(&self) -> &Renderer {

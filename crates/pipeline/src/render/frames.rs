@@ -4,18 +4,20 @@ use std::ops::ControlFlow;
 
 use oaktwin_camera::RigidTransform;
 use oaktwin_render::Renderer;
-use oaktwin_usd::stage::StageError;
 
 use super::camera::CameraError;
 use super::recorder::{FRAME_RATE, FrameRecorder};
 use super::rig::{Rig, RigError};
+use super::scene_file::SceneFileError;
+use super::shutter::{Moments, Twist};
 use super::trajectory::{self, TimedPose};
 use crate::progress::Watch;
 use crate::recording::RecordingFileError;
 use crate::write::{Producer, write_while};
-use oaktwin_base::diagnostic::{Finding, Level};
+use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 use oaktwin_dataset::{WriteError, Writer};
 use oaktwin_files::{FileError, OutputFiles, WrittenFile};
+use oaktwin_imu::Motion;
 
 /// The outputs of rendered frames.
 #[expect(missing_debug_implementations, reason = "writers have none")]
@@ -53,7 +55,7 @@ pub enum FramesError {
     Rig(#[from] RigError),
     /// An animated scene cannot be read at a time.
     #[error(transparent)]
-    Stage(#[from] StageError),
+    Scene(#[from] SceneFileError),
     /// A camera of an animated scene cannot be rendered at a time.
     #[error(transparent)]
     Camera(#[from] CameraError),
@@ -81,6 +83,14 @@ pub(super) trait Frames {
         findings: &mut Vec<Finding>,
     ) -> Result<Option<RigidTransform>, FramesError>;
 
+    /// Goes to a time, s after the current frame's own. Returns the pose of a camera's mount if the frames move it.
+    fn shift(
+        &mut self,
+        number: usize,
+        offset_s: f64,
+        camera: usize,
+    ) -> Result<Option<RigidTransform>, FramesError>;
+
     /// The scene at this frame.
     fn renderer(&self) -> &Renderer;
 }
@@ -90,6 +100,7 @@ struct Still<'a> {
     renderer: &'a Renderer,
     path: &'a [TimedPose],
     times_ns: Vec<u64>,
+    motion: Option<Motion>,
 }
 
 impl Frames for Still<'_> {
@@ -104,6 +115,15 @@ impl Frames for Still<'_> {
         _: &mut Vec<Finding>,
     ) -> Result<Option<RigidTransform>, FramesError> {
         Ok(self.path.get(number).map(|pose| pose.world_from_mount))
+    }
+
+    fn shift(
+        &mut self,
+        number: usize,
+        offset_s: f64,
+        _: usize,
+    ) -> Result<Option<RigidTransform>, FramesError> {
+        Ok(at(self.motion.as_ref(), &self.times_ns, number, offset_s))
     }
 
     fn renderer(&self) -> &Renderer {
@@ -127,12 +147,91 @@ pub fn write_frames(
     outputs: Outputs<'_>,
     watch: &Watch<'_>,
 ) -> Result<Written, FramesError> {
+    let times_ns = times_ns(&trajectory::times_s(path));
+    if rig.shutter().is_some() && rig.twist().is_none() && path.len() < 2 {
+        return Err(RigError::Option(message![
+            opt("exposure"),
+            " and ",
+            opt("readout"),
+            " require motion; give ",
+            opt("trajectory"),
+            " of at least two poses, ",
+            opt("frames"),
+            " or ",
+            opt("velocity")
+        ])
+        .into());
+    }
     let mut frames = Still {
         renderer,
         path,
-        times_ns: times_ns(&trajectory::times_s(path)),
+        motion: motion(rig, path, &times_ns)?,
+        times_ns,
     };
     write(&mut frames, rig, is_strict, outputs, watch)
+}
+
+/// Returns the motion along a path if the frames of a rig take time.
+pub(super) fn motion(rig: &Rig, path: &[TimedPose], times_ns: &[u64]) -> Result<Option<Motion>, FramesError> {
+    if !rig.takes_time() || path.len() < 2 {
+        return Ok(None);
+    }
+    let timed = path.iter().zip(times_ns);
+    #[expect(clippy::cast_precision_loss, reason = "nanoseconds of a trajectory")]
+    let timed: Vec<_> = timed
+        .map(|(pose, time_ns)| (*time_ns as f64 * 1e-9, pose.world_from_mount))
+        .collect();
+    let motion = Motion::new(&timed)
+        .map_err(|error| RigError::Option(message![opt("trajectory"), format!(": {error}")]))?;
+    Ok(Some(motion))
+}
+
+/// Returns the pose of a motion at a time after a frame's.
+#[expect(clippy::cast_precision_loss, reason = "nanoseconds of a trajectory")]
+pub(super) fn at(
+    motion: Option<&Motion>,
+    times_ns: &[u64],
+    number: usize,
+    offset_s: f64,
+) -> Option<RigidTransform> {
+    let (motion, first, own) = (motion?, times_ns.first()?, times_ns.get(number)?);
+    let since_start_s = (own - first) as f64 * 1e-9 + offset_s;
+    Some(motion.at(since_start_s).world_from_body)
+}
+
+/// The moments of one of several frames.
+struct Around<'a> {
+    frames: &'a mut dyn Frames,
+    number: usize,
+    /// The pose of each camera's mount, if the frames do not move it.
+    own: Vec<RigidTransform>,
+    twist: Twist,
+}
+
+impl Moments for Around<'_> {
+    fn at(&mut self, offset_s: f64, camera: usize) -> Result<(&Renderer, RigidTransform), RigError> {
+        let pose = self.frames.shift(self.number, offset_s, camera);
+        let pose = pose.map_err(|error| RigError::Moment(error.to_string()))?;
+        let pose = pose.unwrap_or_else(|| self.twist.after(&self.own[camera], offset_s));
+        Ok((self.frames.renderer(), pose))
+    }
+}
+
+/// Checks that every camera can take a frame in the time until the next.
+fn check_periods(rig: &Rig, times_ns: &[u64]) -> Result<(), FramesError> {
+    let Some(shutter) = rig.shutter() else {
+        return Ok(());
+    };
+    let periods = times_ns.windows(2).map(|pair| pair[1].saturating_sub(pair[0]));
+    let Some(shortest) = periods.min() else {
+        return Ok(());
+    };
+    #[expect(clippy::cast_precision_loss, reason = "nanoseconds of a period")]
+    let period_s = shortest as f64 * 1e-9;
+    for camera in rig.cameras() {
+        shutter.check_period(camera, period_s).map_err(RigError::Option)?;
+    }
+    Ok(())
 }
 
 /// Renders and writes frames.
@@ -157,6 +256,7 @@ pub(super) fn write(
         None => &mut no_files,
     };
     writers.extend(recorder.as_mut().map(|recorder| recorder as &mut dyn Writer));
+    check_periods(rig, frames.times_ns())?;
     let mut findings = rig.cast_instead();
     let cameras = rig.cameras().len();
     let total = frames.times_ns().len() as u64 * cameras as u64;
@@ -195,10 +295,21 @@ fn render_all(
             if producer.proceed().is_break() {
                 return Ok(ControlFlow::Break(()));
             }
-            let renderer = frames.renderer();
-            let (mut shot, more) =
-                rig.shoot_camera(renderer, index, pose.as_ref(), number as u64, &annotators)?;
-            shot.time_ns = time_ns;
+            let (mut shot, more) = if rig.takes_time() {
+                let mut around = Around {
+                    own: (rig.cameras().iter())
+                        .map(|camera| pose.unwrap_or(camera.world_from_mount))
+                        .collect(),
+                    frames: &mut *frames,
+                    number,
+                    twist: rig.twist().copied().unwrap_or_default(),
+                };
+                rig.expose_camera(&mut around, index, number as u64, &annotators)?
+            } else {
+                let renderer = frames.renderer();
+                rig.shoot_camera(renderer, index, pose.as_ref(), number as u64, &annotators)?
+            };
+            shot.time_ns = time_ns.saturating_add(offset_ns(&rig, index));
             note(more, is_strict, findings)?;
             if producer.write(shot).is_break() {
                 return Ok(ControlFlow::Break(()));
@@ -206,6 +317,16 @@ fn render_all(
         }
     }
     Ok(producer.finish())
+}
+
+/// How long after the time of a frame a camera takes it, ns.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "at most 10 s, not negative"
+)]
+fn offset_ns(rig: &Rig, camera: usize) -> u64 {
+    (rig.offset_s(camera) * 1e9).round() as u64
 }
 
 /// Keeps findings without duplicates; a warning is an error if the task is strict.

@@ -50,6 +50,7 @@ mod rig;
 mod save;
 mod scene_camera;
 mod scene_file;
+mod shutter;
 mod sweep;
 pub mod trajectory;
 
@@ -75,6 +76,8 @@ pub use rig::{PairUse, Rig, RigError, RigSpec, depth_sensor_of};
 pub use save::{check_saved_name, save_usd, usd_files};
 pub use scene_camera::{SceneCameraOptions, scene_cameras};
 pub use scene_file::{AnimatedScene, OpenOptions, SceneChange, SceneFile, SceneFileError};
+pub(crate) use shutter::exposed;
+pub use shutter::{Moments, Passing, Shutter, Twist};
 pub use sweep::{Axis, MAX_VALUES, Sweep, SweepError, SweptSensors};
 
 /// Sets the number of threads. Without effect after something was rendered.

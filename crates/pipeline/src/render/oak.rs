@@ -199,6 +199,7 @@ fn place(
         clip: Clip { near_m, far_m },
         mount_from_camera: candidate.camera.body_from_camera,
         world_from_mount: *world_from_body,
+        readout_s: Some(candidate.camera.readout_s),
         attributes: CameraAttributes {
             optics: UsdOptics::from_intrinsics(&intrinsics, pixel_size_um, Default::default()),
             focus_distance: candidate.focus_distance,

@@ -41,6 +41,8 @@ pub struct FrameRecorder {
     file: Option<RecordingFile>,
     cameras: Vec<CameraId>,
     times: Vec<Time>,
+    /// How long after the time of a frame each camera takes it, s.
+    offsets_s: Vec<f64>,
     depth_points: bool,
     /// The samples of the inertial sensor that are not recorded yet.
     imu: Option<Peekable<ImuSimulation>>,
@@ -85,10 +87,12 @@ impl FrameRecorder {
         let cameras = cameras
             .map(|(camera, sensor)| file.add_camera(&recorded(camera, sensor.as_ref())))
             .collect::<Result<_, _>>()?;
+        let cameras_count = rig.cameras().len();
         let recorder = Self {
             file: Some(file),
             cameras,
             times,
+            offsets_s: (0..cameras_count).map(|camera| rig.offset_s(camera)).collect(),
             depth_points: annotators.contains(&Annotator::Pointcloud),
             imu: None,
             written: None,
@@ -126,6 +130,8 @@ impl Writer for FrameRecorder {
         let time = usize::try_from(shot.number)
             .ok()
             .and_then(|number| self.times.get(number).copied());
+        let offset_s = self.offsets_s.get(shot.camera).copied().unwrap_or(0.0);
+        let time = time.map(|time| time.plus(offset_s).unwrap_or(time));
         if let Some(time) = time {
             self.record_imu(Some(time))?;
         }

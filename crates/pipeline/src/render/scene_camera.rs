@@ -260,6 +260,7 @@ fn place(
             clip: range_m.map_or_else(Clip::default, |(near_m, far_m)| Clip { near_m, far_m }),
             mount_from_camera: RigidTransform::IDENTITY,
             world_from_mount: camera.world_from_camera,
+            readout_s: None,
             attributes: CameraAttributes {
                 optics: camera.optics(),
                 focus_distance: camera.prim.number("focusDistance").unwrap_or(0.0),

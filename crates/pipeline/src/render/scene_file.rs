@@ -9,7 +9,7 @@ use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::DAffine3;
 use oaktwin_files::FileError;
 use oaktwin_scene::import::{self, ImportError, ImportOptions, ImportedCamera};
-use oaktwin_scene::{MicroTexture, Scene, Up};
+use oaktwin_scene::{Instance, MicroTexture, Scene, Up};
 use oaktwin_usd::stage::{
     self, AnimatedStage, Attribute, Prim, RenderProduct, SceneCamera, SceneLimit, SceneOptions,
     StageContents, StageError, StageScene, StageTiming, Value,
@@ -88,7 +88,8 @@ impl SceneFile {
         Ok(opened.with_micro_texture(options.micro_texture))
     }
 
-    /// Opens a USD stage at the time of the options, and keeps it open for other times. `mount` is the path of a prim that carries a device.
+    /// Opens a USD stage, or a glTF file, at the time of the options, and keeps it open for other times. `mount` is the path of a stage's prim
+    /// that carries a device.
     ///
     /// # Errors
     /// Returns an error in the cases of [`SceneFile::open`], for a file of another kind, and if there is no such prim.
@@ -97,10 +98,31 @@ impl SceneFile {
         options: &OpenOptions,
         mount: Option<&str>,
     ) -> Result<(AnimatedScene, Self), SceneFileError> {
+        if is_gltf(path) && mount.is_none() {
+            let (scene, range) = Self::imported(path, options)?;
+            let scene = scene.with_micro_texture(options.micro_texture);
+            let timing = StageTiming {
+                time_codes_per_second: 1.0,
+                range,
+                is_animated: range.is_some(),
+                deforms: None,
+            };
+            let animated = AnimatedScene {
+                path: path.to_owned(),
+                micro_texture: options.micro_texture,
+                source: Animated::Gltf(Box::new(Nodes {
+                    options: *options,
+                    first: scene.scene.clone(),
+                    timing,
+                })),
+                world_from_mount: None,
+            };
+            return Ok((animated, scene));
+        }
         if !Self::is_stage(path) {
             let message = match mount {
                 Some(_) => message![opt("mount"), " requires a USD stage"],
-                None => message!["is not animated, because only USD stages are"],
+                None => message!["is not animated, because only USD stages and glTF files are"],
             };
             return Err(FileError::new(path, message, "convert the file to USD").into());
         }
@@ -110,7 +132,7 @@ impl SceneFile {
         let animated = AnimatedScene {
             path: path.to_owned(),
             micro_texture: options.micro_texture,
-            stage,
+            source: Animated::Stage(stage),
             world_from_mount,
         };
         Ok((animated, scene))
@@ -148,8 +170,14 @@ impl SceneFile {
     }
 
     fn import(path: &Path, options: &OpenOptions) -> Result<Self, SceneFileError> {
+        Ok(Self::imported(path, options)?.0)
+    }
+
+    /// Imports a mesh file, with the first and the last keyframe of its animations, s.
+    fn imported(path: &Path, options: &OpenOptions) -> Result<(Self, Option<(f64, f64)>), SceneFileError> {
+        let can_move = is_gltf(path);
         for (given, name) in [
-            (options.time.is_some(), "time"),
+            (options.time.is_some() && !can_move, "time"),
             (options.subdivide > 0, "subdivide"),
         ] {
             if given {
@@ -157,33 +185,80 @@ impl SceneFile {
                 return Err(FileError::new(path, message, message!["remove ", opt(name)]).into());
             }
         }
-        let imported = import::open(
-            path,
-            &ImportOptions {
-                up: options.up,
-                scale: options.scale.unwrap_or(1.0),
-                allow_outside: options.allow_outside,
-            },
-        )?;
+        let imported = import::open(path, &import_options(options))?;
         let meters_per_unit = imported.scene.meters_per_unit.0;
         let cameras = imported.cameras.iter();
-        Ok(Self {
+        let file = Self {
             path: path.to_owned(),
             cameras: cameras.map(|camera| as_prim(camera, meters_per_unit)).collect(),
             scene: imported.scene,
             products: Vec::new(),
             findings: imported.findings,
-        })
+        };
+        Ok((file, imported.animated_s))
     }
 }
 
-/// A USD stage that stays open.
+/// Whether a scene is another one with other poses of its instances.
+fn is_moved(scene: &Scene, first: &Scene) -> bool {
+    let other = |(own, first): (&Instance, &Instance)| {
+        let moved = Instance {
+            world_from_mesh: first.world_from_mesh,
+            ..own.clone()
+        };
+        moved != *first
+    };
+    scene.instances.len() == first.instances.len()
+        && !scene.instances.iter().zip(&first.instances).any(other)
+        && scene.meshes == first.meshes
+        && scene.materials == first.materials
+        && scene.textures == first.textures
+        && scene.lights == first.lights
+}
+
+/// A USD stage that stays open, or a glTF file.
 #[derive(Debug)]
 pub struct AnimatedScene {
     path: PathBuf,
     micro_texture: bool,
-    stage: AnimatedStage,
+    source: Animated,
     world_from_mount: Option<RigidTransform>,
+}
+
+/// What is animated.
+#[derive(Debug)]
+enum Animated {
+    Stage(AnimatedStage),
+    Gltf(Box<Nodes>),
+}
+
+/// A glTF file, which is read again for each time: its time codes are seconds.
+#[derive(Debug)]
+struct Nodes {
+    options: OpenOptions,
+    /// The scene of the first time.
+    first: Scene,
+    timing: StageTiming,
+}
+
+impl Nodes {
+    /// Reads the file at another time. Of a scene in which only nodes have moved, the meshes of the first time stay.
+    fn at(&self, path: &Path, time_s: Option<f64>) -> Result<SceneChange, SceneFileError> {
+        let options = OpenOptions {
+            time: time_s,
+            ..self.options
+        };
+        let file = SceneFile::open(path, &options)?;
+        if !is_moved(&file.scene, &self.first) {
+            return Ok(SceneChange::Rebuilt(Box::new(file)));
+        }
+        let instances = file.scene.instances.iter().map(|one| one.world_from_mesh);
+        let cameras = file.cameras.iter().map(|one| one.world_from_camera);
+        Ok(SceneChange::Moved(
+            instances.enumerate().collect(),
+            cameras.enumerate().collect(),
+        ))
+    }
 }
 
 /// The contents of an animated scene at another time.
@@ -199,7 +274,10 @@ impl AnimatedScene {
     /// Returns the times of the stage.
     #[must_use]
     pub fn timing(&self) -> &StageTiming {
-        self.stage.timing()
+        match &self.source {
+            Animated::Stage(stage) => stage.timing(),
+            Animated::Gltf(nodes) => &nodes.timing,
+        }
     }
 
     /// Returns the pose of the prim that carries a device, in metres, at the time that was read last.
@@ -212,8 +290,19 @@ impl AnimatedScene {
     ///
     /// # Errors
     /// Returns an error if the stage cannot be read at this time.
-    pub fn at(&mut self, time: Option<f64>) -> Result<(SceneChange, Vec<Finding>), StageError> {
-        let change = self.stage.at(time)?;
+    pub fn at(&mut self, time: Option<f64>) -> Result<(SceneChange, Vec<Finding>), SceneFileError> {
+        let stage = match &mut self.source {
+            Animated::Stage(stage) => stage,
+            Animated::Gltf(nodes) => {
+                let mut change = nodes.at(&self.path, time)?;
+                let findings = match &mut change {
+                    SceneChange::Rebuilt(file) => std::mem::take(&mut file.findings),
+                    SceneChange::Moved(..) => Vec::new(),
+                };
+                return Ok((change, findings));
+            }
+        };
+        let change = stage.at(time)?;
         // A prim whose transform is singular stays where it was.
         self.world_from_mount = change.world_from_mount.or(self.world_from_mount);
         let mut findings = Vec::from_iter(change.mount_finding);
@@ -227,6 +316,20 @@ impl AnimatedScene {
         };
         Ok((contents, findings))
     }
+}
+
+fn import_options(options: &OpenOptions) -> ImportOptions {
+    ImportOptions {
+        up: options.up,
+        scale: options.scale.unwrap_or(1.0),
+        allow_outside: options.allow_outside,
+        time_s: options.time,
+    }
+}
+
+/// Whether a file is glTF, by its extension.
+fn is_gltf(path: &Path) -> bool {
+    ["gltf", "glb"].contains(&extension(path).as_str())
 }
 
 fn extension(path: &Path) -> String {

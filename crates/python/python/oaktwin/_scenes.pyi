@@ -79,6 +79,7 @@ class Scene:
         scene_limit: float = 1.0,
         allow_outside: bool = False,
         micro_texture: bool = False,
+        mount: str | None = None,
     ) -> Scene:
         """Opens a USD stage (usd, usda, usdc, usdz) or a mesh file (gltf, glb, obj, stl, ply).
 
@@ -90,6 +91,7 @@ class Scene:
         scene_limit: a factor on the limits on a USD stage's prims, references and instances; by default 1.
         allow_outside: whether a glTF file may name buffers and images outside its folder; for trusted files only.
         micro_texture: whether surfaces without a texture get the fine one of paint, wood or cloth, by which stereo cameras match them.
+        mount: the path of a USD stage's prim that carries a device; see `world_from_mount`.
 
         Missing and unsupported contents are listed in `findings`. Raises FileNotFoundError or another OSError if the file cannot
         be read, oaktwin.Error for an invalid file, or an option that does not apply to its format.
@@ -155,6 +157,11 @@ class Scene:
         in the stage, the first is 0 and the last infinity.
 
         Raises oaktwin.Error if the stage cannot be read again.
+        """
+    @property
+    def world_from_mount(self) -> npt.NDArray[np.float64] | None:
+        """The pose at the present time of the prim that `open` was given as `mount`, (4, 4), metres; None without one. A device at a pose on the
+        prim is at `scene.world_from_mount @ mount_from_body`.
         """
     @property
     def poses(self) -> Poses:

@@ -14,12 +14,11 @@ use std::sync::{Mutex, RwLock};
 use numpy::PyArray2;
 use oaktwin::diagnostic;
 use oaktwin::pair::PairError;
-use oaktwin::render::{AnnotateOptions, OpenOptions, SceneFile, Transparent, check_saved_name, save_usd};
+use oaktwin::render::{AnnotateOptions, OpenOptions, Transparent, check_saved_name, save_usd};
 use oaktwin::scene::Instance;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use self::cameras::cameras;
 use self::parts::{Parts, Stage};
 pub(crate) use self::parts::{path, unknown_part};
 use self::time::Animation;
@@ -28,12 +27,11 @@ use crate::asset;
 use crate::camera::Camera;
 use crate::choice::{maybe_named, named};
 use crate::device::Device;
-use crate::error::{error, reading, writing};
+use crate::error::{error, writing};
 use crate::finding::{self, Finding};
 use crate::mesh::Mesh;
 use crate::pair::{self, PairSettings};
 use crate::pose::{Of, matrix, one_pose, rows};
-use crate::progress::Report;
 use crate::settings::{drift, seed_or_entropy};
 use crate::threads;
 
@@ -58,6 +56,8 @@ enum Origin {
     File {
         path: PathBuf,
         options: OpenOptions,
+        /// The path of the prim that carries a device.
+        mount: Option<String>,
     },
     /// The meshes by name.
     Meshes(Vec<(String, Py<Mesh>)>),
@@ -75,12 +75,13 @@ impl Scene {
     /// scene_limit: a factor on the limits on a USD stage's prims, references and instances; by default 1.
     /// allow_outside: whether a glTF file may name buffers and images outside its folder; for trusted files only.
     /// micro_texture: whether surfaces without a texture get the fine one of paint, wood or cloth, by which stereo cameras match them.
+    /// mount: the path of a USD stage's prim that carries a device; see `world_from_mount`.
     ///
     /// Missing and unsupported contents are listed in `findings`. Raises FileNotFoundError or another OSError if the file cannot
     /// be read, oaktwin.Error for an invalid file, or an option that does not apply to its format.
     #[staticmethod]
     #[pyo3(signature = (path, *, time = None, subdivide = 0, up = None, scale = None, scene_limit = 1.0, allow_outside = false,
-        micro_texture = false))]
+        micro_texture = false, mount = None))]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
     fn open(
         py: Python<'_>,
@@ -92,6 +93,7 @@ impl Scene {
         scene_limit: f64,
         allow_outside: bool,
         micro_texture: bool,
+        mount: Option<String>,
     ) -> PyResult<Self> {
         let limit = asset::scene_limit(scene_limit)?;
         let options = OpenOptions {
@@ -104,19 +106,7 @@ impl Scene {
             texture_coordinates: false,
             micro_texture,
         };
-        let opened = threads::interruptible(py, Report::default(), |_| SceneFile::open(&path, &options))?;
-        let mut file = opened.map_err(|error| reading(&path, &error))?;
-        let (cameras, odd) = cameras(&file);
-        file.findings.extend(odd);
-        // Allows unpickling in another working directory.
-        let path = std::path::absolute(&path).unwrap_or(path);
-        Ok(Self {
-            stage: RwLock::new(Stage::new(file.scene, cameras, time)),
-            next_frame: AtomicU64::new(0),
-            origin: Origin::File { path, options },
-            animation: Mutex::default(),
-            findings: file.findings,
-        })
+        Self::read_file(py, path, options, mount)
     }
 
     /// Creates a scene of one mesh.
@@ -213,6 +203,13 @@ impl Scene {
     #[getter]
     fn animation(&self, py: Python<'_>) -> PyResult<Option<(f64, f64, f64)>> {
         self.timing(py)
+    }
+
+    /// The pose at the present time of the prim that `open` was given as `mount`, (4, 4), metres; None without one. A device at a pose on the
+    /// prim is at `scene.world_from_mount @ mount_from_body`.
+    #[getter]
+    fn world_from_mount<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyArray2<f64>>>> {
+        self.mounted().map(|pose| rows(py, &pose)).transpose()
     }
 
     /// The poses of all parts, a dictionary from prim path to (4, 4) float64 world_from_part, metres. It finds parts by their names,

@@ -321,6 +321,7 @@ pub(super) fn reduce<'py>(scene: &Scene, py: Python<'py>) -> PyResult<Reduced<'p
         Origin::File {
             path,
             options: opened,
+            mount,
         } => {
             options.set_item("time", stage.time)?;
             options.set_item("subdivide", opened.subdivide)?;
@@ -329,6 +330,7 @@ pub(super) fn reduce<'py>(scene: &Scene, py: Python<'py>) -> PyResult<Reduced<'p
             options.set_item("scene_limit", opened.limit.factor())?;
             options.set_item("allow_outside", opened.allow_outside)?;
             options.set_item("micro_texture", opened.micro_texture)?;
+            options.set_item("mount", mount)?;
             let instances = &stage.renderer.scene().instances;
             for (index, (pose, _)) in &stage.placed {
                 poses.set_item(&instances[*index].path, rows(py, pose)?)?;

@@ -1,8 +1,10 @@
 //! Animated stages.
 
-use std::path::Path;
-use std::sync::PoisonError;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicU64;
+use std::sync::{Mutex, PoisonError, RwLock};
 
+use oaktwin::camera::RigidTransform;
 use oaktwin::render::{AnimatedScene, OpenOptions, SceneChange, SceneFile, SceneFileError};
 use pyo3::prelude::*;
 
@@ -11,6 +13,8 @@ use super::parts::Stage;
 use super::{Origin, Scene};
 use crate::error::{reading, wrong};
 use crate::finding;
+use crate::progress::Report;
+use crate::threads;
 
 /// A file that can be read at other times, with its rest at the present one.
 pub(super) type Animation = (AnimatedScene, SceneFile);
@@ -20,11 +24,12 @@ fn opened<'a>(
     animation: &'a mut Option<Animation>,
     path: &Path,
     options: &OpenOptions,
+    mount: Option<&str>,
 ) -> Result<&'a mut Animation, SceneFileError> {
     match animation {
         Some(open) => Ok(open),
         empty => {
-            let (stage, mut file) = SceneFile::open_animated(path, options, None)?;
+            let (stage, mut file) = SceneFile::open_animated(path, options, mount)?;
             let _ = file.take_scene();
             Ok(empty.insert((stage, file)))
         }
@@ -32,9 +37,44 @@ fn opened<'a>(
 }
 
 impl Scene {
+    /// Opens a file; a stage with a mount stays open.
+    pub(super) fn read_file(
+        py: Python<'_>,
+        path: PathBuf,
+        options: OpenOptions,
+        mount: Option<String>,
+    ) -> PyResult<Self> {
+        let opened = threads::interruptible(py, Report::default(), |_| match &mount {
+            None => SceneFile::open(&path, &options).map(|file| (None, file)),
+            Some(prim) => {
+                SceneFile::open_animated(&path, &options, Some(prim)).map(|(stage, file)| (Some(stage), file))
+            }
+        })?;
+        let (animated, mut file) = opened.map_err(|error| reading(&path, &error))?;
+        let (cameras, odd) = cameras(&file);
+        let mut findings = std::mem::take(&mut file.findings);
+        findings.extend(odd);
+        let scene = file.take_scene();
+        // Allows unpickling in another working directory.
+        let path = std::path::absolute(&path).unwrap_or(path);
+        Ok(Self {
+            stage: RwLock::new(Stage::new(scene, cameras, options.time)),
+            next_frame: AtomicU64::new(0),
+            origin: Origin::File { path, options, mount },
+            animation: Mutex::new(animated.map(|animated| (animated, file))),
+            findings,
+        })
+    }
+
+    /// The pose of the mount, if there is one.
+    pub(super) fn mounted(&self) -> Option<RigidTransform> {
+        let animation = self.animation.lock().unwrap_or_else(PoisonError::into_inner);
+        animation.as_ref()?.0.world_from_mount().copied()
+    }
+
     /// The first and the last time code, and the time codes per second, of a stage that is animated.
     pub(super) fn timing(&self, py: Python<'_>) -> PyResult<Option<(f64, f64, f64)>> {
-        let Origin::File { path, options } = &self.origin else {
+        let Origin::File { path, options, mount } = &self.origin else {
             return Ok(None);
         };
         if !SceneFile::is_stage(path) {
@@ -42,7 +82,12 @@ impl Scene {
         }
         let timing = py.detach(|| {
             let mut animation = self.animation.lock().unwrap_or_else(PoisonError::into_inner);
-            Ok::<_, SceneFileError>(opened(&mut animation, path, options)?.0.timing().clone())
+            Ok::<_, SceneFileError>(
+                opened(&mut animation, path, options, mount.as_deref())?
+                    .0
+                    .timing()
+                    .clone(),
+            )
         });
         let timing = timing.map_err(|failed| reading(path, &failed))?;
         let (first, last) = timing.range.unwrap_or((0.0, f64::INFINITY));
@@ -53,7 +98,7 @@ impl Scene {
 
     /// Reads the stage at another time.
     pub(super) fn go_to(&self, py: Python<'_>, time: Option<f64>) -> PyResult<()> {
-        let Origin::File { path, options } = &self.origin else {
+        let Origin::File { path, options, mount } = &self.origin else {
             return Err(wrong(
                 "time",
                 "does not apply to a scene of meshes",
@@ -70,7 +115,7 @@ impl Scene {
         let findings = py.detach(|| {
             // Locked until all is changed, so that threads do not mix times.
             let mut animation = self.animation.lock().unwrap_or_else(PoisonError::into_inner);
-            let (stage, file) = opened(&mut animation, path, options)?;
+            let (stage, file) = opened(&mut animation, path, options, mount.as_deref())?;
             let (change, mut findings) = stage.at(time)?;
             findings.extend(time.and_then(|time| stage.timing().check(&[time])));
             let mut drawn = self.stage.write().unwrap_or_else(PoisonError::into_inner);

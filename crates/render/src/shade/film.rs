@@ -46,6 +46,20 @@ fn toned(radiance: Vec3) -> Vec3 {
     Vec3::new(tone(radiance.x), tone(radiance.y), tone(radiance.z))
 }
 
+/// Returns the sRGB of exposed light, with the coverage of each pixel, 0 to 1.
+pub(crate) fn print(light: &Image<[f32; 4]>) -> Image<[u8; 4]> {
+    let encoder = Encoder::new();
+    light.map(|[r, g, b, coverage]| {
+        let [r, g, b] = Film::Linear.srgb(Vec3::new(*r, *g, *b), encoder);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "the cast saturates"
+        )]
+        [r, g, b, (coverage * 255.0).round() as u8]
+    })
+}
+
 /// Writes sRGB with coverage: 255, or 0 for a miss.
 pub(super) fn develop(film: Film, colors: &Image<[f32; 3]>, seen: &Visibility, rgb: &mut Image<[u8; 4]>) {
     let encoder = Encoder::new();

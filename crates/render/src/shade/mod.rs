@@ -53,6 +53,7 @@ use self::coarse::{Coarse, SpareCoarse};
 pub(crate) use self::edges::{Corners, corners_of};
 use self::expose::Centres;
 use self::film::Film;
+pub(crate) use self::film::print;
 use self::lamp::Emitter;
 use self::occlusion::Occlusion;
 use self::optic::Optic;
@@ -207,6 +208,33 @@ impl Shader {
             }
             context.spare.colors.keep(colors);
             Shaded { rgb, stretch }
+        })
+    }
+
+    /// Returns linear colours in the exposure of the scene, with antialiased outlines. The findings are as in [`Shader::shade`].
+    pub(crate) fn radiance(
+        &self,
+        input: ShadingInput<'_>,
+        corners: &Corners<'_>,
+    ) -> (Image<[f32; 3]>, Vec<Finding>) {
+        self.with_context(input, Film::Linear, |context| {
+            let colors = context.centres(input.rays, input.seen).colors;
+            let mut smooth = colors.clone();
+            let mut rgb = context.spare.bytes.image(colors.width(), colors.height(), [0; 4]);
+            film::develop(context.film, &colors, input.seen, &mut rgb);
+            let outlines = outlines::outlines_of(input.seen, &rgb, context.level);
+            context.spare.bytes.keep(rgb);
+            edges::smooth(
+                context,
+                corners,
+                input.seen,
+                &colors,
+                &outlines,
+                &mut smooth,
+                |pixel, color| *pixel = color.to_array(),
+            );
+            context.spare.colors.keep(colors);
+            smooth
         })
     }
 

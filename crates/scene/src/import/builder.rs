@@ -17,6 +17,8 @@ pub(super) struct Builder {
     scene: Scene,
     cameras: Vec<ImportedCamera>,
     pub(super) findings: Vec<Finding>,
+    /// The first and the last keyframe of the file's animations, s.
+    pub(super) animated_s: Option<(f64, f64)>,
     /// The paths in use, each with the last number appended to it. Never iterated.
     paths: HashMap<String, u32>,
     scale: f64,
@@ -34,6 +36,7 @@ impl Builder {
             },
             cameras: Vec::new(),
             findings: Vec::new(),
+            animated_s: None,
             paths: HashMap::new(),
             scale,
             stem: file
@@ -147,6 +150,7 @@ impl Builder {
             scene: self.scene,
             cameras: self.cameras,
             findings: self.findings,
+            animated_s: self.animated_s,
         })
     }
 

@@ -39,6 +39,8 @@ pub struct ImportOptions {
     pub scale: f64,
     /// Whether a glTF file may name buffers and images outside its folder.
     pub allow_outside: bool,
+    /// The time of a glTF file's animations, s; without one, nodes and morph targets are as in the file.
+    pub time_s: Option<f64>,
 }
 
 impl Default for ImportOptions {
@@ -47,6 +49,7 @@ impl Default for ImportOptions {
             up: None,
             scale: 1.0,
             allow_outside: false,
+            time_s: None,
         }
     }
 }
@@ -60,6 +63,8 @@ pub struct Imported {
     pub cameras: Vec<ImportedCamera>,
     /// Warnings about unusual or unsupported contents.
     pub findings: Vec<Finding>,
+    /// The first and the last keyframe of a glTF file's animations, s; `None` of a file without any.
+    pub animated_s: Option<(f64, f64)>,
 }
 
 /// A perspective camera.
@@ -160,7 +165,7 @@ fn decode(bytes: Vec<u8>, format: Format, path: &Path, options: &ImportOptions) 
     let up = options.up.unwrap_or(format.up());
     let mut builder = Builder::new(path, up, options.scale);
     match format {
-        Format::Gltf => gltf::read(bytes, path, options.allow_outside, &mut builder)?,
+        Format::Gltf => gltf::read(bytes, path, options, &mut builder)?,
         Format::Obj => obj::read(&bytes, path, &mut builder)?,
         Format::Ply => ply::read(&bytes, &mut builder)?,
         Format::Stl => stl::read(&bytes, &mut builder)?,

@@ -10,6 +10,7 @@
 mod bad;
 mod compressed;
 mod gltf;
+mod gltf_animations;
 mod gltf_builder;
 mod gltf_extensions;
 mod gltf_skins;

@@ -56,6 +56,8 @@ pub(super) fn spec(args: &RenderArgs) -> Result<RigSpec> {
         sweep,
         backend: args.backend,
         transparent: args.transparent,
+        shutter: args.shutter.shutter(),
+        camera_offsets_ms: args.shutter.camera_offsets_ms()?,
     })
 }
 

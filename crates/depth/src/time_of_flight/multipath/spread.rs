@@ -213,8 +213,8 @@ pub(crate) struct Add<'a> {
     pub(crate) albedo: &'a [f32],
     /// The error of the distance, m.
     pub(crate) shift: &'a [f32],
-    /// The radial velocity, m/s.
-    pub(crate) velocity: &'a [f32],
+    /// The radial velocity since each frequency's measurement, m/s.
+    pub(crate) velocity: [&'a [f32]; 2],
     pub(crate) out: &'a mut LightRow,
 }
 
@@ -225,8 +225,9 @@ impl<'a> Kernel for Add<'a> {
     fn run(self) {
         let n = self.albedo.len();
         let inside = |row: &'a [f32]| row.get(..n);
-        let rows = [self.albedo, self.shift, self.velocity, &self.surfaces.range].map(inside);
-        let [Some(albedo), Some(shift), Some(velocity), Some(range)] = rows else {
+        let [slow, fast] = self.velocity;
+        let rows = [self.albedo, self.shift, slow, fast, &self.surfaces.range].map(inside);
+        let [Some(albedo), Some(shift), Some(slow), Some(fast), Some(range)] = rows else {
             return;
         };
         let lit = self.surfaces.light.each_ref().map(|row| inside(row));
@@ -242,7 +243,8 @@ impl<'a> Kernel for Add<'a> {
             let reflected = self.signal * albedo[x];
             let amplitude = lamp.contrast * reflected;
             let way = 0.5 * range[x] + shift[x];
-            let turns = [0, 1].map(|f| (way - velocity[x] * lamp.age_s[f]) * lamp.turns_per_m[f]);
+            let seen = [way - slow[x] * lamp.age_s[0], way - fast[x] * lamp.age_s[1]];
+            let turns = [0, 1].map(|f| seen[f] * lamp.turns_per_m[f]);
             let (c, s) = phasor(amplitude, turns[0]);
             out0[x] += c * re0[x] - s * im0[x];
             out1[x] += c * im0[x] + s * re0[x];

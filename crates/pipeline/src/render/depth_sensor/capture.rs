@@ -44,6 +44,11 @@ pub fn sensor_input<'a>(
             let depth = depth.ok_or_else(|| unfit(format!("{kind} requires depth, and there is none")))?;
             let mut shot = Shot::new((&depth.0).into());
             shot.frame = number;
+            if let Some(velocities) = &frame.radial_velocities {
+                let velocities = velocities.each_ref().map(ImageView::from);
+                shot = (shot.with_radial_velocities(velocities))
+                    .map_err(|error| unfit(format!("{kind}: {error}")))?;
+            }
             let shot = match &frame.rgb {
                 Some(rgb) => shot.with_rgb(rgb.into()),
                 None => Ok(shot),

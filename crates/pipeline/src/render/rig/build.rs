@@ -9,6 +9,7 @@ use oaktwin_catalog::Twin;
 use super::spec::engine_of;
 use super::{PairUse, Rig, RigError, RigSpec};
 use crate::pair::{PairCameras, PairOptions, illumination};
+use crate::render::shutter::offsets_s;
 use crate::render::sweep::SweptSensors;
 use crate::render::{
     DepthSensorOptions, OakOptions, PlacedCamera, SceneCameraOptions, SceneFile, depth_sensors, oak_cameras,
@@ -112,7 +113,11 @@ impl Rig {
                 .map(|sweep| SweptSensors::new(sweep, &cameras, options))
                 .transpose()?;
         }
+        if let Some(shutter) = &spec.shutter {
+            shutter.check().map_err(RigError::Option)?;
+        }
         sensors.resize(cameras.len(), None);
+        let offsets_s = offsets_s(&cameras, &spec.camera_offsets_ms).map_err(RigError::Option)?;
         Ok(Self {
             name,
             cameras,
@@ -124,6 +129,9 @@ impl Rig {
             are_outputs_optional: spec.are_outputs_optional,
             backend: spec.backend,
             transparent: spec.transparent,
+            shutter: spec.shutter,
+            offsets_s,
+            twist: None,
         })
     }
 }

@@ -25,4 +25,7 @@ pub enum RigError {
     /// An option does not suit the cameras: `OPTION: what is wrong; what to do`.
     #[error("{0}")]
     Option(Message),
+    /// A scene cannot be read at a time within a frame.
+    #[error("{0}")]
+    Moment(String),
 }

@@ -1,6 +1,7 @@
 //! An OAK, or the cameras of a stage, with everything that makes images of a scene.
 
 mod build;
+mod during;
 mod error;
 mod findings;
 mod measure;
@@ -19,6 +20,7 @@ use oaktwin_image::annotation::Annotator;
 use oaktwin_render::{Backend, Transparent};
 
 use super::PlacedCamera;
+use super::shutter::{Shutter, Twist};
 use super::sweep::SweptSensors;
 use crate::pair::PairCameras;
 use crate::sensor::Sensor;
@@ -45,6 +47,11 @@ pub struct Rig {
     are_outputs_optional: bool,
     backend: Backend,
     transparent: Transparent,
+    shutter: Option<Shutter>,
+    /// How long after the time of a frame each camera takes it, s.
+    offsets_s: Vec<f64>,
+    /// The velocity while a frame is taken at a pose of no trajectory.
+    twist: Option<Twist>,
 }
 
 impl Rig {
@@ -85,6 +92,23 @@ impl Rig {
         &self.annotators
     }
 
+    /// Returns how long a frame takes, if it takes time.
+    #[must_use]
+    pub fn shutter(&self) -> Option<&Shutter> {
+        self.shutter.as_ref()
+    }
+
+    /// Returns how long after the time of a frame a camera takes it, s.
+    #[must_use]
+    pub fn offset_s(&self, camera: usize) -> f64 {
+        self.offsets_s.get(camera).copied().unwrap_or(0.0)
+    }
+
+    /// Whether frames have times besides their own.
+    pub(in crate::render) fn takes_time(&self) -> bool {
+        self.shutter.is_some() || self.offsets_s.iter().any(|offset_s| *offset_s > 0.0)
+    }
+
     /// Returns the rig with the body of its OAK (x forward, y left, z up), or each of a stage's cameras, at a pose in metres.
     #[must_use]
     pub fn at(mut self, world_from_body: &RigidTransform) -> Self {
@@ -92,6 +116,19 @@ impl Rig {
             camera.world_from_mount = *world_from_body;
         }
         self
+    }
+
+    /// Returns the rig with a velocity at the pose where it is put, for frames that take time.
+    #[must_use]
+    pub fn moving(mut self, twist: Twist) -> Self {
+        self.twist = Some(twist);
+        self
+    }
+
+    /// Returns the velocity that [`Rig::moving`] gave.
+    #[must_use]
+    pub(in crate::render) fn twist(&self) -> Option<&Twist> {
+        self.twist.as_ref()
     }
 
     /// Moves the cameras to the poses of others. Returns whether the others are the same but for their poses, without which nothing is moved.
@@ -113,12 +150,13 @@ impl Rig {
     /// Returns each camera as a rig of its own. Cameras without a depth sensor are left out.
     #[must_use]
     pub fn split(self) -> Vec<Self> {
-        let cameras = self.cameras.iter().zip(&self.sensors);
-        let measuring = cameras.filter(|(_, sensor)| sensor.is_some());
-        let alone = measuring.map(|(camera, sensor)| Self {
+        let cameras = self.cameras.iter().zip(&self.sensors).zip(&self.offsets_s);
+        let measuring = cameras.filter(|((_, sensor), _)| sensor.is_some());
+        let alone = measuring.map(|((camera, sensor), offset_s)| Self {
             name: camera.path.clone(),
             cameras: vec![camera.clone()],
             sensors: vec![sensor.clone()],
+            offsets_s: vec![*offset_s],
             swept: None,
             pair: self.pair.clone(),
             annotators: self.annotators.clone(),

@@ -7,11 +7,13 @@ use oaktwin_image::annotation::Annotator;
 use oaktwin_image::{Image, png};
 use oaktwin_render::{AnnotateOptions, Renderer, View};
 
+use super::during::{Asked, During};
 use super::findings::not_produced;
 use super::{PairUse, Rig, RigError};
 use crate::pair::Pair;
 use crate::render::PlacedCamera;
 use crate::render::depth_sensor::{scene_annotators, sense_frame};
+use crate::render::shutter::{Later, Moments, Passing, Shutter, Twist};
 use crate::sensor::{EngineInput, sensor_view};
 
 impl Rig {
@@ -39,6 +41,27 @@ impl Rig {
         Ok((shots, findings))
     }
 
+    /// Renders and measures a frame as [`Rig::shoot`] does, of a scene and a rig in motion: with a [shutter](RigSpec::shutter), colours and
+    /// the images of the pair take time.
+    ///
+    /// # Errors
+    /// Returns an error if a depth sensor cannot measure what was rendered, or the scene cannot be read at a time.
+    pub fn expose(
+        &mut self,
+        moments: &mut dyn Moments,
+        number: u64,
+    ) -> Result<(Vec<Shot>, Vec<Finding>), RigError> {
+        let annotators = self.annotators.clone();
+        let mut shots = Vec::new();
+        let mut findings = Vec::new();
+        for index in 0..self.cameras.len() {
+            let (shot, more) = self.expose_camera(moments, index, number, &annotators)?;
+            shots.push(shot);
+            findings.extend(more);
+        }
+        Ok((shots, findings))
+    }
+
     /// Renders and measures a frame of one camera, with other annotators than the rig's.
     ///
     /// # Errors
@@ -51,9 +74,41 @@ impl Rig {
         number: u64,
         annotators: &[Annotator],
     ) -> Result<(Shot, Vec<Finding>), RigError> {
+        let mut still = Passing {
+            renderer,
+            world_from_body: *world_from_body.unwrap_or(&self.cameras[index].world_from_mount),
+            twist: Twist::default(),
+        };
+        self.take(&mut still, index, number, annotators, None)
+    }
+
+    /// Renders and measures a frame of one camera in motion, as [`Rig::expose`] does.
+    ///
+    /// # Errors
+    /// Returns the errors of [`Rig::expose`].
+    pub fn expose_camera(
+        &mut self,
+        moments: &mut dyn Moments,
+        index: usize,
+        number: u64,
+        annotators: &[Annotator],
+    ) -> Result<(Shot, Vec<Finding>), RigError> {
+        let mut moments = Later {
+            moments,
+            offset_s: self.offset_s(index),
+        };
+        self.take(&mut moments, index, number, annotators, self.shutter)
+    }
+
+    fn take(
+        &mut self,
+        moments: &mut dyn Moments,
+        index: usize,
+        number: u64,
+        annotators: &[Annotator],
+        shutter: Option<Shutter>,
+    ) -> Result<(Shot, Vec<Finding>), RigError> {
         let camera = &self.cameras[index];
-        let mount = *world_from_body.unwrap_or(&camera.world_from_mount);
-        let view = camera.view(&mount);
         let is_requested = annotators.iter().any(|one| one.is_depth_sensor());
         let sensor = self.sensors[index].as_mut().filter(|_| is_requested);
         let swept = self.swept.as_mut().filter(|swept| swept.has(index));
@@ -61,13 +116,30 @@ impl Rig {
             || (swept.iter()).any(|swept| swept.matches(index));
         let is_described = self.pair_use == PairUse::Described;
         let pair = self.pair.as_ref().filter(|_| is_matched || is_described);
-        let pair = pair.map(|pair| pair.look(renderer, &mount, number));
         let needed = scene_annotators(annotators, sensor.is_some() || swept.is_some());
         let options = AnnotateOptions {
             transparent: self.transparent,
             ..AnnotateOptions::default()
         };
+        let asked = Asked {
+            camera,
+            index,
+            has_colours: needed.contains(&Annotator::Rgb),
+            pair: pair.map(|pair| &**pair),
+            ages_s: sensor.as_ref().and_then(|sensor| sensor.engine().ages_s()),
+            backend: self.backend,
+        };
+        let mut during = During::of(moments, shutter, &asked)?;
+        // The time of the frame, last.
+        let (renderer, mount) = moments.at(0.0, index)?;
+        let view = camera.view(&mount);
+        let lights = during.lights.take();
+        let pair = pair.map(|pair| match lights {
+            Some(lights) => pair.record(&pair.with_truth(lights, renderer, &mount), number),
+            None => pair.look(renderer, &mount, number),
+        });
         let (mut frame, mut findings) = renderer.annotate(&view, &needed, self.backend, &options);
+        during.put(&camera.camera, &mut frame, &mut findings);
         let sheet = match swept {
             Some(swept) => swept.sheet(index, &frame, number, pair.as_ref())?,
             None => None,
@@ -89,6 +161,7 @@ impl Rig {
             sensor_view_of = Some(sensor_view(&sensor.output_camera(&view.camera), &described));
         }
         frame.apparent_depth = None;
+        frame.radial_velocities = None;
         frame.rgb = frame.rgb.filter(|_| annotators.contains(&Annotator::Rgb));
         frame.distance_to_image_plane = frame
             .distance_to_image_plane

@@ -1,3 +1,5 @@
+use std::collections::BTreeMap;
+
 use oaktwin_base::diagnostic::{message, opt};
 use oaktwin_base::parameter::choice;
 use oaktwin_camera::ImageSize;
@@ -10,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::RigError;
 use crate::pair::PairOptions;
 use crate::render::annotators::annotator_names;
+use crate::render::shutter::Shutter;
 use crate::render::sweep::Sweep;
 use crate::render::{DepthSensorSource, PlacedCamera};
 use crate::sensor::{EngineRef, SensorOptions};
@@ -61,6 +64,14 @@ pub struct RigSpec {
     pub backend: Backend,
     /// What the ground truth of transparent surfaces is. Neither colours nor the models of depth cameras depend on it.
     pub transparent: Transparent,
+    /// How long a frame takes; by default no time. It has an effect on frames of what moves: along a trajectory, of an animated scene, or
+    /// with a velocity ([`Rig::expose`](super::Rig::expose)).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shutter: Option<Shutter>,
+    /// How long after the time of a frame each camera takes it, ms, by the camera's name; 0 of others. Shots have the times, poses and scenes
+    /// of their cameras.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub camera_offsets_ms: BTreeMap<String, f64>,
 }
 
 choice! {

@@ -6,6 +6,7 @@ use ::gltf::json::{Root, deserialize};
 use oaktwin_files as files;
 use serde_json::Value;
 
+use super::animation::Channel;
 use super::placement::{Instancing, Placement, Skin};
 use super::uri::{self, Folder, Target};
 use super::{compressed, glb, json};
@@ -22,6 +23,8 @@ pub(super) struct Document {
     /// The nodes that place their mesh many times.
     pub(super) instancing: BTreeMap<usize, Instancing>,
     pub(super) skins: Vec<Skin>,
+    /// The animated properties.
+    pub(super) channels: Vec<Channel>,
     buffers: Vec<Vec<u8>>,
     pub(super) folder: Folder,
     /// The number of values that may still be read.
@@ -69,6 +72,7 @@ impl Document {
         let instancing = instancing.filter_map(|(node, of)| Some((node, of?))).collect();
         let extensions = json::extension_names(&root);
         let skins = Skin::take_all(&mut root);
+        let channels = Channel::take_all(&mut root);
         let root =
             deserialize::from_value(root).map_err(|error| Fault::damaged("JSON", error.to_string()))?;
         Ok(Self {
@@ -77,6 +81,7 @@ impl Document {
             placements,
             instancing,
             skins,
+            channels,
             buffers,
             folder,
             allowance: Cell::new(allowance),

@@ -157,10 +157,6 @@ fn repair(root: &mut Value) {
             texture.entry("source").or_insert(source);
         }
     }
-    // Only the number of animations is read.
-    for animation in objects(root, "animations") {
-        *animation = Map::from_iter([("channels".into(), json!([])), ("samplers".into(), json!([]))]);
-    }
 }
 
 /// The objects in a list of the root.

@@ -11,17 +11,19 @@ use json::validation::Checked;
 use super::accessor::Accessor;
 use super::document::Document;
 use super::material::{MaterialInfo, Materials};
+use super::morph;
 use super::skin::Pose;
 use crate::Mesh;
 use crate::import::builder::Builder;
 use crate::import::error::Fault;
 use crate::polygon::{Interpolation, PolygonMesh, Primvar};
 
-/// Reads a mesh, in a pose if it has one; it has no triangles if none of its primitives can be rendered.
+/// Reads a mesh, with the weights of its morph targets if its node has its own, and in a pose if it has one; it has no triangles if none of its primitives can be rendered.
 pub(super) fn read(
     document: &Document,
     index: usize,
     materials: &Materials,
+    weights: Option<&[f64]>,
     pose: Option<&Pose>,
     builder: &mut Builder,
 ) -> Result<Mesh, Fault> {
@@ -29,13 +31,17 @@ pub(super) fn read(
     let Some(mesh) = document.root.meshes.get(index) else {
         return Err(Fault::damaged(place, "does not exist"));
     };
+    let own: Vec<f64> = mesh
+        .weights
+        .iter()
+        .flatten()
+        .map(|weight| f64::from(*weight))
+        .collect();
+    let weights = weights.unwrap_or(&own);
     let mut unsupported: BTreeMap<&str, usize> = BTreeMap::new();
     let mut parts = Vec::new();
     for (i, primitive) in mesh.primitives.iter().enumerate() {
         let place = format!("{place}.primitives[{i}]");
-        if primitive.targets.is_some() {
-            builder.warn("gltf-unsupported", &place, "its morph targets are ignored");
-        }
         let Checked::Valid(mode) = primitive.mode else {
             *unsupported.entry("primitives with an unknown mode").or_default() += 1;
             continue;
@@ -47,8 +53,15 @@ pub(super) fn read(
                 let material = primitive
                     .material
                     .and_then(|material| materials.get(material.value()));
-                let part = Part::read(document, primitive, mode, material, pose, &place, builder)
-                    .map_err(|message| Fault::damaged(&place, message))?;
+                let part = Part::read(
+                    document,
+                    (primitive, mode),
+                    material,
+                    (weights, pose),
+                    &place,
+                    builder,
+                )
+                .map_err(|message| Fault::damaged(&place, message))?;
                 parts.push(part);
             }
         }
@@ -73,10 +86,9 @@ pub(super) struct Part {
 impl Part {
     fn read(
         document: &Document,
-        primitive: &json::mesh::Primitive,
-        mode: Mode,
+        (primitive, mode): (&json::mesh::Primitive, Mode),
         material: Option<MaterialInfo>,
-        pose: Option<&Pose>,
+        (weights, pose): (&[f64], Option<&Pose>),
         place: &str,
         builder: &mut Builder,
     ) -> Result<Self, String> {
@@ -123,6 +135,22 @@ impl Part {
                 [0, 1, 2].map(|i| color[i] * factor[i])
             })
         });
+        let morphed = morph::apply(
+            document,
+            primitive,
+            weights,
+            positions.count,
+            vertices.iter(),
+            &mut polygons.points,
+            polygons.normals.as_mut().map(|normals| &mut normals.values[..]),
+        );
+        if let Err(why) = morphed {
+            builder.warn(
+                "gltf-morph",
+                place,
+                format!("its morph targets are ignored: {why}"),
+            );
+        }
         if let Some(pose) = pose {
             let normals = polygons.normals.as_mut().map(|normals| &mut normals.values[..]);
             let posed = pose.apply(

@@ -64,14 +64,6 @@ pub(super) fn read(document: &Document, materials: &Materials, builder: &mut Bui
             ),
         );
     }
-    if !document.root.animations.is_empty() {
-        let count = document.root.animations.len();
-        builder.warn(
-            "gltf-unsupported",
-            "animations",
-            format!("not supported: {count} skipped"),
-        );
-    }
     Ok(())
 }
 
@@ -107,7 +99,7 @@ impl Walk<'_> {
             return Ok(());
         }
         let path = node_path(node, pending);
-        let placement = self.document.placements[index];
+        let placement = &self.document.placements[index];
         let file_from_node = pending.parent.file_from_parent * placement.parent_from_node;
         let is_visible = pending.parent.is_visible && placement.is_visible;
         if is_visible && let Some(mesh) = node.mesh {
@@ -150,6 +142,7 @@ impl Walk<'_> {
         builder: &mut Builder,
     ) -> Result<(), Fault> {
         let document = self.document;
+        let weights = document.placements[node].weights.as_deref();
         if let Some(skin) = skin {
             let file_from_nodes = self
                 .file_from_nodes
@@ -164,7 +157,7 @@ impl Walk<'_> {
                         let message = format!("{EXTENSION} is ignored: its mesh has a skin");
                         builder.warn("gltf-unsupported", path, message);
                     }
-                    let mesh = mesh::read(document, mesh, self.materials, Some(&pose), builder)?;
+                    let mesh = mesh::read(document, mesh, self.materials, weights, Some(&pose), builder)?;
                     if let Some(mesh) = builder.add_mesh(mesh) {
                         builder.place(mesh, path, pose.file_from_frame);
                     }
@@ -173,7 +166,14 @@ impl Walk<'_> {
                 Err(why) => builder.warn("gltf-skin", path, format!("its skin is ignored: {why}")),
             }
         }
-        let MeshState::Index(mesh) = self.mesh(node, mesh, builder)? else {
+        let found = match weights {
+            Some(_) => {
+                let mesh = mesh::read(document, mesh, self.materials, weights, None, builder)?;
+                builder.add_mesh(mesh).map_or(MeshState::Empty, MeshState::Index)
+            }
+            None => self.mesh(node, mesh, builder)?,
+        };
+        let MeshState::Index(mesh) = found else {
             return Ok(());
         };
         let Some(instancing) = document.instancing.get(&node) else {
@@ -205,7 +205,7 @@ impl Walk<'_> {
             return Err(Fault::damaged(format!("nodes[{node}].mesh"), "does not exist"));
         };
         if let MeshState::Unread = state {
-            let mesh = mesh::read(self.document, mesh, self.materials, None, builder)?;
+            let mesh = mesh::read(self.document, mesh, self.materials, None, None, builder)?;
             *state = builder.add_mesh(mesh).map_or(MeshState::Empty, MeshState::Index);
         }
         Ok(*state)

@@ -3,25 +3,64 @@
 use oaktwin_camera::math::{DAffine3, DMat4, DQuat, DVec3};
 use serde_json::{Map, Value, json};
 
+use super::animation::Change;
 use super::json::objects;
 
 /// The extensions that hide a node and those below it: the ratified one, and the one that it was first drafted as.
 pub(super) const VISIBILITY: [&str; 2] = ["KHR_node_visibility", "KHR_visibility"];
 
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(super) struct Placement {
     pub(super) parent_from_node: DAffine3,
+    /// The weights of the morph targets of its mesh, if it has its own.
+    pub(super) weights: Option<Vec<f64>>,
+    scale: DVec3,
+    rotation: DQuat,
+    translation: DVec3,
     /// Whether the node and those below it are shown.
     pub(super) is_visible: bool,
 }
 
 impl Placement {
     pub(super) fn of(node: &Value) -> Self {
+        let scale = numbers(node, "scale").map_or(DVec3::ONE, DVec3::from_array);
+        let rotation = numbers(node, "rotation").map_or(DQuat::IDENTITY, rotation);
+        let translation = numbers(node, "translation").map_or(DVec3::ZERO, DVec3::from_array);
         Self {
-            parent_from_node: parent_from_node(node),
+            parent_from_node: match numbers(node, "matrix") {
+                Some(matrix) => DAffine3::from_mat4(DMat4::from_cols_array(&matrix)),
+                None => DAffine3::from_scale_rotation_translation(scale, rotation, translation),
+            },
+            weights: node.get("weights").map(list),
+            scale,
+            rotation,
+            translation,
             is_visible: !VISIBILITY.iter().any(|name| is_hidden(node, name)),
         }
     }
+}
+
+impl Placement {
+    /// Moves the node to where an animation puts it. The matrix of a node that has one is replaced: the format has no such animations.
+    pub(super) fn change(&mut self, change: Change) {
+        match change {
+            Change::Translation(translation) => self.translation = translation,
+            Change::Rotation(rotation) => self.rotation = rotation,
+            Change::Scale(scale) => self.scale = scale,
+            Change::Weights(weights) => {
+                self.weights = Some(weights);
+                return;
+            }
+        }
+        self.parent_from_node =
+            DAffine3::from_scale_rotation_translation(self.scale, self.rotation, self.translation);
+    }
+}
+
+/// The numbers of a list.
+fn list(list: &Value) -> Vec<f64> {
+    let list = list.as_array().map_or(&[][..], |list| list);
+    list.iter().map(|number| number.as_f64().unwrap_or(0.0)).collect()
 }
 
 fn is_hidden(node: &Value, extension: &str) -> bool {
@@ -29,17 +68,6 @@ fn is_hidden(node: &Value, extension: &str) -> bool {
     let member = |name: &str| extension.and_then(|extension| extension.get(name)?.as_bool());
     // The second name is that of a draft.
     member("visible") == Some(false) || member("hidden") == Some(true)
-}
-
-fn parent_from_node(node: &Value) -> DAffine3 {
-    if let Some(matrix) = numbers(node, "matrix") {
-        return DAffine3::from_mat4(DMat4::from_cols_array(&matrix));
-    }
-    DAffine3::from_scale_rotation_translation(
-        numbers(node, "scale").map_or(DVec3::ONE, DVec3::from_array),
-        numbers(node, "rotation").map_or(DQuat::IDENTITY, rotation),
-        numbers(node, "translation").map_or(DVec3::ZERO, DVec3::from_array),
-    )
 }
 
 /// The rotation of a quaternion whose length is only approximately 1; none of one without a direction.

@@ -1,5 +1,6 @@
 //! Converts composed prims to a [`Scene`].
 
+mod blend;
 mod builder;
 mod camera;
 mod context;

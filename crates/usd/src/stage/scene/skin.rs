@@ -112,7 +112,11 @@ fn matrices(value: Value) -> Option<Vec<DAffine3>> {
 }
 
 /// Returns the transform of a skeleton and the animation that is bound to it.
-fn placed(walk: &Walk<'_>, skeleton: &Path, context: &Context) -> Outcome<(DAffine3, Option<Path>)> {
+pub(super) fn placed(
+    walk: &Walk<'_>,
+    skeleton: &Path,
+    context: &Context,
+) -> Outcome<(DAffine3, Option<Path>)> {
     let above = context.skeleton_root.as_ref();
     let above = above.filter(|(root, _)| skeleton.has_prefix(root));
     let (root, mut stage_from_prim) = above.cloned().unwrap_or((Path::abs_root(), DAffine3::IDENTITY));

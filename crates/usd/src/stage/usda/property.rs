@@ -7,7 +7,7 @@ use openusd::tf::Token;
 use super::Parser;
 use super::lexer::Outcome;
 use super::metadata::ListEdit;
-use super::value::{Declared, integer, time_samples, value};
+use super::value::{Declared, double, integer, time_samples, value};
 
 /// The field of attributes that a spline animates. Its value only says that there is one.
 pub(in crate::stage) const SPLINE_FIELD: &str = "spline";
@@ -132,6 +132,8 @@ impl Parser<'_> {
                     Some(Value::Token(Token::from(lexer.string()?)))
                 }
                 "elementSize" | "unauthoredValuesIndex" => Some(Value::Int(integer(lexer)?)),
+                // Of the in-betweens of blend shapes.
+                "weight" => Some(Value::Double(double(lexer)?)),
                 _ => {
                     lexer.skip_value()?;
                     None

@@ -3,6 +3,7 @@ use std::rc::Rc;
 use oaktwin_scene::polygon::{PolygonMesh, Scheme};
 use oaktwin_scene::{MaterialSpan, Mesh};
 
+use super::super::blend;
 use super::super::context::Context;
 use super::super::material::Surface;
 use super::super::mesh;
@@ -59,6 +60,16 @@ impl Builder {
             refined: self.options.subdivide > 0,
         };
         let mut polygons = mesh::read(walk.reader, prim, context, &request);
+        let blended = match blend::read(walk, prim, context)? {
+            Ok(Some(blend)) => blend.apply(&mut polygons),
+            Ok(None) => Ok(()),
+            Err(what) => Err(what),
+        };
+        if let Err(what) = blended {
+            let what = format!("{what}; its blend shapes are not applied");
+            self.findings
+                .warn("skin", path, what, "bind it to its skeleton again");
+        }
         if let Some(Err(what)) = skin.map(|skin| skin.apply(&mut polygons)) {
             self.not_skinned(path, &what);
         }
@@ -85,10 +96,6 @@ impl Builder {
         path: &str,
         context: &Context,
     ) -> Outcome<Option<Skin>> {
-        if prim.has("skel:blendShapes") {
-            self.findings
-                .warn("unsupported-prim", path, "its blend shapes are not applied", "");
-        }
         let method = walk
             .reader
             .value(prim, "primvars:skel:skinningMethod")
