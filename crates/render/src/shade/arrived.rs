@@ -6,9 +6,10 @@ use oaktwin_simd::run_lanes_at;
 
 use super::ShadingContext;
 use super::film::Film;
-use super::occlusion::{ALONE, Place, Shares};
+use super::occlusion::{Place, Shares};
 use super::paint::Finishes;
 use super::path::{Arrival, Origin, Vertex};
+use super::pattern::Pattern;
 use super::reflect::{OwnLight, Radiance};
 use super::strength::Strengths;
 use super::surfaces::{Columns, Surfaces, lane_of, set_lane};
@@ -95,9 +96,10 @@ impl ShadingContext<'_> {
         let mut shares = Shares::default();
         for lane in 0..senders.count {
             let place = Place::of_lane(&senders.surfaces, lane);
-            let ray = senders.rays[lane & 7].map(|ray| [usize::from(ray)]);
-            let cells = ray.as_ref().map_or(&ALONE[..], |ray| &ray[..]);
-            let light = (self.occlusion).sample(&place, strengths.strongest(lane), cells, stack);
+            // All rays of a blurred reflection together resolve its light.
+            let one = senders.rays[lane & 7].map(|ray| [Pattern::first(ray.into())]);
+            let rays = one.as_ref().map_or(&Pattern::FEW[..], |one| &one[..]);
+            let light = (self.occlusion).sample(&place, strengths.strongest(lane), rays, stack);
             shares.set(lane, light.shares());
         }
         let kernel = Radiance {

@@ -1,22 +1,24 @@
-//! Incident light at half resolution, filtered over the sampling pattern and interpolated for all pixels.
+//! Incident light at half resolution, interpolated for all pixels.
 //!
-//! Shadow rays are cast at a quarter of the samples, and elsewhere only where these disagree.
+//! The light of a point does not depend on the image: every point samples the same parts of lamps and the same directions. What is
+//! sampled does: a grid of samples is refined where its light is not what the coarser grid predicts, in the end to pixels. Both images of a
+//! stereo pair therefore show the same light, within the tolerance of that prediction.
 
 mod between;
+mod node;
+mod refine;
 mod samples;
-mod smooth;
 
 use oaktwin_image::Image;
 use oaktwin_simd::{Level, run_lanes_at};
 use rayon::prelude::*;
 
 use self::between::{Between, MIN_SIMILARITY};
+use self::node::{Around, Grid, Node};
+use self::refine::{Detail, Spot};
 use self::samples::{Rows, Sample, Samples};
-use self::smooth::What;
-use super::lamp::Lamp;
-use super::occlusion::{LampSamples, Light, LightRows, Occlusion, Place, Shares};
-use super::pattern::{PERIOD, Pattern};
-use super::strength::Strengths;
+use super::occlusion::{LightRows, Occlusion, Place, Shares};
+use super::strength::{Strengths, Strongest};
 use super::surfaces::{Found, Packet};
 use super::targets::{Target, each_target};
 use super::tiles::{TILE, in_tiles};
@@ -25,13 +27,19 @@ use crate::rays::Rays;
 use crate::spare::Spare;
 use crate::{View, Visibility};
 
-/// Samples at a quarter of a view's pixels.
+/// The distance between the nodes of the coarsest grid, in samples.
+const COARSEST: u32 = 8;
+
+/// The distance between the nodes of the finest grid that looks for shadows where the coarser one has none, in samples.
+const FINEST_PROBES: u32 = 2;
+
+/// The samples of a view and their light.
 #[derive(Debug)]
 pub(super) struct Coarse {
     samples: Samples,
+    nodes: Image<Node>,
     /// The light of each sample, as [`Between`] interpolates it.
     light: Image<LightRows>,
-    has_sky: bool,
 }
 
 /// The memory of earlier samples.
@@ -39,7 +47,7 @@ pub(super) struct Coarse {
 pub(super) struct SpareCoarse {
     samples: Spare<Rows>,
     light: Spare<LightRows>,
-    lamps: Spare<LampSamples>,
+    nodes: Spare<Node>,
 }
 
 /// Samples the light of a view.
@@ -100,118 +108,76 @@ impl<'a> Sampler<'a> {
         samples
     }
 
-    /// Samples the lamps at even samples, and the surroundings at every other sample; the others get NaN.
-    fn sample(&self, samples: &Samples) -> (Image<LightRows>, Image<LampSamples>) {
-        let (width, height) = (samples.width(), samples.height());
-        let row_length = (width as usize).max(1);
-        let mut light = self.spare.light.image(width, height, Light::FULL.rows());
-        let [columns, rows] = [width.div_ceil(2), height.div_ceil(2)];
-        let mut lamp_samples = self.spare.lamps.image(columns, rows, LampSamples::default());
-        let strip = TILE as usize * row_length;
-        let rows = (light.pixels_mut().par_chunks_mut(strip)).zip(samples.pixels().par_chunks(strip));
-        let lamp_rows = TILE as usize / 2 * row_length.div_ceil(2);
-        rows.zip(lamp_samples.pixels_mut().par_chunks_mut(lamp_rows))
-            .for_each_init(
-                Workspace::default,
-                |workspace, ((light, samples), lamp_samples)| {
-                    let Workspace { strengths, stack } = workspace;
-                    let rows = (0..TILE).take(samples.len() / row_length);
-                    for [x, y] in in_tiles(width, rows) {
-                        let index = y as usize * row_length + x as usize;
-                        // The even samples in a row of a tile.
-                        if x % TILE == 0 && y % 2 == 0 {
-                            self.measure(samples.iter().skip(index).step_by(2), strengths);
-                        }
-                        let (Some(sample), Some(out)) = (samples.get(index), light.get_mut(index)) else {
-                            continue;
-                        };
-                        if Sample(sample).is_miss() {
-                            continue;
-                        }
-                        let place = Sample(sample).place();
-                        let mut light = Light::FULL;
-                        let cell = Pattern::cell(x, y);
-                        let half = y as usize / 2 * row_length.div_ceil(2) + x as usize / 2;
-                        if x % 2 == 0
-                            && y % 2 == 0
-                            && let Some(lamp_samples) = lamp_samples.get_mut(half)
-                        {
-                            let strongest = strengths.strongest((x % TILE / 2) as usize);
-                            (light, *lamp_samples) =
-                                self.occlusion.sample_lamps(&place, strongest, cell, stack);
-                        }
-                        (light.ambient, light.sky) = if (x + y) % 2 == 0 {
-                            self.occlusion.sample_surroundings(&place, cell, stack)
-                        } else {
-                            (f32::NAN, f32::NAN)
-                        };
-                        *out = light.rows();
-                    }
-                },
-            );
-        (light, lamp_samples)
-    }
-
-    /// Measures the lamps at the first eight samples.
-    fn measure<'s>(&self, samples: impl Iterator<Item = &'s Rows>, strengths: &mut Strengths) {
-        for (lane, [point, normal, ..]) in samples.take(8).enumerate() {
-            strengths.set(lane, (*point).into(), (*normal).into());
+    /// Returns the light of all samples.
+    fn nodes(&self, samples: &Samples) -> Image<Node> {
+        let mut stride = COARSEST;
+        let mut nodes = self.refined(samples, stride, None);
+        while stride > 1 {
+            let coarser = Grid {
+                samples,
+                nodes: &nodes,
+                stride,
+            };
+            stride /= 2;
+            let finer = self.refined(samples, stride, Some(coarser));
+            self.spare.nodes.keep(std::mem::replace(&mut nodes, finer));
         }
-        strengths.measure(self.occlusion.emitters, self.level);
+        nodes
     }
 
-    /// Computes the light that [`sample`](Self::sample) left out.
-    fn complete(
-        &self,
-        samples: &Samples,
-        first: &Image<LightRows>,
-        lamp_samples: &Image<LampSamples>,
-    ) -> Image<LightRows> {
-        let mut complete = (self.spare.light).image(first.width(), first.height(), LightRows::default());
-        let (row_length, height) = ((samples.width() as usize).max(1), samples.height());
-        let rows =
-            (complete.pixels_mut().par_chunks_mut(row_length)).zip(samples.pixels().par_chunks(row_length));
-        rows.zip(first.pixels().par_chunks(row_length))
-            .zip(0..height)
-            .for_each_init(
-                Workspace::default,
-                |workspace, (((row, samples_of_row), first_of_row), y)| {
-                    row.copy_from_slice(first_of_row);
-                    let Workspace { strengths, stack } = workspace;
-                    for ((out, sample), x) in row.iter_mut().zip(samples_of_row).zip(0..) {
-                        if x % 8 == 0 {
-                            self.measure(samples_of_row.iter().skip(x as usize), strengths);
-                        }
-                        let sample = Sample(sample);
-                        if sample.is_miss() {
-                            continue;
-                        }
-                        let cell = Pattern::cell(x, y);
-                        let place = &sample.place();
-                        let mut light = Light::of_rows(*out);
-                        let (ambient, sky) = (light.ambient, light.sky);
-                        // There is no shadow edge where all even neighbours see a lamp or none does.
-                        if x % 2 != 0 || y % 2 != 0 {
-                            let around = Neighbours::new(samples, lamp_samples, sample, x, y);
-                            let sees = |index: u32, lamp: &Lamp, spot: [f64; 2]| {
-                                around
-                                    .all_see(index)
-                                    .unwrap_or_else(|| self.occlusion.sees(place, lamp, spot, stack))
-                            };
-                            let strongest = strengths.strongest((x % 8) as usize);
-                            (light, _) = self.occlusion.lamplight(place.from_eye, strongest, cell, sees);
-                        }
-                        (light.ambient, light.sky) = (ambient, sky);
-                        // Every other sample takes the mean of its four neighbours.
-                        if ambient.is_nan() {
-                            (light.ambient, light.sky) = mean_around(samples, first, sample, x, y)
-                                .unwrap_or_else(|| self.occlusion.sample_surroundings(place, cell, stack));
-                        }
-                        *out = light.rows();
+    /// Returns a grid of nodes from one with twice the stride.
+    fn refined(&self, samples: &Samples, stride: u32, coarser: Option<Grid<'_>>) -> Image<Node> {
+        let [width, height] = [samples.width(), samples.height()].map(|size| size.div_ceil(stride));
+        let mut nodes = self.spare.nodes.image(width, height, Node::default());
+        let rows = nodes.pixels_mut().par_chunks_mut((width as usize).max(1));
+        rows.zip(0..height)
+            .for_each_init(Workspace::default, |workspace, (row, y)| {
+                let Workspace { strengths, stack } = workspace;
+                let mut first = 0;
+                if let (Some(coarser), 0) = (&coarser, y % 2) {
+                    for (x, node) in (0..).step_by(2).zip(row.iter_mut().step_by(2)) {
+                        *node = coarser.nodes.get(x / 2, y / 2).copied().unwrap_or_default();
                     }
-                },
-            );
-        complete
+                    first = 1;
+                }
+                let step = 1 + first;
+                let mut left = first;
+                while left < width {
+                    let columns = || (left..width).step_by(step as usize).take(8);
+                    let sample = |x: u32| {
+                        samples
+                            .get(x * stride, y * stride)
+                            .filter(|sample| !sample.is_miss())
+                    };
+                    for (lane, x) in columns().enumerate() {
+                        if let Some(sample) = sample(x) {
+                            let place = sample.place();
+                            strengths.set(lane, place.from_eye, place.normal);
+                        }
+                    }
+                    strengths.measure(self.occlusion.emitters, self.level);
+                    for (lane, x) in columns().enumerate() {
+                        let (Some(sample), Some(node)) = (sample(x), row.get_mut(x as usize)) else {
+                            continue;
+                        };
+                        let around = (coarser.as_ref())
+                            .map_or(Around::NOTHING, |coarser| Around::new(coarser, sample, [x, y]));
+                        let spot = Spot {
+                            place: sample.place(),
+                            around,
+                            probe: (stride >= FINEST_PROBES).then_some(5 * x + 3 * y),
+                            detail: if stride > 1 {
+                                Detail::Coarse
+                            } else {
+                                Detail::Finest
+                            },
+                        };
+                        *node = self.occlusion.node(&spot, strengths.strongest(lane), stack);
+                    }
+                    left += 8 * step;
+                }
+            });
+        nodes
     }
 }
 
@@ -230,46 +196,30 @@ impl Coarse {
         occlusion: &Occlusion<'_>,
         memory: &SpareCoarse,
     ) -> Self {
-        let level = occlusion.level;
         let sampler = Sampler {
             view,
             rays,
             seen,
             occlusion,
             spare: memory,
-            level,
+            level: occlusion.level,
         };
         let (width, height) = (seen.hits.width().div_ceil(2), seen.hits.height().div_ceil(2));
         let samples = sampler.surfaces(width, height);
-        let (mut spare, lamp_samples) = sampler.sample(&samples);
-        let mut light = sampler.complete(&samples, &spare, &lamp_samples);
-        let mut filter = |steps: [[i32; 2]; 2], what| {
-            for step in steps {
-                smooth::smooth(&samples, (&light, &mut spare), step, what, level);
-                std::mem::swap(&mut light, &mut spare);
-            }
-        };
-        filter([[1, 0], [0, 1]], What::Smooth);
-        let has_sky = occlusion.rig.has_sky;
-        if has_sky {
-            let tile = PERIOD.cast_signed();
-            filter([[tile, 0], [0, tile]], What::Surroundings);
-        }
-        light
-            .pixels_mut()
-            .par_iter_mut()
-            .with_min_len(4096)
-            .for_each(|rows| {
-                let light = Light::of_rows(*rows);
-                let arrived = light.arrived();
-                *rows = [[arrived.some, arrived.all, light.ambient], [light.sky, 0.0, 0.0]];
-            });
-        memory.light.keep(spare);
-        memory.lamps.keep(lamp_samples);
+        let nodes = sampler.nodes(&samples);
+        let mut light = memory.light.image(width, height, LightRows::default());
+        let rows = light.pixels_mut().par_iter_mut().with_min_len(4096);
+        rows.zip(nodes.pixels()).for_each(|(rows, node)| {
+            let light = node.light();
+            *rows = [
+                [light.some, light.all, light.ambient],
+                [light.sky, light.direct(), 0.0],
+            ];
+        });
         Self {
             samples,
+            nodes,
             light,
-            has_sky,
         }
     }
 
@@ -277,31 +227,73 @@ impl Coarse {
     pub(super) fn keep(self, memory: &SpareCoarse) {
         self.samples.keep(&memory.samples);
         memory.light.keep(self.light);
+        memory.nodes.keep(self.nodes);
     }
 
     /// Returns the light at the points that a packet's pixels see, and the lanes that have it; the others see a surface that no sample
     /// lies on.
-    pub(super) fn light(&self, found: &Found<'_, '_>, level: Level) -> (Shares, u32) {
+    pub(super) fn light(
+        &self,
+        found: &Found<'_, '_>,
+        occlusion: &Occlusion<'_>,
+        strengths: &mut Strengths,
+        stack: &mut Stack,
+    ) -> (Shares, u32) {
         let mut shares = Shares::default();
         let size = [self.samples.width(), self.samples.height()];
         let kernel = Between {
             samples: self.samples.pixels(),
             light: self.light.pixels(),
             size,
-            has_sky: self.has_sky,
             found,
             shares: &mut shares,
         };
-        let mut known = run_lanes_at(level, kernel);
+        let [mut known, edges] = run_lanes_at(occlusion.level, kernel);
+        let pixels = (1u32 << found.count()) - 1;
+        if edges & known & pixels != 0 {
+            for lane in 0..found.count() {
+                let place = Place::new(found, lane);
+                strengths.set(lane, place.from_eye, place.normal);
+            }
+            strengths.measure(occlusion.emitters, occlusion.level);
+        }
         for lane in 0..found.count() {
-            if (known >> lane) & 1 == 0
-                && let Some(light) = self.farther(found.place(lane), &Place::new(found, lane))
-            {
-                shares.set(lane, light);
-                known |= 1 << lane;
+            if (known >> lane) & 1 == 0 {
+                if let Some(light) = self.farther(found.place(lane), &Place::new(found, lane)) {
+                    shares.set(lane, light);
+                    known |= 1 << lane;
+                }
+            } else if (edges >> lane) & 1 != 0 {
+                let strongest = strengths.strongest(lane);
+                shares.direct[lane] = self.direct(found, lane, occlusion, strongest, stack);
             }
         }
         (shares, known)
+    }
+
+    /// Returns the share of the lamps' light that arrives at a pixel on the edge of a shadow.
+    fn direct(
+        &self,
+        found: &Found<'_, '_>,
+        lane: usize,
+        occlusion: &Occlusion<'_>,
+        strongest: Strongest,
+        stack: &mut Stack,
+    ) -> f32 {
+        let place = Place::new(found, lane);
+        let grid = Grid {
+            samples: &self.samples,
+            nodes: &self.nodes,
+            stride: 1,
+        };
+        let around = Around::new(&grid, Sample(&samples::rows(&place)), found.place(lane));
+        let spot = Spot {
+            place,
+            around,
+            probe: None,
+            detail: Detail::Pixel,
+        };
+        occlusion.node(&spot, strongest, stack).light().direct()
     }
 
     /// Returns the weighted mean of the samples of the same surface, also of those one sample farther away than the nearest.
@@ -346,78 +338,4 @@ fn put(packet: &mut Packet<'_>, strip: &mut [Rows]) {
         }
     }
     packet.clear();
-}
-
-/// The even neighbours of a sample.
-struct Neighbours<'a> {
-    lamp_samples: &'a Image<LampSamples>,
-    columns: [u32; 2],
-    rows: [u32; 2],
-    /// Whether all of them belong to the sample's surface.
-    are_similar: bool,
-}
-
-impl<'a> Neighbours<'a> {
-    fn new(samples: &Samples, lamp_samples: &'a Image<LampSamples>, at: Sample<'_>, x: u32, y: u32) -> Self {
-        let (columns, rows) = ([x / 2, x.div_ceil(2)], [y / 2, y.div_ceil(2)]);
-        let mut are_similar = true;
-        for row in rows {
-            for column in columns {
-                let other = samples.get(2 * column, 2 * row);
-                are_similar &= other.is_some_and(|other| at.similarity(other) >= 0.25);
-            }
-        }
-        Self {
-            lamp_samples,
-            columns,
-            rows,
-            are_similar,
-        }
-    }
-
-    /// Whether all of them see a lamp or none does; `None` where they disagree or one belongs to another surface.
-    fn all_see(&self, lamp: u32) -> Option<bool> {
-        if !self.are_similar {
-            return None;
-        }
-        let mut all = None;
-        for row in self.rows {
-            for column in self.columns {
-                let samples = self.lamp_samples.get(column, row)?;
-                let found = samples.iter().flatten().find(|sample| sample.lamp == lamp)?;
-                if all.is_some_and(|all| all != found.is_seen) {
-                    return None;
-                }
-                all = Some(found.is_seen);
-            }
-        }
-        all
-    }
-}
-
-/// The mean of the four neighbours' ambient light; `None` where too few belong to the same surface.
-fn mean_around(
-    samples: &Samples,
-    light: &Image<LightRows>,
-    at: Sample<'_>,
-    x: u32,
-    y: u32,
-) -> Option<(f32, f32)> {
-    let neighbours = [
-        (x.wrapping_sub(1), y),
-        (x + 1, y),
-        (x, y.wrapping_sub(1)),
-        (x, y + 1),
-    ];
-    let (mut ambient, mut sky, mut weights) = (0.0, 0.0, 0.0);
-    for (x, y) in neighbours {
-        if let (Some(other), Some(light)) = (samples.get(x, y), light.get(x, y)) {
-            let weight = at.similarity(other);
-            let light = Light::of_rows(*light);
-            ambient += light.ambient * weight;
-            sky += light.sky * weight;
-            weights += weight;
-        }
-    }
-    (weights > 0.5).then(|| (ambient / weights, sky / weights))
 }

@@ -159,7 +159,7 @@ impl<'a> ShadingContext<'a> {
         if let Some(found) = packet.find() {
             let grain = self.scene.micro_texture.as_ref();
             let finishes = finishes(&self.paints, &found, grain, self.level);
-            let (mut shares, known) = self.coarse.light(&found, self.level);
+            let (mut shares, known) = self.coarse.light(&found, &self.occlusion, strengths, stack);
             for lane in 0..found.count() {
                 if (known >> lane) & 1 == 0 {
                     let place = Place::new(&found, lane);

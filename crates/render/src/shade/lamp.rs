@@ -2,6 +2,7 @@ use glam::Vec3;
 use oaktwin_camera::math::DVec3;
 use oaktwin_simd::Lanes;
 
+use super::pattern::Spot;
 use crate::ray::Vector;
 
 /// A light other than a dome.
@@ -26,6 +27,8 @@ pub(super) enum Shape {
     Sphere {
         centre: DVec3,
         radius: f64,
+        /// Unit vector.
+        up: DVec3,
     },
     /// A rectangle or an ellipse, shining to one side.
     Area {
@@ -61,18 +64,14 @@ impl Shape {
         })
     }
 
-    /// Returns the vector from a point to a spot on the lamp, `(a, b)` from −1 to 1 across it, and whether the lamp is at a
-    /// finite distance.
-    pub(super) fn towards(&self, point: DVec3, [a, b]: [f64; 2]) -> (DVec3, bool) {
+    /// Returns the vector from a point to a spot on the lamp, and whether the lamp is at a finite distance.
+    pub(super) fn towards(&self, point: DVec3, spot: Spot) -> (DVec3, bool) {
+        let Spot { square, disk: [a, b] } = spot;
         match self {
-            Self::Distant { towards, u, v } => {
-                let [a, b] = on_disk([a, b]);
-                (*towards + *u * a + *v * b, false)
-            }
-            Self::Sphere { centre, radius } => {
+            Self::Distant { towards, u, v } => (*towards + *u * a + *v * b, false),
+            Self::Sphere { centre, radius, up } => {
                 let way = *centre - point;
-                let (u, v) = way.normalize_or(DVec3::Z).any_orthonormal_pair();
-                let [a, b] = on_disk([a, b]);
+                let [u, v] = across(way.normalize_or(*up), *up);
                 // Ends at the surface of the sphere, which may have its own mesh.
                 let near = (way.length() - radius).max(0.0) / way.length().max(f64::MIN_POSITIVE);
                 ((way + (u * a + v * b) * *radius) * near, true)
@@ -80,37 +79,59 @@ impl Shape {
             Self::Area {
                 centre, u, v, round, ..
             } => {
-                let [a, b] = if *round { on_disk([a, b]) } else { [a, b] };
+                let [a, b] = if *round { [a, b] } else { square };
                 (*centre + *u * a + *v * b - point, true)
             }
         }
     }
 }
 
-/// Maps the square onto the disk: concentric squares become circles.
-fn on_disk([a, b]: [f64; 2]) -> [f64; 2] {
-    let (radius, length) = (a.abs().max(b.abs()), a.hypot(b));
-    if length > 0.0 {
-        [a * radius / length, b * radius / length]
-    } else {
-        [0.0; 2]
-    }
+/// Returns two axes across a direction, which turn with it from those across `up` and jump only where it points down, so that nearby
+/// points see the same spots of a lamp at the same places.
+fn across(direction: DVec3, up: DVec3) -> [DVec3; 2] {
+    let sum = up + direction;
+    let scale = 1.0 / (1.0 + up.dot(direction)).max(f64::MIN_POSITIVE);
+    <[DVec3; 2]>::from(up.any_orthonormal_pair()).map(|axis| axis - sum * (direction.dot(axis) * scale))
 }
 
-/// The tangent of the angular radius below which a lamp casts sharp shadows.
+/// The tangent of the angular radius below which the penumbrae of a lamp are narrow.
 const SMALL: f64 = 0.02;
 
+/// The tangent of the angular radius below which a lamp is a point.
+const POINT: f64 = 2e-4;
+
+/// How large a lamp looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Size {
+    Point,
+    Small,
+    Large,
+}
+
 impl Lamp {
-    /// Whether the lamp has a small angular size seen from a point.
-    pub(super) fn looks_small_from(&self, point: DVec3) -> bool {
+    /// Returns how large the lamp looks from a point.
+    pub(super) fn size_from(&self, point: DVec3) -> Size {
         let (size, d2) = match self.shape {
             Shape::Distant { u, .. } => (u.length(), 1.0),
-            Shape::Sphere { centre, radius } => (radius, (centre - point).length_squared()),
+            Shape::Sphere { centre, radius, .. } => (radius, (centre - point).length_squared()),
             Shape::Area { centre, u, v, .. } => {
                 (u.length().max(v.length()), (centre - point).length_squared())
             }
         };
-        size * size < SMALL * SMALL * d2
+        let is_below = |tangent: f64| size * size < tangent * tangent * d2;
+        match (is_below(POINT), is_below(SMALL)) {
+            (true, _) => Size::Point,
+            (false, true) => Size::Small,
+            (false, false) => Size::Large,
+        }
+    }
+
+    /// Whether points near this one see the same spots of the lamp at nearly the same places.
+    pub(super) fn has_steady_spots_from(&self, point: DVec3) -> bool {
+        match self.shape {
+            Shape::Sphere { centre, up, .. } => (centre - point).normalize_or(up).dot(up) > -0.8,
+            Shape::Distant { .. } | Shape::Area { .. } => true,
+        }
     }
 
     /// Returns the irradiance of a surface that faces the lamp, without shadows.
@@ -118,7 +139,7 @@ impl Lamp {
     pub(super) fn irradiance_at(&self, point: DVec3) -> Vec3 {
         let share = match self.shape {
             Shape::Distant { .. } => 1.0,
-            Shape::Sphere { centre, radius } => {
+            Shape::Sphere { centre, radius, .. } => {
                 let r2 = radius * radius;
                 std::f64::consts::PI * r2 / (centre - point).length_squared().max(r2)
             }
@@ -143,7 +164,7 @@ impl Lamp {
                 spread: u.length() as f32,
                 irradiance: self.radiance,
             },
-            Shape::Sphere { centre, radius } => Emitter::Sphere {
+            Shape::Sphere { centre, radius, .. } => Emitter::Sphere {
                 centre: (centre - eye).as_vec3(),
                 radius: radius as f32,
                 radiance: self.radiance,

@@ -1,8 +1,8 @@
 //! Shading: colour images for stereo matching and for people. It is not a path tracer.
 //!
 //! Mirrors reflect the scene, and glass shows what lies behind it, up to a number of surfaces (`path`). Textures are filtered over the footprint of a pixel, lamps cast soft shadows, nearby surfaces occlude ambient light, and
-//! indirect light is a constant. Sampling is deterministic: the position in the image selects the samples of lamps and
-//! surroundings from a periodic pattern, and a filter over the pattern's period removes the pattern.
+//! indirect light is a constant. Sampling is deterministic: every point samples the same spots of
+//! lamps and the same directions, and the image decides only which points are sampled and between which ones light is interpolated.
 
 mod arrived;
 mod beam;

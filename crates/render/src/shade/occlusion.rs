@@ -5,109 +5,40 @@ use oaktwin_camera::math::DVec3;
 use oaktwin_scene::Scene;
 use oaktwin_simd::Level;
 
-use super::lamp::{Emitter, Lamp};
-use super::pattern::{DIRECTIONS_PER_PLACE, Pattern, PatternCell};
+use super::lamp::{Emitter, Lamp, Size};
+use super::pattern::{self, Hemisphere, Pattern, Spot, Spots};
 use super::rig::LightRig;
-use super::strength::{MAX_SHADOWS, Strengths, Strongest};
+use super::strength::{Strengths, Strongest};
 use super::surfaces::{Found, Surfaces, lane_of};
 use crate::ray::{Ray, RayCaster, Stack};
 
-/// The luminance of lamp light.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Arrived {
-    /// The part that arrives.
-    pub(super) some: f32,
-    /// The amount without shadows.
-    pub(super) all: f32,
-}
-
-impl Arrived {
-    #[inline]
-    fn plus(self, other: Self, weight: f32) -> Self {
-        Self {
-            some: self.some + other.some * weight,
-            all: self.all + other.all * weight,
-        }
-    }
-}
-
-/// The cells that resolve the light of one point: one for each quarter of a lamp, at similar angles from the normal.
-pub(super) const ALONE: [usize; 4] = [0, 6, 9, 15];
-
-/// The light that reaches a point: from lamps of small angular size, which cast sharp shadows, from large lamps, and from the
-/// surroundings.
+/// The light that reaches a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Light {
-    pub(super) small: Arrived,
-    pub(super) large: Arrived,
+    /// The luminance that arrives from the strongest lamps.
+    pub(super) some: f32,
+    /// The luminance that would arrive without shadows.
+    pub(super) all: f32,
     /// The unoccluded shares of the surroundings and the sky.
     pub(super) ambient: f32,
     pub(super) sky: f32,
 }
 
 impl Light {
-    /// Unoccluded light.
-    pub(super) const FULL: Self = Self {
-        small: Arrived { some: 0.0, all: 0.0 },
-        large: Arrived { some: 0.0, all: 0.0 },
-        ambient: 1.0,
-        sky: 1.0,
-    };
-
-    /// Returns the light of all lamps.
+    /// Returns the share of the lamps' light that arrives.
     #[inline]
-    pub(super) fn arrived(&self) -> Arrived {
-        self.small.plus(self.large, 1.0)
+    pub(super) fn direct(&self) -> f32 {
+        if self.all > 0.0 { self.some / self.all } else { 1.0 }
     }
 
     /// Returns the shares that arrive: of the light from lamps, surroundings and sky.
     #[inline]
     pub(super) fn shares(&self) -> [f32; 3] {
-        let Arrived { some, all } = self.arrived();
-        let direct = if all > 0.0 { some / all } else { 1.0 };
-        [direct, self.ambient, self.sky]
-    }
-
-    /// Returns the sum, with a weight for `other`.
-    #[inline]
-    pub(super) fn plus(self, other: Self, weight: f32) -> Self {
-        Self {
-            small: self.small.plus(other.small, weight),
-            large: self.large.plus(other.large, weight),
-            ambient: self.ambient + other.ambient * weight,
-            sky: self.sky + other.sky * weight,
-        }
-    }
-
-    #[inline]
-    pub(super) fn rows(&self) -> LightRows {
-        let Self {
-            small,
-            large,
-            ambient,
-            sky,
-        } = *self;
-        [[small.some, small.all, large.some], [large.all, ambient, sky]]
-    }
-
-    #[inline]
-    pub(super) fn of_rows([first, second]: LightRows) -> Self {
-        Self {
-            small: Arrived {
-                some: first[0],
-                all: first[1],
-            },
-            large: Arrived {
-                some: first[2],
-                all: second[0],
-            },
-            ambient: second[1],
-            sky: second[2],
-        }
+        [self.direct(), self.ambient, self.sky]
     }
 }
 
-/// [`Light`] in rows, which vector code gathers.
+/// The light of a sample in rows, which vector code gathers.
 pub(super) type LightRows = [[f32; 3]; 2];
 
 /// The shares of the light from lamps, surroundings and sky that reach eight points.
@@ -177,146 +108,136 @@ pub(super) struct Occlusion<'a> {
     pub(super) eye: DVec3,
 }
 
-/// The index of a lamp and whether its sampled point is visible.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct LampSample {
-    pub(super) lamp: u32,
-    pub(super) is_seen: bool,
-}
-
-/// The samples of the lamps that contribute most.
-pub(super) type LampSamples = [Option<LampSample>; MAX_SHADOWS];
-
 impl Occlusion<'_> {
-    /// Returns the light of lamps at a point relative to the eye. `sees` tests whether a spot on a lamp, −1 to 1, is visible.
-    pub(super) fn lamplight(
-        &self,
-        from_eye: Vec3,
-        strongest: Strongest,
-        cell: PatternCell,
-        mut sees: impl FnMut(u32, &Lamp, [f64; 2]) -> bool,
-    ) -> (Light, LampSamples) {
-        let mut light = Light::default();
-        let mut lamp_samples = LampSamples::default();
-        for (lamp_sample, (index, strength)) in lamp_samples.iter_mut().zip(strongest.into_iter().flatten()) {
-            let Some(lamp) = self.rig.lamps.get(index as usize) else {
-                continue;
-            };
-            let is_small = lamp.looks_small_from(self.eye + from_eye.as_dvec3());
-            let spot = if is_small {
-                [0.0; 2]
-            } else {
-                Pattern::place(cell.of_place)
-            };
-            let is_seen = sees(index, lamp, spot);
-            *lamp_sample = Some(LampSample { lamp: index, is_seen });
-            let arrived = Arrived {
-                some: if is_seen { strength } else { 0.0 },
-                all: strength,
-            };
-            if is_small {
-                light.small = light.small.plus(arrived, 1.0);
-            } else {
-                light.large = light.large.plus(arrived, 1.0);
+    /// Returns the bits of the spots of a lamp that are visible; `known` are those that need no ray.
+    pub(super) fn spots_seen(&self, place: &Place, lamp: &Lamp, known: Spots, stack: &mut Stack) -> u64 {
+        let size = lamp.size_from(self.eye + place.from_eye.as_dvec3());
+        if size == Size::Point {
+            return self.centre_seen(place, lamp, stack);
+        }
+        let mut is_seen = |index: usize| self.sees(place, lamp, self.pattern.spot(index), stack);
+        // The penumbrae of small lamps are narrow: few points see a part of them.
+        if size == Size::Small {
+            let few = Pattern::FEW.map(|index| known.is_seen(index).unwrap_or_else(|| is_seen(index)));
+            match few {
+                [true, true, true, true] => return u64::MAX,
+                [false, false, false, false] => return 0,
+                _ => {}
             }
         }
-        (light, lamp_samples)
+        pattern::mask(known, is_seen)
     }
 
-    /// Returns [`lamplight`](Self::lamplight) with shadow rays.
-    pub(super) fn sample_lamps(
-        &self,
-        place: &Place,
-        strongest: Strongest,
-        cell: PatternCell,
-        stack: &mut Stack,
-    ) -> (Light, LampSamples) {
-        self.lamplight(place.from_eye, strongest, cell, |_, lamp, spot| {
-            self.sees(place, lamp, spot, stack)
-        })
+    /// Returns the bits of all spots of a lamp if its centre is visible.
+    pub(super) fn centre_seen(&self, place: &Place, lamp: &Lamp, stack: &mut Stack) -> u64 {
+        match self.sees(place, lamp, Spot::default(), stack) {
+            true => u64::MAX,
+            false => 0,
+        }
     }
 
-    /// Averages several pattern cells at one point, for pixels without similar samples.
+    /// Returns [`spots_seen`](Self::spots_seen) from four rays.
+    pub(super) fn few_spots_seen(&self, place: &Place, lamp: &Lamp, stack: &mut Stack) -> u64 {
+        let mut bits = 0;
+        for (quarter, index) in Pattern::FEW.into_iter().enumerate() {
+            if self.sees(place, lamp, self.pattern.spot(index), stack) {
+                bits |= 0xFFFF << (16 * quarter);
+            }
+        }
+        bits
+    }
+
+    /// Returns the light at a point that has no similar samples around it, from few rays.
     pub(super) fn sample_alone(&self, place: &Place, strengths: &mut Strengths, stack: &mut Stack) -> Light {
         strengths.set(0, place.from_eye, place.normal);
         strengths.measure(self.emitters, self.level);
-        self.sample(place, strengths.strongest(0), &ALONE, stack)
+        self.sample(place, strengths.strongest(0), &Pattern::FEW, stack)
     }
 
-    /// Averages pattern cells at one point.
+    /// Returns the light at a point, from rays to some spots of large lamps and in some directions, by their numbers in the pattern.
     pub(super) fn sample(
         &self,
         place: &Place,
         strongest: Strongest,
-        cells: &[usize],
+        rays: &[usize],
         stack: &mut Stack,
     ) -> Light {
         #[expect(clippy::cast_precision_loss, reason = "a small count")]
-        let share = 1.0 / cells.len() as f32;
-        cells
-            .iter()
-            .map(|&cell| {
-                let cell = PatternCell {
-                    of_place: cell,
-                    of_tile: cell,
-                };
-                let (light, _) = self.sample_lamps(place, strongest, cell, stack);
-                let (ambient, sky) = self.sample_surroundings(place, cell, stack);
-                Light {
-                    ambient,
-                    sky,
-                    ..light
-                }
-            })
-            .fold(Light::default(), |sum, light| sum.plus(light, share))
+        let share = 1.0 / rays.len() as f32;
+        let [ambient, sky] = self.some_surroundings(place, rays, stack);
+        let mut light = Light {
+            ambient,
+            sky,
+            ..Light::default()
+        };
+        for (index, strength) in strongest.into_iter().flatten() {
+            let Some(lamp) = self.rig.lamps.get(index as usize) else {
+                continue;
+            };
+            let seen = match lamp.size_from(self.eye + place.from_eye.as_dvec3()) {
+                Size::Large => (rays.iter())
+                    .filter(|index| self.sees(place, lamp, self.pattern.spot(**index), stack))
+                    .fold(0.0, |seen, _| seen + share),
+                Size::Point | Size::Small => pattern::share_of(self.centre_seen(place, lamp, stack)),
+            };
+            light.all += strength;
+            light.some += strength * seen;
+        }
+        light
+    }
+
+    /// Returns [`surroundings`](Self::surroundings) from four rays.
+    pub(super) fn few_surroundings(&self, place: &Place, stack: &mut Stack) -> [f32; 2] {
+        self.some_surroundings(place, &Pattern::FEW, stack)
+    }
+
+    fn some_surroundings(&self, place: &Place, rays: &[usize], stack: &mut Stack) -> [f32; 2] {
+        let around = Hemisphere::new(place.normal.as_dvec3());
+        let mut sum = [0.0; 2];
+        for index in rays {
+            let [ambient, sky] = self.open(place, self.pattern.direction(*index, &around), stack);
+            sum = [sum[0] + ambient, sum[1] + sky];
+        }
+        #[expect(clippy::cast_precision_loss, reason = "a small count")]
+        let count = rays.len() as f32;
+        sum.map(|sum| sum / count)
     }
 
     /// Returns the unoccluded shares of the surroundings and the sky.
-    pub(super) fn sample_surroundings(
-        &self,
-        place: &Place,
-        cell: PatternCell,
-        stack: &mut Stack,
-    ) -> (f32, f32) {
-        // Without a sky all tiles use the same directions, so no tile is visible.
-        let of_tile = if self.rig.has_sky { cell.of_tile } else { 7 };
-        let cell = PatternCell { of_tile, ..cell };
-        let (mut ambient, mut sky) = (0.0, 0.0);
-        let flat_normal = place.flat_normal.as_dvec3();
-        for direction in self.pattern.directions(cell, place.normal.as_dvec3()) {
-            if direction.dot(flat_normal) <= 0.0 {
-                continue;
-            }
-            let near = Ray {
-                origin: self.eye + place.above(),
-                direction,
-                near: 0.0,
-                far: self.rig.reach,
-            };
-            if let Some((t, _)) = self.caster.cast_through(self.scene, near, stack) {
-                #[expect(clippy::cast_possible_truncation, reason = "a share")]
-                let distance = (t / self.rig.reach) as f32;
-                ambient += distance * distance;
-                continue;
-            }
-            ambient += 1.0;
-            // Anything hides the sky, however far it is.
-            let far = Ray {
-                near: self.rig.reach,
-                far: f64::INFINITY,
-                ..near
-            };
-            if self.rig.has_sky && !self.caster.is_shadowed(self.scene, far, stack) {
-                sky += 1.0;
-            }
-        }
-        #[expect(clippy::cast_precision_loss, reason = "a small count")]
-        let share = 1.0 / DIRECTIONS_PER_PLACE as f32;
-        (ambient * share, sky * share)
+    pub(super) fn surroundings(&self, place: &Place, stack: &mut Stack) -> [f32; 2] {
+        let around = Hemisphere::new(place.normal.as_dvec3());
+        let part = usize::from(self.rig.has_sky);
+        pattern::mean(part, |index| {
+            self.open(place, self.pattern.direction(index, &around), stack)
+        })
     }
 
-    /// Tests whether a spot on a lamp, −1 to 1 across it, is visible from a point.
-    pub(super) fn sees(&self, place: &Place, lamp: &Lamp, spot: [f64; 2], stack: &mut Stack) -> bool {
+    /// Returns how open a direction is to the surroundings and to the sky.
+    fn open(&self, place: &Place, direction: DVec3, stack: &mut Stack) -> [f32; 2] {
+        if direction.dot(place.flat_normal.as_dvec3()) <= 0.0 {
+            return [0.0; 2];
+        }
+        let reach = self.rig.reach;
+        let ray = Ray {
+            origin: self.eye + place.above(),
+            direction,
+            near: 0.0,
+            // Anything hides the sky, however far it is.
+            far: if self.rig.has_sky { f64::INFINITY } else { reach },
+        };
+        match self.caster.cast_through(self.scene, ray, stack) {
+            None => [1.0, 1.0],
+            Some((t, _)) if t > reach => [1.0, 0.0],
+            Some((t, _)) => {
+                #[expect(clippy::cast_possible_truncation, reason = "a share")]
+                let distance = (t / reach) as f32;
+                [distance * distance, 0.0]
+            }
+        }
+    }
+
+    /// Tests whether a spot on a lamp is visible from a point.
+    pub(super) fn sees(&self, place: &Place, lamp: &Lamp, spot: Spot, stack: &mut Stack) -> bool {
         let origin = self.eye + place.above();
         let (direction, ends) = lamp.shape.towards(origin, spot);
         let ray = Ray {

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::dome::DomeImage;
 use super::harmonics::Harmonics;
 use super::lamp::{Lamp, Shape};
-use super::pattern::{DIRECTIONS_PER_PLACE, Pattern, PatternCell};
+use super::pattern::{Hemisphere, Pattern, Spot};
 use crate::ray::{Ray, RayCaster, Stack};
 
 /// Indirect light, as a share of the typical irradiance; it is uniform over directions.
@@ -100,6 +100,11 @@ impl LightRig {
         (backdrop.plain + slope + domes.fold(Vec3::ZERO, |sum, radiance| sum + radiance)) * self.exposure
     }
 
+    /// Returns the luminance that a surface with a normal receives from its unoccluded surroundings, and from an open sky.
+    pub(super) fn around(&self, normal: Vec3) -> [f32; 2] {
+        [&self.ambient, &self.sky].map(|light| luminance(light.mean_by_cosine(normal)) * std::f32::consts::PI)
+    }
+
     fn add(&mut self, scene: &Scene, light: &Light) {
         let radiance = Vec3::from(light.radiance);
         if !(radiance.is_finite() && radiance.max_element() > 0.0) {
@@ -121,7 +126,12 @@ impl LightRig {
             self.backdrop.plain += radiance;
             return;
         }
-        self.lamps.extend(lamp(light, radiance, scene.meters_per_unit.0));
+        self.lamps.extend(lamp(
+            light,
+            radiance,
+            scene.meters_per_unit.0,
+            scene.up.direction(),
+        ));
     }
 
     /// Returns the median irradiance of the lit probes; see [`LightRig`].
@@ -152,7 +162,7 @@ impl LightRig {
         let mut sum = 0.0;
         for lamp in &self.lamps {
             let irradiance = luminance(lamp.irradiance_at(probe.point));
-            let (direction, ends) = lamp.shape.towards(probe.point, [0.0; 2]);
+            let (direction, ends) = lamp.shape.towards(probe.point, Spot::default());
             let ray = Ray {
                 origin: probe.point,
                 direction,
@@ -165,19 +175,18 @@ impl LightRig {
             }
         }
         if self.has_sky {
-            let cell = |of_place| PatternCell { of_place, of_tile: 0 };
-            let directions = [0, 5, 10, 15].map(|place| pattern.directions(cell(place), probe.normal));
-            let open = directions.iter().flatten().filter(|direction| {
+            let around = Hemisphere::new(probe.normal);
+            let open = Pattern::FEW.iter().filter(|index| {
                 let ray = Ray {
                     origin: probe.point,
-                    direction: **direction,
+                    direction: pattern.direction(**index, &around),
                     near: 0.0,
                     far: f64::INFINITY,
                 };
                 !caster.is_shadowed(scene, ray, stack)
             });
             #[expect(clippy::cast_precision_loss, reason = "a small count")]
-            let share = open.count() as f32 / (4 * DIRECTIONS_PER_PLACE) as f32;
+            let share = open.count() as f32 / Pattern::FEW.len() as f32;
             let radiance = luminance(self.sky.mean_by_cosine(probe.normal.as_vec3()));
             sum += share * radiance * std::f32::consts::PI;
         }
@@ -209,7 +218,7 @@ pub(super) fn luminance(rgb: Vec3) -> f32 {
     rgb.dot(Vec3::new(0.2126, 0.7152, 0.0722))
 }
 
-fn lamp(light: &Light, radiance: Vec3, metres_per_unit: f64) -> Option<Lamp> {
+fn lamp(light: &Light, radiance: Vec3, metres_per_unit: f64, up: DVec3) -> Option<Lamp> {
     let frame: DAffine3 = light.world_from_light;
     let forward = frame.transform_vector3(DVec3::NEG_Z).try_normalize()?;
     let area = |u: DVec3, v: DVec3, round: bool| {
@@ -234,6 +243,7 @@ fn lamp(light: &Light, radiance: Vec3, metres_per_unit: f64) -> Option<Lamp> {
         LightKind::Sphere { radius } => Shape::Sphere {
             centre: frame.translation,
             radius: along(DVec3::X, radius).length(),
+            up,
         },
         LightKind::Rect { width, height } => {
             area(along(DVec3::X, width * 0.5), along(DVec3::Y, height * 0.5), false)?

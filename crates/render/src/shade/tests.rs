@@ -6,6 +6,7 @@
 
 mod lights;
 mod optics;
+mod shadows;
 
 use std::path::PathBuf;
 use std::sync::Arc;

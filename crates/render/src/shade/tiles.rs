@@ -1,6 +1,6 @@
 //! The order in which pixels are shaded.
 
-/// The rows and columns of a tile, a multiple of the sampling pattern's. Its pixels see mostly the same surfaces, which therefore
+/// The rows and columns of a tile. Its pixels see mostly the same surfaces, which therefore
 /// stay in the cache.
 pub(super) const TILE: u32 = 16;
 

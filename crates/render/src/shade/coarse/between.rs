@@ -10,29 +10,32 @@ use crate::shade::surfaces::Found;
 /// The minimum total similarity for interpolation.
 pub(super) const MIN_SIMILARITY: f32 = 0.02;
 
-/// Returns the columns, or the rows, of the samples around a pixel. Filtering over an even number of samples shifts them by half a
-/// sample, which is one pixel: pixels in odd columns coincide with a sample and the others lie between two.
+/// The difference between the shares of lamp light around a pixel that marks the edge of a shadow.
+const EDGE: f32 = 0.06;
+
+/// Returns the columns, or the rows, of the samples around a pixel: pixels in even columns coincide with a sample and the others lie
+/// between two.
 pub(super) const fn around(x: u32) -> [u32; 2] {
-    [x.div_ceil(2), x / 2 + 1]
+    [x / 2, x.div_ceil(2)]
 }
 
-/// Interpolates between the samples around the pixels of a packet. Returns the lanes that have samples of the same surface; the others
-/// are arbitrary.
+/// Interpolates between the samples around the pixels of a packet. Returns the lanes that have samples of the same surface, the others
+/// are arbitrary, and those at the edge of a shadow.
 pub(super) struct Between<'a> {
     pub(super) samples: &'a [Rows],
-    /// The light that arrives and that without shadows of lamps, the light of the surroundings; the light of the sky.
+    /// The light that arrives and that without shadows of lamps, the light of the surroundings; the light of the sky, the share of lamp
+    /// light.
     pub(super) light: &'a [LightRows],
     pub(super) size: [u32; 2],
-    pub(super) has_sky: bool,
     pub(super) found: &'a Found<'a, 'a>,
     pub(super) shares: &'a mut Shares,
 }
 
 impl LaneKernel for Between<'_> {
-    type Output = u32;
+    type Output = [u32; 2];
 
     #[inline(always)]
-    fn run<L: Lanes>(self) -> u32 {
+    fn run<L: Lanes>(self) -> [u32; 2] {
         let zero = L::splat(0.0);
         let surfaces = self.found.surfaces;
         let at = Surfaces::<L>::new(
@@ -43,6 +46,7 @@ impl LaneKernel for Between<'_> {
         let (columns, rows) = self.places();
         let mut sum = Vector::<L>::splat([0.0; 3]);
         let (mut sky, mut weights) = (zero, zero);
+        let (mut lowest, mut highest) = (L::splat(1.0), zero);
         for (row_of, is_row) in &rows {
             for (column_of, is_column) in &columns {
                 let mask = L::I32::load(is_row) & L::I32::load(is_column);
@@ -55,9 +59,11 @@ impl LaneKernel for Between<'_> {
                 }
                 let weight = L::select(mask, at.similarity(self.samples, samples), zero);
                 sum = sum + row(self.light, samples, 0) * weight;
-                if self.has_sky {
-                    sky = sky + row::<L, 2>(self.light, samples, 1).x * weight;
-                }
+                let more = row::<L, 2>(self.light, samples, 1);
+                sky = sky + more.x * weight;
+                let is_same = L::splat(MIN_SIMILARITY).lt(weight);
+                lowest = L::select(is_same, lowest.min(more.y), lowest);
+                highest = L::select(is_same, highest.max(more.y), highest);
                 weights = weights + weight;
             }
         }
@@ -65,7 +71,8 @@ impl LaneKernel for Between<'_> {
         direct.store(&mut self.shares.direct);
         (sum.z / weights).store(&mut self.shares.ambient);
         (sky / weights).store(&mut self.shares.sky);
-        L::splat(MIN_SIMILARITY).lt(weights).signs()
+        let known = L::splat(MIN_SIMILARITY).lt(weights).signs();
+        [known, (lowest + L::splat(EDGE)).lt(highest).signs()]
     }
 }
 

@@ -64,7 +64,7 @@ pub(super) fn rows(place: &Place) -> Rows {
 
 /// The inverse of the distance from a sample's plane within which another sample belongs to the same surface.
 fn per_tolerance(range: f32) -> f32 {
-    100.0 / range.max(f32::MIN_POSITIVE)
+    300.0 / range.max(f32::MIN_POSITIVE)
 }
 
 impl Sample<'_> {
@@ -104,21 +104,11 @@ pub(super) struct Surfaces<L: Lanes> {
 impl<L: Lanes> Surfaces<L> {
     #[inline(always)]
     pub(super) fn new(point: Vector<L>, normal: Vector<L>, range: L) -> Self {
-        let per_tolerance = L::splat(100.0) / range.max(L::splat(f32::MIN_POSITIVE));
+        let per_tolerance = L::splat(300.0) / range.max(L::splat(f32::MIN_POSITIVE));
         Self {
             point,
             normal,
             per_tolerance,
-        }
-    }
-
-    /// Loads the samples with the given indices.
-    #[inline(always)]
-    pub(super) fn load(samples: &[Rows], at: [u32; 8]) -> Self {
-        Self {
-            point: row(samples, at, 0),
-            normal: row(samples, at, 1),
-            per_tolerance: row::<L, _>(samples, at, 3).y,
         }
     }
 
