@@ -11,7 +11,7 @@
  * | `GET /api/catalog` | {@link Catalog} |
  * | `GET /api/scenes/{id}` | {@link SceneInfo} |
  * | `GET /api/scenes/{id}/mesh?triangles=N` | a mesh, see {@link MeshHeader} |
- * | `POST /api/scenes?name=room.glb`, the file as the body | {@link SceneInfo}; 422 with {@link Failure} |
+ * | `POST /api/scenes?name=room.glb`, the file as the body; of a mesh file also `scale=0.001`, metres per unit, and `up=z` | {@link SceneInfo}; 422 with {@link Failure} |
  * | `POST /api/calibrations?name=unit.json`, the file as the body | {@link CalibrationInfo}; 422 with {@link Failure} |
  * | `GET /api/models/{name}/body` | a mesh in the body frame |
  * | `POST /api/export`, {@link ExportRequest} | a file (`Content-Disposition` has its name, `X-Findings` the {@link Finding}s); 422 with {@link Failure} |
@@ -60,6 +60,8 @@ export interface Model {
   cameras: Camera[];
   /** Whether it has a dot projector. */
   hasProjector: boolean;
+  /** Whether its left and right cameras have a fisheye description besides the pinhole one. */
+  hasFisheye: boolean;
   /** Empty for a model without depth. */
   depthSensors: DepthSensor[];
 }
@@ -158,6 +160,8 @@ export interface SceneInfo {
   /** The name of the file, or "demo room". */
   name: string;
   up: "y" | "z";
+  /** Metres per unit of a mesh file, which does not say; null for a USD stage. */
+  scale: number | null;
   triangles: number;
   /** The corners of the bounding box. */
   bounds: [Vec3, Vec3];
@@ -255,6 +259,8 @@ export interface FrameRequest {
   region: [number, number, number, number];
   /** Every so many pixels of a row and of a column have a colour of their own, 1 to 8; those between are interpolated. 1 if missing. Colour takes most of the time of a new view. */
   colorStep?: number;
+  /** Whether images for rest follow. A preview comes first, and interrupts images for rest that are being computed. */
+  isPreview?: boolean;
 }
 
 /** Asks about a pixel of the last frame of an OAK. */

@@ -1,11 +1,11 @@
-// Records the animation of the page: a flight, a parameter, a pixel without a value, and a painted surface.
+// Records the animation of the page: a flight, two OAKs and their difference, pixels without a value, and a painted surface.
 import { rest } from "./page.mjs";
 import { animation } from "./webp.mjs";
 
-const WIDTH = 960;
-const QUALITY = 0.62;
+const WIDTH = 880;
+const QUALITY = 0.42;
 /** How long a frame of a movement is shown, and the last one of a scene, ms. */
-const STEP = 90;
+const STEP = 140;
 const PAUSE = 1400;
 
 /** The object whose surface is painted. */
@@ -53,35 +53,35 @@ export async function record(page) {
   await film.take(PAUSE);
   // The OAK moves ahead and turns.
   await page.getByTestId("view").focus();
-  for (let i = 0; i < 10; i++) {
+  for (let i = 0; i < 6; i++) {
+    await page.keyboard.press("ArrowUp");
     await page.keyboard.press("ArrowUp");
     await page.keyboard.press("Alt+ArrowLeft");
     await film.take();
   }
-  for (let i = 0; i < 10; i++) {
+  for (let i = 0; i < 6; i++) {
+    await page.keyboard.press("ArrowDown");
     await page.keyboard.press("ArrowDown");
     await page.keyboard.press("Alt+ArrowRight");
     await film.take();
   }
-  // A calibration error grows: everything is measured too far or too near.
-  const bias = page.locator('[data-parameter="bias"] input[type="text"]');
-  await bias.scrollIntoViewIfNeeded();
-  for (let i = 1; i <= 8; i++) {
-    await bias.fill(String(i / 10));
-    // Without its tooltip.
-    await page.evaluate(() => document.activeElement.blur());
-    await film.take();
-  }
+  // A second OAK, and by how much its errors are larger.
+  await page.getByTestId("add-oak").selectOption({ label: "OAK-D Lite" });
   await film.take(PAUSE);
-  await bias.fill("0");
+  await page.locator('[data-testid$="-error"] .surface').first().click();
+  await film.take(PAUSE);
+  await page.getByTestId("comparison").selectOption("difference");
+  await film.take(PAUSE);
+  await page.getByTestId("comparison").selectOption("none");
+  await page.getByTestId("oaks").getByRole("button", { name: "Remove" }).last().click();
   // Why pixels have no value.
   await page.getByTestId("show-reason").click();
   await rest(page);
-  const panel = await page.locator('[data-testid$="-sensor"] canvas').boundingBox();
-  for (let i = 0; i <= 6; i++) {
-    await page.mouse.move(panel.x + panel.width * (0.75 - 0.42 * (i / 6)), panel.y + panel.height * (0.4 + 0.26 * (i / 6)));
+  const panel = await page.locator('[data-testid$="-reason"] canvas').boundingBox();
+  for (let i = 0; i <= 4; i++) {
+    await page.mouse.move(panel.x + panel.width * (0.75 - 0.42 * (i / 4)), panel.y + panel.height * (0.4 + 0.26 * (i / 4)));
     await page.waitForTimeout(300);
-    await film.take();
+    await film.take(3 * STEP);
   }
   await film.take(PAUSE);
   // What is measured of a surface.
@@ -90,9 +90,8 @@ export async function record(page) {
   await page.locator('[data-testid="coverage"] table').waitFor();
   await film.take(PAUSE);
   await page.getByTestId("view").focus();
-  for (let i = 0; i < 8; i++) {
-    await page.keyboard.press("PageUp");
-    await page.keyboard.press("PageUp");
+  for (let i = 0; i < 5; i++) {
+    for (let step = 0; step < 3; step++) await page.keyboard.press("PageUp");
     await page.keyboard.press("Alt+ArrowDown");
     await film.take(2 * STEP);
   }

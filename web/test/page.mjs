@@ -67,3 +67,10 @@ export async function drop(page, name, text) {
     for (const type of ["dragover", "drop"]) window.dispatchEvent(new DragEvent(type, { dataTransfer, cancelable: true, bubbles: true }));
   }, [name, text]);
 }
+
+/** Drops a mesh file, and opens it in the units that the page guesses. */
+export async function dropScene(page, name, text) {
+  await drop(page, name, text);
+  await page.getByTestId("use-scene").click();
+  await page.waitForFunction((name) => document.querySelector('[data-testid="scene"]').textContent.includes(name), name);
+}

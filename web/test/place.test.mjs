@@ -39,7 +39,7 @@ async function handles(page) {
   return found;
 }
 
-const fields = (page) => page.locator('[data-testid="region"] .triple input').evaluateAll((inputs) => inputs.map(({ value }) => Number(value)));
+const fields = (page) => page.locator('[data-testid="region"] .triple input').evaluateAll((inputs) => inputs.map(({ value }) => Number(value.replace("−", "-"))));
 
 test("the surface of a region is painted with what the OAK measures of it", { skip }, async () => {
   const { page, context, errors } = await openPlace();

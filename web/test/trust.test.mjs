@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after as afterAll, before, test } from "node:test";
-import { after, drop, launch, open, rest, skip } from "./page.mjs";
+import { after, dropScene, launch, open, rest, skip } from "./page.mjs";
 
 let browser;
 before(async () => {
@@ -153,8 +153,7 @@ test("coverage has a tolerance, and shares of what can be seen and of all OAKs t
 test("a scene that is dropped again has the same link", { skip }, async () => {
   const { page, context } = await open(browser);
   const id = async () => {
-    await drop(page, "plate.obj", PLATE);
-    await page.waitForFunction(() => document.querySelector('[data-testid="scene"]').textContent.includes("plate.obj"));
+    await dropScene(page, "plate.obj", PLATE);
     return page.evaluate(() => window.studio.document.get().scene);
   };
   const first = await id();

@@ -71,7 +71,7 @@ pub(crate) use pair::PairArgs;
 pub(crate) use place::PlaceArgs;
 pub(crate) use population::PopulationArgs;
 pub(crate) use render::RenderArgs;
-pub(crate) use scene::SceneArgs;
+pub(crate) use scene::{SceneArgs, checked_scale};
 pub(crate) use sense::SenseArgs;
 pub(crate) use sensor::{MatcherArgs, SensorArgs};
 pub(crate) use shutter::ShutterArgs;

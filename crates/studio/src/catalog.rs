@@ -38,6 +38,7 @@ struct Model {
     body: Body,
     cameras: Vec<Camera>,
     has_projector: bool,
+    has_fisheye: bool,
     depth_sensors: Vec<DepthSensor>,
 }
 
@@ -161,6 +162,10 @@ impl Model {
             },
             cameras: twin.cameras.iter().map(Camera::new).collect(),
             has_projector: device.projector.is_some(),
+            has_fisheye: twin
+                .cameras
+                .iter()
+                .any(|camera| camera.nominal_fisheye().is_some()),
             depth_sensors: depth_sensors(twin)
                 .into_iter()
                 .filter_map(|sensor| DepthSensor::new(twin, sensor))

@@ -6,6 +6,7 @@ use lz4_flex::block;
 use oaktwin::measure::{Errors, Region};
 
 use crate::image::pixels;
+use crate::job::Job;
 use crate::protocol::{Failure, FrameHeader, FrameRequest, Histogram, ImageHeader, Statistics};
 use crate::reasons;
 use crate::station::{Measurement, Station};
@@ -17,9 +18,10 @@ pub(crate) fn frame(
     studio: &Studio,
     station: &mut Station,
     request: &FrameRequest,
+    job: &Job,
 ) -> Result<Vec<u8>, Failure> {
     let start = Instant::now();
-    let measurement = &station.measure(studio, request)?.clone();
+    let measurement = &station.measure(studio, request, &|| job.check())?.clone();
     let mut images = Vec::new();
     let mut data = Vec::new();
     for (index, name) in request.images.iter().enumerate() {

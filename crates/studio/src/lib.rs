@@ -37,7 +37,7 @@ mod upload;
 mod wire;
 
 use std::borrow::Cow;
-use std::net::{IpAddr, Ipv4Addr, SocketAddr};
+use std::net::{IpAddr, Ipv4Addr, SocketAddr, UdpSocket};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
@@ -67,6 +67,8 @@ pub struct FirstScene {
     pub name: String,
     /// The name on a command line.
     pub argument: String,
+    /// The command that writes the file of this name, if it is not there yet.
+    pub made_by: Option<String>,
     /// The pose of the body from which it is shown; by default an overview.
     pub world_from_body: Option<RigidTransform>,
 }
@@ -142,7 +144,8 @@ pub fn serve(
         let scene = match first.world_from_body {
             Some(world_from_body) => scene.shown_from(pose::pose_of(&world_from_body)),
             None => scene,
-        };
+        }
+        .made_by(first.made_by);
         let guard = Guard::new(address, token);
         let studio = Arc::new(Studio::new(
             options.catalog,
@@ -182,13 +185,26 @@ async fn until(is_stopped: impl Fn() -> bool) {
 /// The link to the page.
 fn link(address: SocketAddr, token: Option<&str>) -> String {
     let host = match address.ip() {
-        ip if ip.is_unspecified() => SocketAddr::new(Ipv4Addr::LOCALHOST.into(), address.port()),
+        // Other machines need an address of this one.
+        ip if ip.is_unspecified() => {
+            SocketAddr::new(outward().unwrap_or(Ipv4Addr::LOCALHOST.into()), address.port())
+        }
         ip => SocketAddr::new(ip, address.port()),
     };
     match token {
         Some(token) => format!("http://{host}/?token={token}"),
         None => format!("http://{host}/"),
     }
+}
+
+/// The address of this machine in its network. Nothing is sent: a datagram's socket only looks for a route.
+fn outward() -> Option<IpAddr> {
+    /// An address for documentation (RFC 5737).
+    const ELSEWHERE: (Ipv4Addr, u16) = (Ipv4Addr::new(192, 0, 2, 1), 9);
+    let socket = UdpSocket::bind((Ipv4Addr::UNSPECIFIED, 0)).ok()?;
+    socket.connect(ELSEWHERE).ok()?;
+    let ip = socket.local_addr().ok()?.ip();
+    (!ip.is_unspecified()).then_some(ip)
 }
 
 fn token() -> Result<String, StudioError> {

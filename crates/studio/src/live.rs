@@ -1,7 +1,8 @@
 //! The WebSocket of a page: requests in, frames out.
 //!
-//! Each OAK has at most one pending request, the newest; one frame is computed at a time. A frame that is being computed is
-//! sent even if a newer request waits: otherwise a page that moves faster than frames are computed would see none.
+//! Each OAK has at most one pending request, the newest; one frame is computed at a time. A preview that is being computed is
+//! sent even if a newer request waits: otherwise a page that moves faster than frames are computed would see none. Previews
+//! come before images for rest, and interrupt one that is being computed.
 
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -64,10 +65,58 @@ impl Pending {
         }
     }
 
-    /// Removes the next request. Probes take no time, so they come first.
+    /// Puts a frame that was interrupted back, unless a newer request replaces it.
+    fn put_back(&mut self, request: Box<FrameRequest>) {
+        if self.frames.iter().all(|known| known.oak != request.oak) {
+            self.frames.push_front(request);
+        }
+    }
+
+    /// Removes the next request. Probes take no time, so they come first; images for rest come last.
     fn next(&mut self) -> Option<Request> {
-        let probe = self.probes.pop_front().map(Request::Probe);
-        probe.or_else(|| self.frames.pop_front().map(Request::Frame))
+        if let Some(probe) = self.probes.pop_front() {
+            return Some(Request::Probe(probe));
+        }
+        let preview = self.frames.iter().position(|request| request.is_preview);
+        self.frames.remove(preview.unwrap_or(0)).map(Request::Frame)
+    }
+
+    /// Whether a preview waits.
+    fn has_preview(&self) -> bool {
+        self.frames.iter().any(|request| request.is_preview)
+    }
+}
+
+/// A request that is being computed.
+#[derive(Debug)]
+struct Running {
+    task: JoinHandle<Message>,
+    /// The request, if it is for images at rest.
+    at_rest: Option<Box<FrameRequest>>,
+}
+
+impl Running {
+    fn new(studio: &Arc<Studio>, stations: &Stations, request: Request) -> Self {
+        let at_rest = match &request {
+            Request::Frame(request) if !request.is_preview => Some(request.clone()),
+            Request::Frame(_) | Request::Probe(_) => None,
+        };
+        Self {
+            task: start(studio, stations, request),
+            at_rest,
+        }
+    }
+}
+
+/// Interrupts images for rest if a preview waits for them. The computation ends at its next stage.
+fn interrupt(running: &mut Option<Running>, pending: &mut Pending) {
+    let is_in_the_way = |running: &mut Running| running.at_rest.is_some() && !running.task.is_finished();
+    if !pending.has_preview() {
+        return;
+    }
+    if let Some(Running { task, at_rest }) = running.take_if(is_in_the_way) {
+        task.abort();
+        at_rest.into_iter().for_each(|request| pending.put_back(request));
     }
 }
 
@@ -75,16 +124,19 @@ impl Pending {
 pub(crate) async fn serve(mut socket: WebSocket, studio: Arc<Studio>) {
     let stations = Stations::default();
     let mut pending = Pending::default();
-    let mut running: Option<JoinHandle<Message>> = None;
+    let mut running: Option<Running> = None;
     loop {
         if running.is_none() {
             let next = pending.next();
-            running = next.map(|request| start(&studio, &stations, request));
+            running = next.map(|request| Running::new(&studio, &stations, request));
         }
         tokio::select! {
             received = socket.recv() => match received {
                 Some(Ok(Message::Text(text))) => match read(&text) {
-                    Ok(message) => pending.add(message),
+                    Ok(message) => {
+                        pending.add(message);
+                        interrupt(&mut running, &mut pending);
+                    }
                     Err(rejected) => {
                         if socket.send(rejected).await.is_err() {
                             break;
@@ -118,8 +170,8 @@ pub(crate) fn read(text: &str) -> Result<Request, Message> {
 }
 
 /// Waits for the running request, or forever without one.
-async fn completed(running: &mut Option<JoinHandle<Message>>) -> Message {
-    let Some(task) = running.as_mut() else {
+async fn completed(running: &mut Option<Running>) -> Message {
+    let Some(Running { task, .. }) = running.as_mut() else {
         return std::future::pending().await;
     };
     let answer = task.await;
@@ -142,13 +194,13 @@ pub(crate) fn start(studio: &Arc<Studio>, stations: &Stations, request: Request)
     };
     tokio::spawn(async move {
         // Frames of several pages share the processor.
-        let compute = move |studio: &Studio, _: &Job| Ok(answer(studio, &stations, &request));
+        let compute = move |studio: &Studio, job: &Job| Ok(answer(studio, &stations, &request, job));
         let computed = job::run_in(&studio, &studio.computing, job::FRAME, compute).await;
         computed.unwrap_or_else(|failure| rejection(id, &oak, failure))
     })
 }
 
-fn answer(studio: &Studio, stations: &Stations, request: &Request) -> Message {
+fn answer(studio: &Studio, stations: &Stations, request: &Request, job: &Job) -> Message {
     let mut stations = stations.lock().unwrap_or_else(PoisonError::into_inner);
     match request {
         Request::Frame(request) => {
@@ -157,7 +209,7 @@ fn answer(studio: &Studio, stations: &Stations, request: &Request) -> Message {
                 stations.clear();
             }
             let station = stations.entry(request.oak.clone()).or_default();
-            match frame::frame(studio, station, request) {
+            match frame::frame(studio, station, request, job) {
                 Ok(bytes) => Message::Binary(bytes.into()),
                 Err(failure) => rejection(request.id, &request.oak, failure),
             }
@@ -182,4 +234,52 @@ fn rejection(id: u64, oak: &str, failure: Failure) -> Message {
 
 fn text(answer: &impl Serialize) -> Message {
     Message::Text(serde_json::to_string(answer).unwrap_or_default().into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn frame(id: u64, oak: &str, is_preview: bool) -> Box<FrameRequest> {
+        let state = r#"{"model":"OAK4-D","calibration":null,"pose":{"position":[0,0,0],"quaternion":[0,0,0,1]},"sensor":"depth_stereo",
+            "lens":"pinhole","engine":"stereo-noise","preset":null,"filters":null,"parameters":{},"extendedDisparity":false,"seed":0,
+            "deviceSeed":null,"projector":0,"ambient":1}"#;
+        let text = format!(
+            r#"{{"type":"frame","id":{id},"oak":"{oak}","scene":"first","state":{state},"size":null,"images":[],"region":[0,0,1,1],"isPreview":{is_preview}}}"#
+        );
+        match read(&text).unwrap() {
+            Request::Frame(request) => request,
+            Request::Probe(_) => unreachable!(),
+        }
+    }
+
+    fn ids(pending: &mut Pending) -> Vec<u64> {
+        std::iter::from_fn(|| pending.next())
+            .map(|request| match request {
+                Request::Frame(request) => request.id,
+                Request::Probe(request) => request.id,
+            })
+            .collect()
+    }
+
+    #[test]
+    fn previews_come_first_and_newer_requests_replace_older_ones() {
+        let mut pending = Pending::default();
+        for request in [frame(1, "a", false), frame(2, "b", true), frame(3, "a", false)] {
+            pending.add(Request::Frame(request));
+        }
+        assert!(pending.has_preview());
+        assert_eq!(ids(&mut pending), [2, 3]);
+    }
+
+    #[test]
+    fn an_interrupted_frame_is_computed_later_unless_a_newer_one_replaces_it() {
+        let mut pending = Pending::default();
+        pending.add(Request::Frame(frame(2, "b", true)));
+        pending.put_back(frame(1, "a", false));
+        assert_eq!(ids(&mut pending), [2, 1]);
+        pending.add(Request::Frame(frame(4, "a", true)));
+        pending.put_back(frame(3, "a", false));
+        assert_eq!(ids(&mut pending), [4]);
+    }
 }

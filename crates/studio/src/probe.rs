@@ -2,6 +2,7 @@
 
 use oaktwin::camera::math::DVec3;
 use oaktwin::camera::{PixelPoint, Usd};
+use oaktwin::depth::Reason;
 use oaktwin::depth::stereo_noise::Subpixel;
 use oaktwin::render::{Ray, Renderer};
 
@@ -41,7 +42,7 @@ pub(crate) fn probe(station: Option<&Station>, request: &ProbeRequest) -> Result
     let reason = reasons::codes(measurement).and_then(|codes| codes.get(x, y));
     let point = hit.as_ref().map(|hit| hit.point);
     let occluder = point
-        .filter(|_| measured_m.is_none())
+        .filter(|_| measured_m.is_none() && reason.is_some_and(|code| HIDDEN.contains(code)))
         .and_then(|point| occluder(&measurement.scene.renderer, measurement.other?.translation, point));
     Ok(ProbeAnswer {
         id: request.id,
@@ -58,6 +59,9 @@ pub(crate) fn probe(station: Option<&Station>, request: &ProbeRequest) -> Result
         point: point.map(|point| point.to_array()),
     })
 }
+
+/// The reasons that something between the surface and the other camera can have.
+const HIDDEN: [u8; 2] = [Reason::Occluded.code(), Reason::LeftRightCheck.code()];
 
 /// Returns the pixel at a fraction of a length.
 fn index(fraction: f64, length: u32) -> u32 {

@@ -26,6 +26,9 @@ pub(crate) struct FrameRequest {
     /// The side of the squares of pixels that share a colour.
     #[serde(default)]
     pub(crate) color_step: Option<u32>,
+    /// Whether images for rest follow.
+    #[serde(default)]
+    pub(crate) is_preview: bool,
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -200,6 +203,8 @@ pub(crate) struct SceneInfo {
     pub(crate) id: String,
     pub(crate) name: String,
     pub(crate) up: &'static str,
+    /// Metres per unit of a mesh file, which states no unit; none for a USD stage.
+    pub(crate) scale: Option<f64>,
     pub(crate) triangles: usize,
     pub(crate) bounds: [[f64; 3]; 2],
     pub(crate) objects: Vec<SceneObject>,

@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use axum::body::Bytes;
 use oaktwin::camera::RigidTransform;
+use oaktwin::diagnostic::Finding;
 use oaktwin::render::{OpenOptions, Renderer, SceneFile, look_at, overview};
 use oaktwin::scene::{Bounds, Scene, Up};
 
@@ -32,6 +33,10 @@ pub(crate) struct LoadedScene {
     pub(crate) renderer: Renderer,
     /// The name on a command line.
     pub(crate) argument: String,
+    /// The command that writes the file of this name.
+    pub(crate) made_by: Option<String>,
+    /// The up axis and the metres per unit with which it was read, where they were given.
+    pub(crate) given: (Option<Up>, Option<f64>),
     meshes: Mutex<BTreeMap<usize, Bytes>>,
 }
 
@@ -44,7 +49,7 @@ impl LoadedScene {
     ) -> Result<Self, Failure> {
         let file = SceneFile::open(path, options).map_err(|error| {
             // The page knows the file by the name that it was dropped with.
-            Failure::from(error.to_string().replace(&path.display().to_string(), name))
+            Failure::from(local(&error.to_string(), path, name))
         })?;
         let scene = file.scene;
         let Some(bounds) = scene.bounds() else {
@@ -61,16 +66,24 @@ impl LoadedScene {
                 Up::Y => "y",
                 Up::Z => "z",
             },
+            scale: (!SceneFile::is_stage(path)).then(|| options.scale.unwrap_or(1.0)),
             triangles: mesh::triangles(&scene),
             bounds: corners(bounds),
             objects: objects(&scene),
-            findings: file.findings.into_iter().take(MAX_FINDINGS).collect(),
+            findings: (file.findings.into_iter().take(MAX_FINDINGS))
+                .map(|finding| Finding {
+                    place: local(&finding.place, path, name),
+                    ..finding
+                })
+                .collect(),
             pose: initial_pose(&scene),
         };
         Ok(Self {
             info,
             renderer: Renderer::new(scene),
             argument: argument.to_owned(),
+            made_by: None,
+            given: (options.up, options.scale),
             meshes: Mutex::default(),
         })
     }
@@ -92,6 +105,14 @@ impl LoadedScene {
         self
     }
 
+    /// Sets the command that writes the file.
+    pub(crate) fn made_by(self, command: Option<String>) -> Self {
+        Self {
+            made_by: command,
+            ..self
+        }
+    }
+
     /// Returns the binary mesh with about this many triangles, which is made once.
     pub(crate) fn mesh(&self, triangles: usize, job: &Job) -> Result<Bytes, Failure> {
         let mut meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
@@ -107,6 +128,15 @@ impl LoadedScene {
         let made = Bytes::from(made);
         meshes.insert(triangles, made.clone());
         Ok(made)
+    }
+}
+
+/// Names a file, and others in its folder, as the page knows them.
+fn local(text: &str, path: &Path, name: &str) -> String {
+    let text = text.replace(&path.display().to_string(), name);
+    match path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+        Some(folder) => text.replace(&format!("{}/", folder.display()), ""),
+        None => text,
     }
 }
 

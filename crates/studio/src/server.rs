@@ -10,6 +10,7 @@ use axum::http::{HeaderMap, StatusCode, header};
 use axum::middleware::{Next, from_fn_with_state};
 use axum::response::Response;
 use axum::routing::{get, post};
+use oaktwin::depth::parameters::choose;
 use oaktwin::render::OpenOptions;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -124,6 +125,25 @@ async fn body_mesh(State(studio): Server, Path(name): Path<String>) -> Response 
 #[derive(Deserialize)]
 struct DropQuery {
     name: String,
+    /// The up axis and the metres per unit of a mesh file; its format's, and 1, by default.
+    up: Option<String>,
+    scale: Option<f64>,
+}
+
+impl DropQuery {
+    fn open_options(&self) -> Result<OpenOptions, Failure> {
+        let up = self.up.as_deref().map(|up| choose("up", up)).transpose();
+        let up = up.map_err(|error| Failure::of("up", &error))?;
+        if let Some(scale) = self.scale.filter(|scale| !(scale.is_finite() && *scale > 0.0)) {
+            let error = format!("scale: must be a finite number > 0 (got {scale})");
+            return Err(Failure::of("scale", &error));
+        }
+        Ok(OpenOptions {
+            up,
+            scale: self.scale,
+            ..OpenOptions::default()
+        })
+    }
 }
 
 async fn drop_scene(
@@ -141,15 +161,16 @@ async fn drop_scene(
             upload::too_large(upload::MAX_BYTES),
         );
     }
-    json_or_failure(dropped_scene(studio, &query.name, body).await)
+    json_or_failure(dropped_scene(studio, &query, body).await)
 }
 
 async fn dropped_scene(
     studio: Arc<Studio>,
-    name: &str,
+    query: &DropQuery,
     body: Body,
 ) -> Result<crate::protocol::SceneInfo, Failure> {
-    let name = upload::file_name(name)?;
+    let name = upload::file_name(&query.name)?;
+    let options = query.open_options()?;
     let folder = tempfile::tempdir_in(&studio.uploads).map_err(|error| {
         Failure::from(format!(
             "no temporary folder can be created ({error}); free space on the disk"
@@ -161,11 +182,11 @@ async fn dropped_scene(
     upload::receive(body, &path, upload::MAX_BYTES).await?;
     drop(receiving);
     job::run(&studio, job::FILE, move |studio, _| {
-        let id = upload::content_id(&name, &path)?;
+        let id = upload::content_id(&name, &options, &path)?;
         if let Some(known) = studio.scenes.dropped(&id) {
             return Ok(known.info.clone());
         }
-        let scene = LoadedScene::open(&path, &OpenOptions::default(), (&id, &name, &name))?;
+        let scene = LoadedScene::open(&path, &options, (&id, &name, &name))?;
         scene.check_triangles()?;
         // Files that the scene names are not beside it; whatever it contains is in memory now.
         drop(folder);

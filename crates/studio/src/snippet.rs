@@ -46,6 +46,9 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
     let state = &request.state;
     let scene = studio.scenes.get(&request.scene)?;
     let mut out = String::new();
+    if let Some(command) = &scene.made_by {
+        let _ = writeln!(out, "{command}");
+    }
     let mut words = vec![
         "oaktwin".to_owned(),
         "render".to_owned(),
@@ -56,6 +59,13 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
         true => words.push(shell(&format!("--{name}={value}"))),
         false => words.extend([format!("--{name}"), shell(value)]),
     };
+    let (up, scale) = scene.given;
+    if let Some(up) = up {
+        option("up", up.name());
+    }
+    if let Some(scale) = scale {
+        option("scale", &format!("{scale:?}"));
+    }
     option("model", &state.model);
     if let Some(id) = &state.calibration {
         option("calibration", &file(&studio.calibrations.name(id)?));
@@ -117,8 +127,13 @@ pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String,
     let device = device(studio, state)?;
     let world_from_body = matrix(&state.pose.transform()?);
     let size = image_size(request.size)?;
+    let comment = |command: &String| format!("# `{command}` writes the scene.\n");
+    let made_by = scene.made_by.as_ref().map(comment).unwrap_or_default();
+    let (up, scale) = scene.given;
+    let up = up.map_or_else(String::new, |up| format!(", up={}", quoted(up.name())));
+    let units = scale.map_or_else(String::new, |scale| format!(", scale={scale:?}")) + &up;
     let mut out = format!(
-        "import numpy as np\nimport oaktwin\n\n{device}\nscene = oaktwin.Scene.open({})\nworld_from_body = np.array({world_from_body})\n",
+        "{made_by}import numpy as np\nimport oaktwin\n\n{device}\nscene = oaktwin.Scene.open({}{units})\nworld_from_body = np.array({world_from_body})\n",
         quoted(&scene.argument)
     );
     let options = options(studio, state)?;

@@ -102,11 +102,12 @@ impl Measurement {
 }
 
 impl Station {
-    /// Renders and measures what a request asks for.
+    /// Renders and measures what a request asks for. `check` returns an error between the stages if nobody waits any more.
     pub(crate) fn measure(
         &mut self,
         studio: &Studio,
         request: &FrameRequest,
+        check: &dyn Fn() -> Result<(), Failure>,
     ) -> Result<&Measurement, Failure> {
         let scene = studio.scenes.get(&request.scene)?;
         let size = image_size(request.size)?;
@@ -116,11 +117,13 @@ impl Station {
         let view = oak.camera.view(&world_from_body);
         let color_step = request.color_step.unwrap_or(1).clamp(1, MAX_COLOR_STEP);
         let seen = self.see(&scene, view, color_step);
+        check()?;
         if let Some(cameras) = &oak.pair {
             let key = PairKey(light_of(&request.state), request.size);
             if seen.pair.as_ref().is_none_or(|(known, _)| *known != key) {
                 let pair = cameras.look(&scene.renderer, &world_from_body, 0);
                 seen.pair = Some((key, Arc::new(pair)));
+                check()?;
             }
         }
         let pair = seen
@@ -139,8 +142,10 @@ impl Station {
             .filter(|one| offered.contains(one))
             .collect();
         let mut findings = oak.sensor.engine().inspect(&input);
+        check()?;
         let captured = oak.sensor.capture(input, &extras);
         let capture = captured.map_err(|error| Failure::of(&error.name, &error))?;
+        check()?;
         let output = oak.sensor.output_camera(&view.camera);
         let output_view = View {
             camera: output.camera,
@@ -253,8 +258,9 @@ pub(crate) fn measured(
         images,
         region: [0.0, 0.0, 1.0, 1.0],
         color_step: None,
+        is_preview: false,
     };
-    Station::default().measure(studio, &request).cloned()
+    Station::default().measure(studio, &request, &|| Ok(())).cloned()
 }
 
 fn annotate(renderer: &Renderer, view: &View, annotators: &[Annotator]) -> (Frame, Vec<Finding>) {

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use axum::body::Body;
 use futures_util::StreamExt;
+use oaktwin::render::OpenOptions;
 use sha2::{Digest, Sha256};
 use tokio::io::AsyncWriteExt;
 
@@ -29,14 +30,17 @@ pub(crate) fn file_name(name: &str) -> Result<String, Failure> {
     }
 }
 
-/// Returns the id of a dropped file, which depends on its name and content only, so that a link finds the same file again after a
-/// restart of the server, or none.
-pub(crate) fn content_id(name: &str, path: &Path) -> Result<String, Failure> {
+/// Returns the id of a dropped file, which depends on its name, how it is read, and its content only, so that a link finds the same
+/// scene again after a restart of the server, or none.
+pub(crate) fn content_id(name: &str, options: &OpenOptions, path: &Path) -> Result<String, Failure> {
     let failed = |error: std::io::Error| {
         Failure::from(format!("the dropped file cannot be read: {error}; drop it again"))
     };
     let mut hash = Sha256::new();
     hash.update(name);
+    hash.update([0]);
+    let up = options.up.map_or("", |up| up.name());
+    hash.update(format!("{up} {:?}", options.scale.unwrap_or(1.0)));
     hash.update([0]);
     let mut file = std::fs::File::open(path).map_err(failed)?;
     std::io::copy(&mut file, &mut hash).map_err(failed)?;

@@ -1,6 +1,7 @@
 import type { Frame, Picture } from "../net/wire";
 import type { Display, PanelKind } from "../state/display";
 import { depthTable, errorTable, reasonTable, TABLE_SIZE } from "./colormaps";
+import type { Correspondence } from "./difference";
 import type { Scales } from "./scales";
 import { FRAGMENT, MODES, VERTEX } from "./shaders";
 
@@ -14,7 +15,23 @@ export interface Painting {
   scales: Scales;
   /** The colours of the hatch of pixels without a value, from 0 to 1. */
   empty: readonly number[];
+  /** The shown part of the image; all of it by default. */
+  part?: Part | undefined;
+  /** The OAK whose errors are compared with this one's, for the difference of both. */
+  compared?: Compared | undefined;
 }
+
+/** Another OAK, with the colours of what only one of both measures, from 0 to 1. */
+export interface Compared extends Correspondence {
+  oak: string;
+  frame: Frame;
+  colors: readonly number[];
+}
+
+/** A part of an image: left, top, width and height as fractions. */
+export type Part = readonly [number, number, number, number];
+
+export const WHOLE: Part = [0, 0, 1, 1];
 
 interface Slot {
   texture: WebGLTexture;
@@ -22,10 +39,10 @@ interface Slot {
   size: string;
 }
 
-type Uniforms = Record<"mode" | "measured" | "truth" | "picture" | "table" | "range" | "isRelative" | "empty", WebGLUniformLocation | null>;
+type Uniforms = Record<"mode" | "measured" | "truth" | "picture" | "table" | "range" | "isRelative" | "empty" | "part" | "target" | "otherFromThis" | "tangents" | "only", WebGLUniformLocation | null>;
 
 /** The texture units. */
-const UNIT = { measured: 0, truth: 1, picture: 2, table: 3 };
+const UNIT = { measured: 0, truth: 1, picture: 2, table: 3, otherMeasured: 4, otherTruth: 5 };
 
 /**
  * Draws image panels. All share one WebGL context, because browsers allow only about 16 of them; each result is handed to the
@@ -66,6 +83,8 @@ export class Painter {
     if (this.canvas.width !== width) this.canvas.width = width;
     if (this.canvas.height !== height) this.canvas.height = height;
     this.gl.viewport(0, 0, width, height);
+    this.gl.uniform2f(this.uniforms.target, width, height);
+    this.gl.uniform4fv(this.uniforms.part, painting.part ?? WHOLE);
     this.gl.drawArrays(this.gl.TRIANGLES, 0, 3);
     context.transferFromImageBitmap(this.canvas.transferToImageBitmap());
     return true;
@@ -86,7 +105,8 @@ export class Painter {
     const truth = frame.pictures.get("reference") ?? frame.pictures.get("depth");
     const picture = kind === "error" ? frame.pictures.get("sensor") : kind === "depth" ? truth : frame.pictures.get(kind);
     if (!picture || (kind === "error" && !truth)) return false;
-    const mode = kind === "depth" || kind === "sensor" ? MODES.depth : kind === "error" ? MODES.error : kind === "reason" ? MODES.code
+    const { compared } = painting;
+    const mode = compared ? MODES.difference : kind === "depth" || kind === "sensor" ? MODES.depth : kind === "error" ? MODES.error : kind === "reason" ? MODES.code
       : kind === "confidence" ? MODES.scale : kind === "color" ? MODES.picture : MODES.grey;
     const [from, to] = kind === "error" ? [0, scales.error] : scales.depth;
     gl.uniform1i(uniforms.mode, mode);
@@ -95,12 +115,30 @@ export class Painter {
     gl.uniform3fv(uniforms.empty, painting.empty);
     this.upload(mode === MODES.picture ? UNIT.picture : UNIT.measured, painting.oak, picture);
     this.use(UNIT.truth, this.blank);
-    if (mode === MODES.error && truth) this.upload(UNIT.truth, painting.oak, truth);
+    if (truth && (mode === MODES.error || compared)) this.upload(UNIT.truth, painting.oak, truth);
+    if (!this.bindCompared(compared)) return false;
     if (mode === MODES.picture) this.use(UNIT.measured, this.blank);
-    const table = mode === MODES.error ? errorTable() : mode === MODES.code ? this.reasons : depthTable(display.depthMap);
+    const table = mode === MODES.error || compared ? errorTable() : mode === MODES.code ? this.reasons : depthTable(display.depthMap);
     this.useTable(UNIT.table, table);
     // Every sampler needs a texture of its type, used or not.
     if (mode !== MODES.picture) this.useTable(UNIT.picture, table);
+    return true;
+  }
+
+  /** Binds the images of an OAK that is compared; returns whether it has them. */
+  private bindCompared(compared: Compared | undefined): boolean {
+    const { gl, uniforms } = this;
+    this.use(UNIT.otherMeasured, this.blank);
+    this.use(UNIT.otherTruth, this.blank);
+    if (!compared) return true;
+    const { oak, frame: { pictures } } = compared;
+    const [measured, truth] = [pictures.get("sensor"), pictures.get("reference") ?? pictures.get("depth")];
+    if (!measured || !truth) return false;
+    this.upload(UNIT.otherMeasured, oak, measured);
+    this.upload(UNIT.otherTruth, oak, truth);
+    gl.uniformMatrix4fv(uniforms.otherFromThis, false, compared.otherFromThis);
+    gl.uniform4fv(uniforms.tangents, compared.tangents);
+    gl.uniform3fv(uniforms.only, compared.colors);
     return true;
   }
 
@@ -125,10 +163,6 @@ export class Painter {
       : picture.format === "u16mm" ? [gl.R16UI, gl.RED_INTEGER, gl.UNSIGNED_SHORT] : [gl.R8UI, gl.RED_INTEGER, gl.UNSIGNED_BYTE];
     if (slot.size === size) gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, picture.width, picture.height, format, type, picture.data);
     else gl.texImage2D(gl.TEXTURE_2D, 0, internal, picture.width, picture.height, 0, format, type, picture.data);
-    if (picture.format === "rgba8") {
-      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
-      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
-    }
     slot.size = size;
     slot.picture = picture;
   }
@@ -188,7 +222,8 @@ export class Painter {
     for (const [name, unit] of Object.entries(UNIT)) gl.uniform1i(uniform(name), unit);
     return {
       mode: uniform("mode"), measured: uniform("measured"), truth: uniform("truth"), picture: uniform("picture"),
-      table: uniform("table"), range: uniform("range"), isRelative: uniform("isRelative"), empty: uniform("empty"),
+      table: uniform("table"), range: uniform("range"), isRelative: uniform("isRelative"), empty: uniform("empty"), part: uniform("part"), target: uniform("target"),
+      otherFromThis: uniform("otherFromThis"), tangents: uniform("tangents"), only: uniform("only"),
     };
   }
 }

@@ -1,6 +1,7 @@
 import type {
   AccuracyCurve, CalibrationInfo, Catalog, CoverageAnswer, CoverageRequest, ExportRequest, Failure, Finding, OakState, SceneInfo, SurfaceRequest,
 } from "../protocol";
+import type { Units } from "../state/units";
 import { decodeMesh, type Mesh } from "./wire";
 
 /** An answer of the server that is an error. */
@@ -63,8 +64,10 @@ export const api = {
     return decodeMesh(await response.arrayBuffer());
   },
 
-  openScene: (file: File) =>
-    json<SceneInfo>(`/api/scenes?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file }),
+  openScene(file: File, units?: Units): Promise<SceneInfo> {
+    const query = new URLSearchParams({ name: file.name, ...(units && { scale: String(units.scale), up: units.up }) });
+    return json<SceneInfo>(`/api/scenes?${query}`, { method: "POST", body: file });
+  },
 
   openCalibration: (file: File) =>
     json<CalibrationInfo>(`/api/calibrations?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file }),

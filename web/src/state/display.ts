@@ -27,12 +27,36 @@ export const FULL_SIZES: { size: FullSize; title: string; limit: [number, number
 export type CloudSource = "none" | "truth" | "measurement" | "both";
 export type CloudColor = "depth" | "error" | "reason" | "oak";
 
+/** An image of an OAK that is compared. */
+export interface Side {
+  /** The key of the OAK. */
+  oak: string;
+  kind: PanelKind;
+}
+
+/** Two images in one panel: beside a movable edge, in turns, or by what the errors of their OAKs differ. */
+export interface Comparison {
+  mode: "wipe" | "blink" | "difference";
+  left: Side;
+  right: Side;
+}
+
+export const COMPARISONS: { mode: Comparison["mode"]; title: string; help: string }[] = [
+  { mode: "wipe", title: "Wipe", help: "Two images in one panel with a movable edge" },
+  { mode: "blink", title: "Blink", help: "Two images in one panel in turns" },
+  { mode: "difference", title: "Difference", help: "Which of two OAKs has the smaller error, at each point that the first one sees" },
+];
+
 /** How the page shows things. Nothing of it changes a result, so it is not undone. */
 export interface Display {
   theme: "auto" | "light" | "dark";
   panels: PanelKind[];
-  /** Two images in one panel with a movable edge, or null for side by side. */
-  wipe: { left: PanelKind; right: PanelKind } | null;
+  /** Whether one image of each OAK is large and the others are thumbnails, or all have one size. */
+  arrangement: "large" | "grid";
+  /** The large image. */
+  focus: PanelKind;
+  /** Two images in one panel; null for images side by side. */
+  comparison: Comparison | null;
   /** Where the edge of the wipe is, as a fraction of the width. */
   wipeAt: number;
   depthMap: DepthMap;
@@ -56,14 +80,24 @@ export interface Display {
   paintsCoverage: boolean;
   /** The share of the page's height that the 3D view has. */
   split: number;
+  /** Whether the page offers first steps. */
+  showStart: boolean;
   showLeft: boolean;
   showRight: boolean;
+  /** The widths of the side bars, in units of the page's font. */
+  leftWidth: number;
+  rightWidth: number;
 }
+
+/** The least and the largest width of a side bar. */
+export const SIDE_WIDTHS = [15, 45] as const;
 
 export const DEFAULT_DISPLAY: Display = {
   theme: "auto",
   panels: ["color", "depth", "sensor", "error"],
-  wipe: null,
+  arrangement: "large",
+  focus: "sensor",
+  comparison: null,
   wipeAt: 0.5,
   depthMap: "viridis",
   depthRange: null,
@@ -80,8 +114,11 @@ export const DEFAULT_DISPLAY: Display = {
   toleranceMm: null,
   paintsCoverage: true,
   split: 0.46,
+  showStart: true,
   showLeft: true,
   showRight: true,
+  leftWidth: 21.5,
+  rightWidth: 22,
 };
 
 const STORAGE_KEY = "oaktwin-studio-display";
@@ -115,6 +152,8 @@ export function displayFrom(json: unknown): Display {
 
 const CHOICES: Partial<Record<keyof Display, readonly unknown[]>> = {
   theme: ["auto", "light", "dark"],
+  arrangement: ["large", "grid"],
+  focus: PANELS.map(({ kind }) => kind),
   depthMap: ["viridis", "cividis", "turbo", "grey"],
   errorUnit: ["mm", "%"],
   fullSize: ["small", "large", "native"],
@@ -122,13 +161,25 @@ const CHOICES: Partial<Record<keyof Display, readonly unknown[]>> = {
   cloudColor: ["depth", "error", "reason", "oak"],
 };
 
+function isKind(kind: unknown): boolean {
+  return PANELS.some((panel) => panel.kind === kind);
+}
+
+function isComparison(value: unknown): boolean {
+  const isSide = (side: Side | undefined) => isKind(side?.kind) && typeof side?.oak === "string";
+  const { mode, left, right } = value as Partial<Comparison>;
+  return COMPARISONS.some((one) => one.mode === mode) && isSide(left) && isSide(right);
+}
+
 function isValid(key: keyof Display, value: unknown): boolean {
-  const isKind = (kind: unknown) => PANELS.some((panel) => panel.kind === kind);
   switch (key) {
     case "panels":
       return Array.isArray(value) && value.every(isKind);
-    case "wipe":
-      return value === null || (isKind((value as Display["wipe"])?.left) && isKind((value as Display["wipe"])?.right));
+    case "comparison":
+      return value === null || isComparison(value);
+    case "leftWidth":
+    case "rightWidth":
+      return Number.isFinite(value) && (value as number) >= SIDE_WIDTHS[0] && (value as number) <= SIDE_WIDTHS[1];
     case "depthRange":
       return value === null || (Array.isArray(value) && value.length === 2 && value.every(Number.isFinite));
     case "errorRange":
@@ -140,4 +191,10 @@ function isValid(key: keyof Display, value: unknown): boolean {
     default:
       return CHOICES[key]?.includes(value) ?? (key in DEFAULT_DISPLAY && typeof value === typeof DEFAULT_DISPLAY[key]);
   }
+}
+
+/** Returns the images that are shown, in the order of {@link PANELS}. */
+export function shownKinds({ panels, focus, arrangement, comparison }: Display): PanelKind[] {
+  if (comparison) return [...new Set([comparison.left.kind, comparison.right.kind])];
+  return PANELS.map(({ kind }) => kind).filter((kind) => panels.includes(kind) || (arrangement === "large" && kind === focus));
 }

@@ -9,7 +9,7 @@ export interface Linked {
 }
 
 /** Settings of the window rather than of what is shown: a link leaves them to the person who opens it. */
-const LOCAL: (keyof Display)[] = ["theme", "split", "showLeft", "showRight", "wipeAt"];
+const LOCAL: (keyof Display)[] = ["theme", "split", "showStart", "showLeft", "showRight", "leftWidth", "rightWidth", "wipeAt"];
 
 const VERSION = "v1.";
 

@@ -1,11 +1,12 @@
 import type { Parameter } from "../protocol";
+import { typed } from "../util/format";
 
 /** The result of reading the text of a field. */
 export type Checked = { text: string } | { problem: string };
 
 /** Checks what somebody typed for a parameter; a problem is a sentence for the field. */
-export function check(parameter: Parameter, typed: string): Checked {
-  const text = typed.trim();
+export function check(parameter: Parameter, entered: string): Checked {
+  const text = entered.trim();
   if (parameter.type === "boolean") {
     return text === "true" || text === "false" ? { text } : { problem: "Enter true or false." };
   }
@@ -13,7 +14,7 @@ export function check(parameter: Parameter, typed: string): Checked {
     return parameter.choices.includes(text) ? { text } : { problem: `Choose one of ${parameter.choices.join(", ")}.` };
   }
   if (parameter.type === "string") return { text };
-  const value = Number(text.replace(",", "."));
+  const value = Number(typed(text));
   if (text === "" || !Number.isFinite(value)) return { problem: "Enter a number." };
   if (parameter.type === "integer" && !Number.isInteger(value)) return { problem: "Enter a whole number." };
   const { minimum, maximum, step } = parameter;
@@ -21,7 +22,7 @@ export function check(parameter: Parameter, typed: string): Checked {
   if ((minimum !== null && value < minimum) || (maximum !== null && value > maximum)) {
     return { problem: `Enter ${range(parameter)}.` };
   }
-  return { text: text.replace(",", ".") };
+  return { text: typed(text) };
 }
 
 /** Describes the values that a parameter may have, such as "0 to 100 px". */

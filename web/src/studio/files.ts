@@ -1,4 +1,5 @@
 import { api } from "../net/api";
+import type { Units } from "../state/units";
 import { changeOak, findModel, type StudioDocument, withModel } from "../state/document";
 import { bytes } from "../util/format";
 import type { CalibrationInfo, SceneInfo } from "../protocol";
@@ -14,7 +15,7 @@ export async function openFiles(studio: Studio, files: Iterable<File>): Promise<
     }
     try {
       if (isCalibration(file)) useCalibration(studio, await api.openCalibration(file));
-      else useScene(studio, await api.openScene(file));
+      else await readScene(studio, file);
     } catch (error) {
       studio.report("Not opened", error);
     }
@@ -23,6 +24,29 @@ export async function openFiles(studio: Studio, files: Iterable<File>): Promise<
 
 function isCalibration(file: File): boolean {
   return file.name.toLowerCase().endsWith(".json");
+}
+
+/** A dropped mesh file whose unit nobody knows. */
+export interface Asked {
+  file: File;
+  /** The file, read with 1 metre per unit and the up axis of its format. */
+  info: SceneInfo;
+}
+
+async function readScene(studio: Studio, file: File): Promise<void> {
+  const info = await api.openScene(file);
+  if (info.scale === null) useScene(studio, info);
+  else studio.asked.update((asked) => [...asked.filter((other) => other.info.id !== info.id), { file, info }]);
+}
+
+/** Shows a dropped mesh file as it was read, or reads it again with other units. */
+export async function useDropped(studio: Studio, { file, info }: Asked, units: Units): Promise<void> {
+  const isAsRead = units.scale === info.scale && units.up === info.up;
+  try {
+    useScene(studio, isAsRead ? info : await api.openScene(file, units));
+  } catch (error) {
+    studio.report("Not opened", error);
+  }
 }
 
 function useScene(studio: Studio, info: SceneInfo): void {

@@ -2,7 +2,7 @@ import { Live } from "../net/live";
 import { FrameScheduler, type Wanted } from "../net/scheduler";
 import type { Frame } from "../net/wire";
 import type { ImageName, OakState, Rejection, ServerMessage } from "../protocol";
-import { type Display, FULL_SIZES, PANELS } from "../state/display";
+import { type Display, FULL_SIZES, PANELS, shownKinds } from "../state/display";
 import { findSensor, type Oak } from "../state/document";
 import type { Defaults } from "./defaults";
 import type { Probes } from "./probes";
@@ -29,8 +29,8 @@ export function fit([width, height]: [number, number], limit: [number, number] |
 
 /** Returns the images that are shown, in a fixed order. */
 export function neededImages(display: Display): ImageName[] {
-  const { wipe, cloud, cloudColor } = display;
-  const kinds = wipe ? [wipe.left, wipe.right] : display.panels;
+  const { cloud, cloudColor } = display;
+  const kinds = shownKinds(display);
   // Exact and measured depth are always there: the scales, the histogram and the readout depend on them.
   const needed = new Set<ImageName>(["depth", "reference", "sensor"]);
   for (const panel of PANELS) if (kinds.includes(panel.kind)) for (const image of panel.images) needed.add(image);
@@ -48,8 +48,6 @@ export class FrameLoop {
   private readonly requested = new Map<string, readonly unknown[]>();
   /** The requests that were made because an OAK moved. */
   private readonly moving = new WeakSet<Wanted>();
-  /** The requests for images other than those at rest. */
-  private readonly previews = new WeakSet<Wanted>();
   /** The place in {@link COARSE} of the next such request. */
   private coarseness = 0;
   /** How fine the last request of each OAK was: see {@link limitKey}. */
@@ -138,8 +136,8 @@ export class FrameLoop {
     const resolution = findSensor(this.studio.catalog.get(), oak.state)?.resolution;
     const size = resolution ? fit(resolution, limit) : null;
     this.limits.set(oak.key, limitKey(limit, colorStep));
-    const wanted = { oak: oak.key, scene, state: oak.state, size, images, region, colorStep };
-    if (limitKey(limit, colorStep) !== limitKey(this.limitAtRest(), 1)) this.previews.add(wanted);
+    const isPreview = limitKey(limit, colorStep) !== limitKey(this.limitAtRest(), 1);
+    const wanted = { oak: oak.key, scene, state: oak.state, size, images, region, colorStep, isPreview };
     this.scheduler.request(wanted);
     return wanted;
   }
@@ -177,7 +175,7 @@ export class FrameLoop {
     const { frames, rejections } = this.studio;
     if (rejections.get().has(oak)) rejections.set(without(rejections.get(), oak));
     frames.set(new Map(frames.get()).set(oak, {
-      ...frame, state: wanted.state, scene: wanted.scene, requested: wanted.images, isPreview: this.previews.has(wanted),
+      ...frame, state: wanted.state, scene: wanted.scene, requested: wanted.images, isPreview: wanted.isPreview === true,
     }));
   }
 

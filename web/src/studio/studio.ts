@@ -2,11 +2,13 @@ import { api, ApiError } from "../net/api";
 import type { Connection } from "../net/live";
 import type { Frame } from "../net/wire";
 import type { CalibrationInfo, Catalog, Finding, ImageName, OakState, ProbeAnswer, Rejection, SceneInfo } from "../protocol";
-import { type Display, loadDisplay, saveDisplay } from "../state/display";
+import { type Display, loadDisplay, saveDisplay, type Side } from "../state/display";
 import { changeOak, findModel, newDocument, type StudioDocument } from "../state/document";
 import { History } from "../state/history";
 import { fromFragment, toFragment } from "../state/link";
+import type { Asked } from "./files";
 import { Store } from "../util/store";
+import { NO_ZOOM, type Zoom } from "../util/zoom";
 
 /** A frame with the state that it was made for. */
 export interface Shown extends Frame {
@@ -36,6 +38,8 @@ export interface Hover {
 /** How long the state must rest before the address follows it, ms. */
 const ADDRESS_DELAY = 400;
 
+const BROKEN = "The link is damaged and restores nothing: part of it is missing. Copy it again where it comes from.";
+
 /** How many notices are shown at once. */
 const MAX_NOTICES = 4;
 
@@ -50,6 +54,14 @@ export class Studio {
   readonly connection = new Store<Connection>("connecting");
   readonly hover = new Store<Hover | null>(null);
   readonly probe = new Store<ProbeAnswer | null>(null);
+  /** The part of the large images that is shown: the same of all, to compare them. */
+  readonly zoom = new Store<Zoom>(NO_ZOOM);
+  /** What the right side bar shows. */
+  readonly tab = new Store<"inspect" | "place">("inspect");
+  /** The image that fills the middle of the page. */
+  readonly maximized = new Store<Side | null>(null);
+  /** The dropped files whose units a dialogue asks for. */
+  readonly asked = new Store<readonly Asked[]>([]);
   readonly notices = new Store<readonly Notice[]>([]);
   readonly calibrations = new Store<ReadonlyMap<string, CalibrationInfo>>(new Map());
   private lastNotice = 0;
@@ -62,6 +74,7 @@ export class Studio {
     this.display = new Store(linked?.display ?? display);
     this.document = new History(linked?.document ?? newDocument(catalog, first.id, first.pose));
     if (this.document.get().scene === first.id) this.scene.set(first);
+    if (location.hash.length > 1 && !linked) this.notify("error", BROKEN);
     this.followAddress();
     this.display.subscribe(() => saveDisplay(this.display.get()));
     this.document.subscribe(() => void this.followScene());
@@ -155,7 +168,10 @@ export class Studio {
     this.display.subscribe(later);
     addEventListener("hashchange", () => {
       const linked = location.hash === own ? null : fromFragment(location.hash, this.display.get());
-      if (!linked) return;
+      if (!linked) {
+        if (location.hash !== own && location.hash.length > 1) this.notify("error", BROKEN);
+        return;
+      }
       this.display.set(linked.display);
       this.document.commit("link", () => linked.document);
     });

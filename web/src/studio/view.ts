@@ -11,8 +11,9 @@ import { Store } from "../util/store";
 import { makeCloud, placeCloud, showThrough } from "../view3d/cloud";
 import type { GizmoMode } from "../view3d/gizmo";
 import { makeOak, matrix, place } from "../view3d/oakobject";
-import { Viewer } from "../view3d/viewer";
+import { type Hit, isDrawnBySoftware, Viewer } from "../view3d/viewer";
 import { Painting } from "./painting";
+import { visiblePixel } from "./project";
 import type { Shown, Studio } from "./studio";
 
 /** How many triangles of a scene are loaded: what can be turned without a GPU at 10 images per second. */
@@ -27,11 +28,26 @@ const FLIGHT_PACE = 150;
 /** The time between two poses of an OAK that flies, ms. */
 const RIDE_PACE = 30;
 
+/** A place of the scene under the mouse. */
+export interface Pointed {
+  point: Vec3;
+  /** The path of the object. */
+  object: string | null;
+  /** From the body of the selected OAK. */
+  distanceM: number | null;
+  /** Whether the depth sensor's camera of the selected OAK sees it. */
+  isSeen: boolean;
+}
+
 /** Keeps the 3D view up to date with what the page knows. */
 export class SceneView {
   readonly gizmo = new Store<GizmoMode>("translate");
   /** Whether the next click in the view chooses the object whose coverage is computed. */
   readonly isPicking = new Store(false);
+  /** What is under the mouse. */
+  readonly pointed = new Store<Pointed | null>(null);
+  /** The points of the ruler, at most two; null if it is not used. */
+  readonly ruler = new Store<readonly Vec3[] | null>(null);
   /** Whether the selected OAK moves with the view. */
   readonly isRiding = new Store(false);
   /** The triangles that are drawn, and those that the scene has. */
@@ -39,6 +55,8 @@ export class SceneView {
   readonly viewer: Viewer;
   /** What the selected OAK measures of the region's surface. */
   readonly painting: Painting;
+  /** Whether a processor draws the view. */
+  private readonly isSlow = isDrawnBySoftware();
   private readonly bodies = new Map<string, Mesh | null>();
   private groups: { oak: Oak; group: Group }[] = [];
   private readonly seen = new Map<string, readonly unknown[]>();
@@ -54,7 +72,8 @@ export class SceneView {
   constructor(private readonly studio: Studio, canvas: HTMLCanvasElement) {
     this.viewer = new Viewer(canvas, {
       onPose: (pose) => this.movePose(pose),
-      onPick: (object) => this.pick(object),
+      onPick: (hit) => this.pick(hit),
+      onHover: (hit) => this.point(hit),
       onOak: (index) => this.select(index),
       onView: () => this.ride(),
       onBox: ([minimum, maximum]) => studio.document.commit("target box", (document) => ({ ...document, target: { minimum, maximum } })),
@@ -66,6 +85,7 @@ export class SceneView {
     for (const store of [document, display, this.gizmo, this.isRiding]) store.subscribe(() => this.follow());
     frames.subscribe(() => this.followClouds());
     probe.subscribe(() => this.followProbe());
+    this.ruler.subscribe(() => this.viewer.setRuler(this.ruler.get() ?? []));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.paintBackground());
     this.follow();
     void this.loadScene();
@@ -91,7 +111,7 @@ export class SceneView {
   /** Couples the selected OAK with the view, or releases it. */
   setRiding(isOn: boolean): void {
     if (isOn) this.lookThrough();
-    this.viewer.pace = isOn && this.viewer.isSoftware ? FLIGHT_PACE : 0;
+    this.viewer.pace = isOn && this.isSlow ? FLIGHT_PACE : 0;
     this.isRiding.set(isOn);
   }
 
@@ -286,14 +306,41 @@ export class SceneView {
     this.studio.change("pose", (state) => ({ ...state, pose }));
   }
 
-  private select(index: number): void {
+  private select(index: number): boolean {
+    if (this.ruler.get()) return false;
     const selected = this.groups[index]?.oak.key;
     if (selected) this.studio.document.set({ ...this.studio.document.get(), selected });
+    return true;
   }
 
-  private pick(index: number | null): void {
+  /** Notes what is under the mouse, and probes the pixel of the selected OAK that shows it. */
+  private point(hit: Hit | null): void {
+    const { studio } = this;
+    const oak = selectedOak(studio.document.get());
+    const point = hit?.point.toArray() as Vec3 | undefined;
+    if (!hit || !point) {
+      // The mark of what the mouse has left would cover handles.
+      if (this.pointed.get()?.isSeen) studio.hover.set(null);
+      return this.pointed.set(null);
+    }
+    const frame = oak && studio.frames.get().get(oak.key);
+    const sensor = frame && findSensor(studio.catalog.get(), frame.state);
+    const pixel = sensor ? visiblePixel(frame, sensor, point) : null;
+    this.pointed.set({
+      point,
+      object: studio.scene.get()?.objects[hit.object]?.path ?? null,
+      distanceM: oak ? new Vector3(...oak.state.pose.position).distanceTo(hit.point) : null,
+      isSeen: pixel !== null,
+    });
+    if (this.isRiding.get()) return;
+    studio.hover.set(oak && pixel ? { oak: oak.key, ...pixel } : null);
+  }
+
+  private pick(hit: Hit | null): void {
+    const ends = this.ruler.get();
+    if (ends && hit) return this.ruler.set([...(ends.length < 2 ? ends : []), hit.point.toArray() as Vec3]);
     if (!this.isPicking.get()) return;
-    const object = index === null ? undefined : this.studio.scene.get()?.objects[index];
+    const object = hit === null ? undefined : this.studio.scene.get()?.objects[hit.object];
     if (!object) return;
     this.isPicking.set(false);
     this.studio.document.commit("target", (document) => ({ ...document, target: { object: object.path } }));

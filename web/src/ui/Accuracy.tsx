@@ -4,6 +4,7 @@ import { css, oakColor } from "../gpu/colormaps";
 import type { AccuracyCurve } from "../protocol";
 import type { Oak } from "../state/document";
 import { AccuracyCurves, type Measured } from "../studio/accuracy";
+import { decimal } from "../util/format";
 import { useStore } from "../util/store";
 import { Section } from "./controls";
 import { useApp } from "./context";
@@ -82,7 +83,8 @@ function draw(
   const style = getComputedStyle(document.documentElement);
   const unit = Number.parseFloat(style.fontSize);
   const color = (name: string) => style.getPropertyValue(name).trim();
-  const axis = { stroke: color("--muted"), grid: { stroke: color("--line"), width: 1 }, ticks: { stroke: color("--line"), width: 1 }, font: `${TEXT * unit}px system-ui`, size: 2.6 * unit };
+  // The chart scales whole pixels only with the density of the screen.
+  const axis = { stroke: color("--muted"), grid: { stroke: color("--line"), width: 1 }, ticks: { stroke: color("--line"), width: 1 }, font: `${Math.round(TEXT * unit)}px system-ui`, size: 2.6 * unit };
   const errors = shown.flatMap(({ curve }) => curve.errorPercent.filter((error) => error !== null));
   const top = Math.max(1, ...errors.map(Math.abs), ...bands.map(({ percent }) => percent)) * 1.1;
   const bottom = Math.min(0, ...errors) * 1.1;
@@ -94,7 +96,7 @@ function draw(
     scales: { x: { time: false }, y: { range: [bottom, top] } },
     axes: [
       { ...axis, values: (_, splits) => splits.map((metres) => `${metres} m`) },
-      { ...axis, size: 3.2 * unit, values: (_, splits) => splits.map((percent) => `${Number(percent.toFixed(2))} %`) },
+      { ...axis, size: 3.2 * unit, values: (_, splits) => splits.map((percent) => `${decimal(percent, 2)} %`) },
     ],
     series: [{}, ...shown.map(({ oak, index }) => ({ label: oak.state.model, stroke: css(oakColor(index)), width: 2, points: { show: false } }))],
     hooks: {

@@ -2,13 +2,15 @@ import { useState } from "preact/hooks";
 import { fit } from "../studio/frames";
 import { api, type Exported } from "../net/api";
 import type { ExportRequest, OakState } from "../protocol";
-import { FULL_SIZES, PANELS } from "../state/display";
+import { FULL_SIZES, type PanelKind, PANELS, shownKinds } from "../state/display";
 import { findSensor, selectedOak } from "../state/document";
 import type { Studio } from "../studio/studio";
+import { copyText, save } from "../util/away";
 import { words } from "../util/format";
 import { useStore } from "../util/store";
 import { Button } from "./controls";
-import { useApp } from "./context";
+import { captionedImage } from "./caption";
+import { type App, useApp } from "./context";
 import { Dialog } from "./Dialog";
 import { Menu } from "./Menu";
 import { composePanels } from "./compose";
@@ -45,20 +47,20 @@ async function exported(studio: Studio, what: What): Promise<Exported | null> {
   }
 }
 
-function save(name: string, file: Blob): void {
-  const address = URL.createObjectURL(file);
-  const link = document.createElement("a");
-  link.href = address;
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(address), 10_000);
-}
-
 /** Saves all panels in one picture, as they are on the page. */
 async function saveShown(studio: Studio): Promise<void> {
   const picture = await composePanels(document);
   if (picture) save("oaktwin-images.png", picture);
   else studio.notify("warning", "No image is shown.");
+}
+
+/** Saves an image of the selected OAK with its scale and a caption. */
+async function saveCaptioned(app: App, kind: PanelKind): Promise<void> {
+  const { studio } = app;
+  const oak = selectedOak(studio.document.get());
+  const picture = oak && (await captionedImage(app, oak.key, kind));
+  if (picture) save(`oaktwin-${oak.state.model.toLowerCase().replaceAll(" ", "-")}-${kind}.png`, picture);
+  else studio.notify("warning", "This image is not available.");
 }
 
 const EXACT = "The exact values; lengths are metres as 32-bit floating-point numbers";
@@ -70,11 +72,11 @@ function robotTitle(name: string): string {
 
 /** What can be taken away: files of the selected OAK, and texts that reproduce its state. */
 export function ExportMenu() {
-  const { studio } = useApp();
+  const app = useApp();
+  const { studio } = app;
   const display = useStore(studio.display);
   const [text, setText] = useState<{ title: string; text: string } | null>(null);
-  const kinds = display.wipe ? [display.wipe.left, display.wipe.right] : display.panels;
-  const images = PANELS.filter(({ kind }) => kinds.includes(kind));
+  const images = PANELS.filter(({ kind }) => shownKinds(display).includes(kind));
   const download = async (what: What) => {
     const answer = await exported(studio, what);
     if (!answer) return;
@@ -102,6 +104,7 @@ export function ExportMenu() {
               {studio.catalog.get().robotFormats.map(({ name, help }) => item(robotTitle(name), () => void download({ what: "robot", format: name }), help))}
               <p class="menu-head">Images</p>
               {item("As shown (PNG)", () => void saveShown(studio))}
+              {images.map(({ kind, title }) => item(`${title} with its scale (PNG)`, () => void saveCaptioned(app, kind), "In full resolution, with a caption, for a report"))}
               {images.flatMap(({ kind, title, images: [image] }) => (image === undefined ? [] : kind === "error" ? [
                 item(`${title} (NumPy)`, () => void download({ what: "error" }), EXACT),
               ] : [
@@ -119,10 +122,12 @@ export function ExportMenu() {
 
 function TextDialog({ title, text, onClose }: { title: string; text: string; onClose: () => void }) {
   const { studio } = useApp();
+  const scene = useStore(studio.scene);
   const [isCopied, setCopied] = useState(false);
-  const copy = () => navigator.clipboard.writeText(text).then(() => setCopied(true), (error) => studio.report("Copying", error));
+  const copy = () => copyText(text).then(() => setCopied(true), (error) => studio.report("Copying", error));
   return (
     <Dialog title={title} onClose={onClose}>
+      {scene?.id.startsWith("dropped-") && <p class="hint">{`Run this in the folder of ${scene.name}.`}</p>}
       <pre class="code" tabIndex={0} data-testid="snippet">{text}</pre>
       <div class="row spread"><Button icon="copy" label={isCopied ? "Copied" : "Copy"} isNamed onClick={copy} class="primary" /></div>
     </Dialog>

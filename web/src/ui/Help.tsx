@@ -8,14 +8,16 @@ const KEYS: [string, [string, string][]][] = [
     ["P", "Points: none, true, measured, both"],
     ["Home", "Look at the OAK"],
     ["C", "Look from the OAK"],
+    ["M", "Measure between two points of the scene"],
     ["F", "Fly the OAK: it moves with the view"],
     ["[, ]", "Select the previous, next OAK"],
-    ["Escape", "Close, or stop probing"],
+    ["Escape", "Close, restore the page, or stop probing"],
     ["?", "This list"],
   ]],
   ["3D view, after a click into it or with Tab", [
     ["Drag", "Orbit; with Ctrl turn the head; with Shift or the right button pan"],
     ["Wheel", "Zoom"],
+    ["Mouse", "Say what it is, and probe the pixel of the selected OAK that shows it"],
     ["Drag a pink handle", "Resize or move the box of the region; with Shift move it up and down"],
     ["Double click", "Put a point into the centre"],
     ["W A S D, Q E", "Fly; with Shift faster"],
@@ -26,6 +28,10 @@ const KEYS: [string, [string, string][]][] = [
   ["Images", [
     ["Mouse, arrow keys", "Probe a pixel"],
     ["Drag", "Rectangle for the statistics"],
+    ["Click a thumbnail", "Show the image large; with Enter too"],
+    ["Double click, Enter", "Maximize the image, or restore the page"],
+    ["Wheel, +, -, 0", "Zoom; show the whole image"],
+    ["Shift+drag", "Move what is zoomed into; with the middle button too"],
   ]],
   ["Number fields", [["Up, down", "One step; with Shift a tenth"]]],
 ];

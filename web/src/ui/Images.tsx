@@ -1,32 +1,34 @@
-import { useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
-import { findScales } from "../gpu/scales";
-import { type Display, FULL_SIZES, type PanelKind, PANELS } from "../state/display";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
+import type { Scales } from "../gpu/scales";
+import { type Display, type PanelKind, shownKinds } from "../state/display";
 import type { Oak } from "../state/document";
 import { useStore } from "../util/store";
-import { Button, Select } from "./controls";
+import { focused, grid } from "./arrangement";
+import { ComparisonPanel } from "./ComparisonPanel";
 import { useApp } from "./context";
+import { ImageBar } from "./ImageBar";
 import { Legend } from "./Legend";
-import { Panel } from "./Panel";
+import { aspectOf, Panel } from "./Panel";
+import { useScales } from "./scales";
 
-/** The height of a panel's caption, and the gap between panels in CSS pixels; as in images.css. */
-const CAPTION_REM = 1.7;
-const GAP = 6;
-/** The aspect ratio of an image that is not there yet. */
-const ASPECT = 1.6;
-const MIN_WIDTH = 150;
+/** The space around the panels, CSS pixels; as in images.css. */
+const PADDING = { width: 16, height: 12 };
 
-/** Finds the number of columns with the largest panels; with several OAKs and images, those of one OAK are in one row or column. */
-export function columns(width: number, height: number, aspect: number, oaks: number, kinds: number): { count: number; width: number } {
-  const total = oaks * kinds;
-  const choices = oaks > 1 && kinds > 1 ? [kinds, oaks] : Array.from({ length: total }, (_, i) => i + 1);
-  const caption = CAPTION_REM * Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
-  let best = { count: 1, width: 0 };
-  for (const count of choices) {
-    const rows = Math.ceil(total / count);
-    const fits = Math.min((width - GAP * (count - 1)) / count, ((height - GAP * (rows - 1)) / rows - caption) * aspect);
-    if (fits > best.width) best = { count, width: fits };
-  }
-  return { count: best.count, width: Math.max(MIN_WIDTH, Math.floor(best.width)) };
+interface Size {
+  width: number;
+  height: number;
+}
+
+interface Shared {
+  /** The OAKs that are shown, with their places in the list of all. */
+  shown: { oak: Oak; index: number }[];
+  /** The OAK whose images are the thumbnails. */
+  selected: string;
+  kinds: PanelKind[];
+  size: Size;
+  /** The narrowest aspect ratio of the images. */
+  aspect: number;
+  scales: Scales;
 }
 
 /** The images of all OAKs, with the choice of what they show. */
@@ -34,103 +36,87 @@ export function Images() {
   const { studio } = useApp();
   const display = useStore(studio.display);
   const frames = useStore(studio.frames);
-  const { oaks } = useStore(studio.document);
-  const shown = oaks.filter((oak) => !oak.isHidden);
-  const scales = useMemo(() => findScales(frames.values(), display), [frames, display]);
-  const kinds: PanelKind[] = display.wipe ? [display.wipe.left] : PANELS.map(({ kind }) => kind).filter((kind) => display.panels.includes(kind));
+  const { oaks, selected } = useStore(studio.document);
+  const maximized = useStore(studio.maximized);
+  const scales = useScales(frames, display);
   const area = useRef<HTMLDivElement>(null);
   const [size, setSize] = useState({ width: 800, height: 300 });
   useLayoutEffect(() => {
     const element = area.current;
     if (!element) return;
-    const observer = new ResizeObserver(() => setSize({ width: element.clientWidth - 16, height: element.clientHeight - 12 }));
+    const observer = new ResizeObserver(() => setSize({ width: element.clientWidth - PADDING.width, height: element.clientHeight - PADDING.height }));
     observer.observe(element);
     return () => observer.disconnect();
   }, []);
-  const aspects = [...frames.values()].map(({ pictures }) => pictures.get("sensor")).map((picture) => (picture ? picture.width / picture.height : ASPECT));
-  const aspect = aspects.length ? Math.min(...aspects) : ASPECT;
-  const layout = columns(size.width, size.height, aspect, shown.length, Math.max(kinds.length, 1));
-  // In a grid by images, all OAKs of an image follow each other.
-  const isByKind = shown.length > 1 && kinds.length > 1 && layout.count === shown.length && layout.count !== kinds.length;
-  const cells: [Oak, PanelKind][] = isByKind
-    ? kinds.flatMap((kind) => shown.map((oak): [Oak, PanelKind] => [oak, kind]))
-    : shown.flatMap((oak) => kinds.map((kind): [Oak, PanelKind] => [oak, kind]));
+  const all = oaks.map((oak, index) => ({ oak, index })).filter(({ oak }) => !oak.isHidden);
+  const kinds = shownKinds(display);
+  const only = maximized && all.find(({ oak }) => oak.key === maximized.oak);
+  const aspects = (only ? [only] : all).map(({ oak }) => frames.get(oak.key)).filter((frame) => frame !== undefined).map(aspectOf);
+  const shared: Shared = {
+    shown: only ? [only] : all,
+    selected,
+    kinds: only ? [maximized.kind] : kinds,
+    size,
+    aspect: Math.min(...(aspects.length ? aspects : [aspectOf(undefined)])),
+    scales,
+  };
+  const { comparison } = display;
+  const isEmpty = all.length === 0 || kinds.length === 0;
   return (
-    <section class="images" aria-label="Images">
+    <section class={`images ${only ? "maximized" : ""}`} aria-label="Images">
       <ImageBar />
       <div class="panels" ref={area}>
-        <div class="grid" style={{ gridTemplateColumns: `repeat(${layout.count}, ${layout.width}px)` }}>
-          {cells.map(([oak, kind]) => (
-            <Panel
-              key={`${oak.key}/${kind}`}
-              oak={oak}
-              index={oaks.indexOf(oak)}
-              kind={kind}
-              other={display.wipe?.right ?? null}
-              width={layout.width}
-              scales={scales}
-            />
+        {comparison && <ComparisonPanel comparison={comparison} size={size} scales={scales} />}
+        {!comparison && !isEmpty && (display.arrangement === "grid" && !only ? <Grid {...shared} /> : <Large {...shared} focus={only ? maximized.kind : display.focus} />)}
+        {!comparison && isEmpty && <p class="hint pad">{all.length === 0 ? "All OAKs are hidden." : "Choose at least one image above."}</p>}
+      </div>
+      <Legend kinds={[...shared.kinds, ...cloudKinds(display)]} scales={scales} />
+    </section>
+  );
+}
+
+/** All images in one size. */
+function Grid({ shown, kinds, size, aspect, scales }: Shared) {
+  const layout = grid(size.width, size.height, aspect, shown.length, kinds.length);
+  // In a grid by images, all OAKs of an image follow each other.
+  const isByKind = shown.length > 1 && kinds.length > 1 && layout.count === shown.length && layout.count !== kinds.length;
+  const cells = isByKind
+    ? kinds.flatMap((kind) => shown.map((one) => ({ ...one, kind })))
+    : shown.flatMap((one) => kinds.map((kind) => ({ ...one, kind })));
+  return (
+    <div class="grid" style={{ gridTemplateColumns: `repeat(${layout.count}, ${layout.width}px)` }}>
+      {cells.map(({ oak, index, kind }) => (
+        <Panel key={`${oak.key}/${kind}`} oak={oak} index={index} kind={kind} width={layout.width} scales={scales} />
+      ))}
+    </div>
+  );
+}
+
+/** One image of each OAK, and the other images of the selected one as thumbnails. */
+function Large({ shown, selected, kinds, size, aspect, scales, focus: wanted }: Shared & { focus: PanelKind }) {
+  const focus = kinds.includes(wanted) ? wanted : (kinds[0] ?? wanted);
+  const small = shown.find(({ oak }) => oak.key === selected) ?? shown[0];
+  const others = kinds.filter((kind) => kind !== focus);
+  const { large, thumbnails, areBeside } = focused(size.width, size.height, aspect, shown.length, others.length);
+  return (
+    <div class={`focused ${areBeside ? "beside" : "below"}`}>
+      <div class="grid" style={{ gridTemplateColumns: `repeat(${large.count}, ${large.width}px)` }}>
+        {shown.map(({ oak, index }) => (
+          <Panel key={`${oak.key}/${focus}`} oak={oak} index={index} kind={focus} width={large.width} scales={scales} isNamedByOak={shown.length > 1} />
+        ))}
+      </div>
+      {small && others.length > 0 && (
+        <div class="grid" style={{ gridTemplateColumns: `repeat(${thumbnails.count}, ${thumbnails.width}px)` }} data-testid="thumbnails">
+          {others.map((kind) => (
+            <Panel key={`${small.oak.key}/${kind}`} oak={small.oak} index={small.index} kind={kind} width={thumbnails.width} scales={scales} isThumbnail />
           ))}
         </div>
-        {cells.length === 0 && <p class="hint pad">Choose at least one image above.</p>}
-      </div>
-      <Legend kinds={[...(display.wipe ? [display.wipe.left, display.wipe.right] : kinds), ...cloudKinds(display)]} scales={scales} />
-    </section>
+      )}
+    </div>
   );
 }
 
 /** Returns the images whose colours the points in the 3D view have. */
 function cloudKinds({ cloud, cloudColor }: Display): PanelKind[] {
   return cloud === "none" || cloudColor === "oak" ? [] : [cloudColor];
-}
-
-function ImageBar() {
-  const { studio } = useApp();
-  const display = useStore(studio.display);
-  const toggle = (kind: PanelKind) => {
-    const panels = display.panels.includes(kind) ? display.panels.filter((other) => other !== kind) : [...display.panels, kind];
-    studio.show({ panels });
-  };
-  const options = PANELS.map(({ kind, title }) => ({ value: kind, title }));
-  const { wipe } = display;
-  return (
-    <div class="bar" role="toolbar" aria-label="Images that are shown">
-      {wipe ? (
-        <>
-          <Select label="Left of the edge" isLabelled={false} value={wipe.left} options={options} onChange={(left) => studio.show({ wipe: { ...wipe, left } })} />
-          <input
-            type="range"
-            class="wipe-at"
-            min={0}
-            max={1}
-            step={0.01}
-            aria-label="Edge of the wipe"
-            value={display.wipeAt}
-            onInput={(event) => studio.show({ wipeAt: Number(event.currentTarget.value) })}
-          />
-          <Select label="Right of the edge" isLabelled={false} value={wipe.right} options={options} onChange={(right) => studio.show({ wipe: { ...wipe, right } })} />
-        </>
-      ) : (
-        PANELS.map(({ kind, title, help }) => (
-          <Button key={kind} label={title} class="chip" tip={help} isOn={display.panels.includes(kind)} onClick={() => toggle(kind)} testId={`show-${kind}`} />
-        ))
-      )}
-      <span class="spring" />
-      <Button
-        label="Wipe"
-        class="chip"
-        tip="Two images in one panel with a movable edge"
-        isOn={wipe !== null}
-        onClick={() => studio.show({ wipe: wipe ? null : { left: "depth", right: "sensor" } })}
-      />
-      <Select
-        label="Image size at rest"
-        isLabelled={false}
-        value={display.fullSize}
-        options={FULL_SIZES.map(({ size, title }) => ({ value: size, title }))}
-        onChange={(fullSize) => studio.show({ fullSize })}
-        testId="full-size"
-      />
-    </div>
-  );
 }

@@ -1,6 +1,6 @@
 import { css, oakColor, reasonColor } from "../gpu/colormaps";
 import { WHOLE_IMAGE } from "../state/document";
-import { bareMillimetres, bareShare, length, NONE, share, signedMillimetres, words } from "../util/format";
+import { bareMillimetres, bareShare, length, minus, NONE, share, signedMillimetres, words } from "../util/format";
 import { useStore } from "../util/store";
 import { Accuracy } from "./Accuracy";
 import { Button, NumberField, Section } from "./controls";
@@ -60,7 +60,7 @@ function Readout() {
 
 function relative(errorM: number | null, trueM: number | null): string {
   if (errorM === null || !trueM) return "";
-  return ` (${((100 * errorM) / trueM).toFixed(2)} %)`;
+  return ` (${minus(((100 * errorM) / trueM).toFixed(2))} %)`;
 }
 
 const EDGES = ["Left", "Top", "Right", "Bottom"];
@@ -92,13 +92,13 @@ function Numbers() {
       )}
     >
       <div class="scroll-x">
-        <table class="numbers">
+        <table class={`numbers ${shown.length > 2 ? "narrow" : ""}`}>
           <thead>
             <tr>
               <td />
               {shown.map(({ key, state }) => (
                 <th key={key} scope="col" data-tip={state.model}>
-                  <ColumnName index={oaks.findIndex((oak) => oak.key === key)} model={state.model} isShort={shown.length > 2} />
+                  <ColumnName index={oaks.findIndex((oak) => oak.key === key)} model={state.model} isNarrow={shown.length > 2} />
                 </th>
               ))}
             </tr>

@@ -1,7 +1,7 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { css, DEPTH_MAPS, depthTable, errorTable, reasonColor, TABLE_SIZE } from "../gpu/colormaps";
+import { css, DEPTH_MAPS, depthTable, errorTable, oakColor, reasonColor, TABLE_SIZE } from "../gpu/colormaps";
 import type { Scales } from "../gpu/scales";
-import type { PanelKind } from "../state/display";
+import type { Comparison, PanelKind } from "../state/display";
 import { words } from "../util/format";
 import { useStore } from "../util/store";
 import { Button, NumberField, Select } from "./controls";
@@ -9,6 +9,9 @@ import { useApp } from "./context";
 
 /** The colour scales of the images, which can be changed here. */
 export function Legend({ kinds, scales }: { kinds: PanelKind[]; scales: Scales }) {
+  const { studio } = useApp();
+  const { comparison } = useStore(studio.display);
+  if (comparison?.mode === "difference") return <div class="legend"><DifferenceScale comparison={comparison} scales={scales} /></div>;
   const hasDepth = kinds.includes("depth") || kinds.includes("sensor") || kinds.includes("confidence");
   return (
     <div class="legend">
@@ -44,16 +47,51 @@ function DepthScale({ scales }: { scales: Scales }) {
 }
 
 function ErrorScale({ scales }: { scales: Scales }) {
-  const { studio } = useApp();
-  const { errorUnit, errorRange } = useStore(studio.display);
-  const factor = errorUnit === "mm" ? 1000 : 1;
-  const setUnit = () => studio.show({ errorUnit: errorUnit === "mm" ? "%" : "mm", errorRange: null });
   return (
     <div class="scale" role="group" aria-label="Error scale">
       <span class="scale-name">Error</span>
       <span class="end">too near</span>
       <Gradient bytes={errorTable()} />
       <span class="end">too far</span>
+      <ErrorEnd scales={scales} />
+    </div>
+  );
+}
+
+/** The colours of the difference of two OAKs. */
+function DifferenceScale({ comparison, scales }: { comparison: Comparison; scales: Scales }) {
+  const { studio } = useApp();
+  const { oaks } = useStore(studio.document);
+  const sides = [comparison.left, comparison.right].map(({ oak }) => {
+    const index = oaks.findIndex(({ key }) => key === oak);
+    return { name: oaks[index]?.state.model ?? "", color: css(oakColor(Math.max(index, 0))) };
+  });
+  const [first, second] = [sides[0]?.name, sides[1]?.name];
+  const isSame = first === second;
+  return (
+    <>
+      <div class="scale" role="group" aria-label="Scale of the difference">
+        <span class="end">{isSame ? "second is better" : `${second} is better`}</span>
+        <Gradient bytes={errorTable()} />
+        <span class="end">{isSame ? "first is better" : `${first} is better`}</span>
+        <ErrorEnd scales={scales} />
+      </div>
+      {sides.map(({ name, color }, i) => (
+        <span key={i} class="swatch-label"><span class="swatch" style={{ background: color }} />{`only ${isSame ? ["the first", "the second"][i] : name}`}</span>
+      ))}
+      <span class="swatch-label"><span class="swatch hatch" />no value</span>
+    </>
+  );
+}
+
+/** The end of the error scale with its unit. */
+function ErrorEnd({ scales }: { scales: Scales }) {
+  const { studio } = useApp();
+  const { errorUnit, errorRange } = useStore(studio.display);
+  const factor = errorUnit === "mm" ? 1000 : 1;
+  const setUnit = () => studio.show({ errorUnit: errorUnit === "mm" ? "%" : "mm", errorRange: null });
+  return (
+    <>
       <span class="end">±</span>
       <NumberField
         label="End of the error scale"
@@ -67,7 +105,7 @@ function ErrorScale({ scales }: { scales: Scales }) {
       />
       <Button label={errorUnit} class="chip" tip="Switch between millimetres and percent" onClick={setUnit} testId="error-unit" />
       <Button label="Auto" class="chip" tip="Follow the images" isOn={errorRange === null} onClick={() => studio.show({ errorRange: errorRange ? null : scales.error })} />
-    </div>
+    </>
   );
 }
 

@@ -1,19 +1,24 @@
-import type { DepthSensor, Vec3 } from "../protocol";
 import type { PanelKind } from "../state/display";
 import { findSensor, WHOLE_IMAGE } from "../state/document";
+import { project } from "../studio/project";
 import type { Shown } from "../studio/studio";
-import { rotate } from "../util/pose";
 import { useSelected, useStore } from "../util/store";
+import { NO_ZOOM } from "../util/zoom";
 import { useApp } from "./context";
 
-/** The marks over an image: the probed pixel and the rectangle of the statistics. */
-export function Marks({ oak, kind }: { oak: string; kind: PanelKind }) {
+/** The marks over an image: the probed pixel, the rectangle of the statistics and, of a thumbnail, the part that is zoomed into. */
+export function Marks({ oak, kind, isZoomed }: { oak: string; kind: PanelKind; isZoomed: boolean }) {
   const { studio } = useApp();
+  const zoom = useStore(studio.zoom);
+  const { scale, x, y } = isZoomed ? zoom : NO_ZOOM;
   const region = useSelected(studio.document, (document) => document.region);
   const isWhole = region.every((edge, i) => edge === WHOLE_IMAGE[i]);
   const [left, top, right, bottom] = region;
   return (
-    <>
+    <div class="marks" style={{ left: `${-x * scale * 100}%`, top: `${-y * scale * 100}%`, width: `${scale * 100}%`, height: `${scale * 100}%` }}>
+      {!isZoomed && zoom.scale > 1 && (
+        <div class="zoomed" style={{ left: `${zoom.x * 100}%`, top: `${zoom.y * 100}%`, width: `${100 / zoom.scale}%`, height: `${100 / zoom.scale}%` }} />
+      )}
       {!isWhole && (
         <div
           class="region"
@@ -21,7 +26,7 @@ export function Marks({ oak, kind }: { oak: string; kind: PanelKind }) {
         />
       )}
       <Cross oak={oak} kind={kind} />
-    </>
+    </div>
   );
 }
 
@@ -42,20 +47,6 @@ function Cross({ oak, kind }: { oak: string; kind: PanelKind }) {
   if (shift === null) return null;
   const isOther = hover.oak !== oak;
   return <div class={`cross ${isOther ? "other" : ""}`} style={{ left: `${(place.x - shift) * 100}%`, top: `${place.y * 100}%` }} />;
-}
-
-/** Finds where an OAK's sensor sees a point of the world, as fractions of the image; null behind it. */
-function project({ header, state }: Shown, sensor: DepthSensor, point: Vec3): { x: number; y: number; z: number } | null {
-  const [x, y, z, w] = state.pose.quaternion;
-  const { position } = state.pose;
-  const inBody = rotate([-x, -y, -z, w], [point[0] - position[0], point[1] - position[1], point[2] - position[2]]);
-  const m = sensor.bodyFromCamera;
-  const offset = inBody.map((value, row) => value - (m[row * 4 + 3] ?? 0));
-  const along = (column: number) => [0, 1, 2].reduce((sum, row) => sum + (m[row * 4 + column] ?? 0) * (offset[row] ?? 0), 0);
-  const depth = along(2);
-  if (depth <= 0) return null;
-  const fraction = (value: number, degrees: number) => 0.5 + value / (2 * depth * Math.tan((degrees * Math.PI) / 360));
-  return { x: fraction(along(0), header.hfovDeg), y: fraction(along(1), header.vfovDeg), z: depth };
 }
 
 /** How much further left the right camera sees a point, as a fraction of the width; null if the distance is not known. */

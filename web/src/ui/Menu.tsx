@@ -10,6 +10,11 @@ export function Menu({ icon, label, children, testId }: {
   const root = useRef<HTMLDivElement>(null);
   const button = useRef<HTMLButtonElement>(null);
   const close = () => setOpen(false);
+  // The focus stays in the page when the chosen entry vanishes.
+  const leave = () => {
+    close();
+    button.current?.focus();
+  };
   useEffect(() => {
     if (!isOpen) return;
     const outside = (event: Event) => {
@@ -21,8 +26,7 @@ export function Menu({ icon, label, children, testId }: {
   }, [isOpen]);
   const key = (event: KeyboardEvent) => {
     if (event.key === "Escape") {
-      close();
-      button.current?.focus();
+      leave();
       event.stopPropagation();
     }
     if (event.key !== "ArrowDown" && event.key !== "ArrowUp") return;
@@ -38,7 +42,7 @@ export function Menu({ icon, label, children, testId }: {
         <Icon name={icon} />
         <span>{label}</span>
       </button>
-      {isOpen && <div class="menu" role="menu" aria-label={label}>{children(close)}</div>}
+      {isOpen && <div class="menu" role="menu" aria-label={label}>{children(leave)}</div>}
     </div>
   );
 }

@@ -78,6 +78,13 @@ function AddOak({ isDisabled }: { isDisabled: boolean }) {
       data-testid="add-oak"
       disabled={isDisabled}
       value=""
+      onKeyDown={(event) => {
+        // A closed list would choose the first entry, which adds an OAK.
+        const opens = event.key === "ArrowDown" || event.key === "ArrowUp" || (event.key.length === 1 && !event.ctrlKey && !event.metaKey);
+        if (!opens) return;
+        event.preventDefault();
+        event.currentTarget.showPicker?.();
+      }}
       onChange={(event) => {
         add(event.currentTarget.value);
         event.currentTarget.value = "";

@@ -1,4 +1,5 @@
 import { useEffect, useRef, useState } from "preact/hooks";
+import { DEFAULT_DISPLAY, type Display, SIDE_WIDTHS } from "../state/display";
 import { openFiles } from "../studio/files";
 import { useStore } from "../util/store";
 import { useApp } from "./context";
@@ -13,6 +14,7 @@ import { listenForKeys } from "./shortcuts";
 import { Tooltip } from "./Tooltip";
 import { TopBar } from "./TopBar";
 import { Tune } from "./Tune";
+import { UnitsDialog } from "./UnitsDialog";
 import { View } from "./View";
 
 /** The whole page. */
@@ -30,7 +32,7 @@ export function Page() {
     app.repaint.update((count) => count + 1);
   }, [display.theme]);
   return (
-    <div class={`page ${display.showLeft ? "" : "no-left"} ${display.showRight ? "" : "no-right"}`}>
+    <div class="page" style={{ "--left": sideWidth(display, "left"), "--right": sideWidth(display, "right") }}>
       <TopBar onHelp={() => setHelp(true)} />
       {display.showLeft && (
         <aside class="side left" aria-label="Controls">
@@ -44,25 +46,27 @@ export function Page() {
       <Notices />
       <DropTarget />
       <Tooltip />
+      <UnitsDialog />
       {isHelp && <Help onClose={() => setHelp(false)} />}
     </div>
   );
 }
 
 function RightSide() {
-  const [tab, setTab] = useState<"inspect" | "place">("inspect");
+  const { studio } = useApp();
+  const tab = useStore(studio.tab);
   const tabs = [["inspect", "Understand"], ["place", "Place"]] as const;
   const key = (event: KeyboardEvent) => {
     if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return;
     const next = tab === "inspect" ? "place" : "inspect";
-    setTab(next);
+    studio.tab.set(next);
     document.getElementById(`tab-${next}`)?.focus();
   };
   return (
     <aside class="side right" aria-label="Numbers">
       <div class="tabs" role="tablist" onKeyDown={key}>
         {tabs.map(([id, title]) => (
-          <button key={id} type="button" role="tab" id={`tab-${id}`} aria-selected={tab === id} tabIndex={tab === id ? 0 : -1} aria-controls="tab-panel" data-testid={`tab-${id}`} onClick={() => setTab(id)}>{title}</button>
+          <button key={id} type="button" role="tab" id={`tab-${id}`} aria-selected={tab === id} tabIndex={tab === id ? 0 : -1} aria-controls="tab-panel" data-testid={`tab-${id}`} onClick={() => studio.tab.set(id)}>{title}</button>
         ))}
       </div>
       <div role="tabpanel" id="tab-panel" aria-labelledby={`tab-${tab}`}>{tab === "inspect" ? <Inspect /> : <Place />}</div>
@@ -70,10 +74,56 @@ function RightSide() {
   );
 }
 
+/** The width of a side bar. The default leaves more room for the images in a narrow window. */
+function sideWidth({ showLeft, showRight, leftWidth, rightWidth }: Display, side: "left" | "right"): string {
+  const [isShown, width, usual] = side === "left" ? [showLeft, leftWidth, DEFAULT_DISPLAY.leftWidth] : [showRight, rightWidth, DEFAULT_DISPLAY.rightWidth];
+  return isShown ? `min(${width}rem, ${width === usual ? 24 : 35}vw)` : "0px";
+}
+
+/** The edge of a side bar, which can be moved; a double click restores the width. */
+function SideEdge({ side }: { side: "left" | "right" }) {
+  const { studio } = useApp();
+  const name = side === "left" ? "leftWidth" : "rightWidth";
+  const width = useStore(studio.display)[name];
+  const [least, most] = SIDE_WIDTHS;
+  const set = (next: number) => studio.show({ [name]: Math.max(least, Math.min(most, next)) });
+  const outwards = side === "left" ? 1 : -1;
+  const grab = (event: PointerEvent) => {
+    event.preventDefault();
+    const font = Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
+    const start = event.clientX;
+    const move = (next: PointerEvent) => set(width + (outwards * (next.clientX - start)) / font);
+    addEventListener("pointermove", move);
+    addEventListener("pointerup", () => removeEventListener("pointermove", move), { once: true });
+  };
+  const key = (event: KeyboardEvent) => {
+    const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (by === undefined) return;
+    event.preventDefault();
+    set(width + outwards * by);
+  };
+  return (
+    <div
+      class={`side-edge ${side}`}
+      role="separator"
+      aria-orientation="vertical"
+      aria-label={side === "left" ? "Width of the controls" : "Width of the numbers"}
+      aria-valuenow={Math.round(width)}
+      aria-valuemin={least}
+      aria-valuemax={most}
+      tabIndex={0}
+      data-testid={`edge-${side}`}
+      onPointerDown={grab}
+      onDblClick={() => set(DEFAULT_DISPLAY[name])}
+      onKeyDown={key}
+    />
+  );
+}
+
 /** The 3D view above the images, with a bar between them that can be moved. */
 function Middle() {
   const { studio } = useApp();
-  const { split } = useStore(studio.display);
+  const { split, showLeft, showRight } = useStore(studio.display);
   const element = useRef<HTMLElement>(null);
   const set = (split: number) => studio.show({ split: Math.max(0.12, Math.min(0.88, split)) });
   const grab = (event: PointerEvent) => {
@@ -107,6 +157,8 @@ function Middle() {
         onKeyDown={key}
       />
       <Images />
+      {showLeft && <SideEdge side="left" />}
+      {showRight && <SideEdge side="right" />}
     </main>
   );
 }

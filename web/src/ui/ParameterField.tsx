@@ -1,6 +1,6 @@
 import type { Parameter } from "../protocol";
 import { check, range, slider } from "../state/parameters";
-import { words } from "../util/format";
+import { minus, words } from "../util/format";
 import { Button, TextField } from "./controls";
 
 interface Props {
@@ -85,7 +85,7 @@ function Control({ parameter, shown, fallback, problem, reach, onText }: {
       {parameter.type === "string" ? (
         <TextField label={label} isLabelled={false} text={shown} onText={onText} unit={parameter.unit} problem={problem} />
       ) : (
-        <TextField label={label} isLabelled={false} text={shown} onText={onText} onStep={nudge} unit={parameter.unit} problem={problem} />
+        <TextField label={label} isLabelled={false} text={minus(shown)} onText={onText} onStep={nudge} unit={parameter.unit} problem={problem} />
       )}
     </div>
   );

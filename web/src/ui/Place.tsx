@@ -9,6 +9,7 @@ import { useStore } from "../util/store";
 import { Button, Check, NumberField, Section } from "./controls";
 import { useApp } from "./context";
 import { ColumnName } from "./ColumnName";
+import { Report } from "./Report";
 import { Sweep } from "./Sweep";
 
 /** Which share of a region the OAKs measure, and which poses measure more. */
@@ -21,6 +22,7 @@ export function Place() {
       <Region target={target} />
       {target && <Coverage target={target} tolerance={tolerance} />}
       {target && <Sweep target={target} tolerance={tolerance} />}
+      {target && <Report target={target} tolerance={tolerance} />}
     </>
   );
 }
@@ -193,13 +195,13 @@ function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer:
   const lost = names.map((name) => ({ name, outcome: outcomes.find((outcome) => outcome.name === name) }));
   return (
     <div class="scroll-x">
-      <table class="numbers">
+      <table class={`numbers ${columns.length > 2 ? "narrow" : ""}`}>
         <thead>
           <tr>
             <td />
             {columns.map(({ key, oak }) => (oak ? (
               <th key={key} scope="col" data-tip={oak.state.model}>
-                <ColumnName index={all.indexOf(oak)} model={oak.state.model} isShort={columns.length > 2} />
+                <ColumnName index={all.indexOf(oak)} model={oak.state.model} isNarrow={columns.length > 2} />
               </th>
             ) : <th key={key} scope="col" data-tip="A point counts if one of the OAKs measures it">All</th>))}
           </tr>

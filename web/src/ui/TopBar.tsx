@@ -1,5 +1,6 @@
 import { useRef } from "preact/hooks";
 import { openFiles } from "../studio/files";
+import { copyText } from "../util/away";
 import { useStore } from "../util/store";
 import { Button } from "./controls";
 import { useApp } from "./context";
@@ -15,7 +16,7 @@ export function TopBar({ onHelp }: { onHelp: () => void }) {
   const catalog = useStore(studio.catalog);
   useStore(studio.document);
   const input = useRef<HTMLInputElement>(null);
-  const copyLink = () => navigator.clipboard.writeText(studio.link()).then(
+  const copyLink = () => copyText(studio.link()).then(
     () => studio.notify("note", "The link is in the clipboard. It restores this state."),
     (error) => studio.report("Copying the link", error),
   );

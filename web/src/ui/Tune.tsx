@@ -2,11 +2,13 @@ import { useMemo, useRef } from "preact/hooks";
 import type { DepthSensor, Engine, OakState, Parameter } from "../protocol";
 import { findEngine, findModel, findSensor, type Oak, selectedOak } from "../state/document";
 import { grouped } from "../state/parameters";
+import { SHARED, setForAll } from "../studio/forall";
 import { words } from "../util/format";
 import { useSelected, useStore } from "../util/store";
 import { Button, Check, NumberField, Section, Select } from "./controls";
 import { useApp } from "./context";
 import { FilterList } from "./FilterList";
+import { Menu } from "./Menu";
 import { ParameterField } from "./ParameterField";
 import { DriftSection, UnitSection } from "./Unit";
 
@@ -65,11 +67,12 @@ function isTunedAlike(a: OakState, b: OakState): boolean {
 function SensorSection({ state, sensor, problem }: { state: OakState; sensor: DepthSensor; problem: string | undefined }) {
   const { studio } = useApp();
   const catalog = useStore(studio.catalog);
+  const isAmongOthers = useSelected(studio.document, ({ oaks }) => oaks.length > 1);
   const model = findModel(catalog, state.model);
   const engine = findEngine(catalog, state);
   const set = (tag: string, change: Partial<OakState>) => studio.change(tag, (state) => ({ ...state, ...change }));
   return (
-    <Section title="Sensor">
+    <Section title="Sensor" actions={isAmongOthers && <ForAll />}>
       {(model?.depthSensors.length ?? 0) > 1 && (
         <Select
           label="Depth sensor"
@@ -89,6 +92,7 @@ function SensorSection({ state, sensor, problem }: { state: OakState; sensor: De
         onChange={(name) => set("engine", { engine: name, parameters: {} })}
       />
       {engine && <p class="hint">{engine.help}</p>}
+      {sensor.kind === "stereo" && <Light state={state} isSeen={engine ? seesLight(engine) : false} hasProjector={model?.hasProjector ?? false} />}
       {sensor.presets.length > 0 && (
         <Select
           label="Preset"
@@ -105,7 +109,7 @@ function SensorSection({ state, sensor, problem }: { state: OakState; sensor: De
           onChange={(extendedDisparity) => set("extended", { extendedDisparity })}
         />
       )}
-      {sensor.kind === "stereo" && (
+      {sensor.kind === "stereo" && model?.hasFisheye && (
         <Check
           label="Fisheye lenses"
           tip="The optics of the left and right cameras of wide models: fisheye instead of pinhole"
@@ -113,9 +117,20 @@ function SensorSection({ state, sensor, problem }: { state: OakState; sensor: De
           onChange={(isOn) => set("lens", { lens: isOn ? "fisheye" : "pinhole" })}
         />
       )}
-      {sensor.kind === "stereo" && <Light state={state} isSeen={engine ? seesLight(engine) : false} hasProjector={model?.hasProjector ?? false} />}
       {problem && <p class="problem" role="alert">{problem}</p>}
     </Section>
+  );
+}
+
+/** Gives all OAKs what the selected one has. */
+function ForAll() {
+  const { studio } = useApp();
+  return (
+    <Menu icon="copy" label="For all" testId="for-all">
+      {(close) => SHARED.map(({ name, title }) => (
+        <button key={name} type="button" role="menuitem" class="menu-item" onClick={() => { close(); setForAll(studio, name); }}>{title}</button>
+      ))}
+    </Menu>
   );
 }
 

@@ -1,9 +1,13 @@
 import { useEffect, useRef } from "preact/hooks";
 import { SceneView } from "../studio/view";
 import type { CloudColor, CloudSource } from "../state/display";
+import type { Studio } from "../studio/studio";
+import { save } from "../util/away";
+import { decimal, length } from "../util/format";
 import { useStore } from "../util/store";
 import { Button, Select } from "./controls";
 import { useApp } from "./context";
+import { Start } from "./Start";
 
 const CLOUDS: { value: CloudSource; title: string }[] = [
   { value: "none", title: "No points" },
@@ -56,6 +60,8 @@ function Tools() {
         {made && <GizmoTools view={made} />}
         {made && <RideTool view={made} />}
         <Button icon="home" label="Look at the OAK (Home)" onClick={() => made?.home()} />
+        {made && <RulerTool view={made} />}
+        <Button icon="picture" label="Save a picture of this view (PNG)" onClick={() => made && void savePicture(studio, made)} testId="picture" />
       </div>
       <div class="tools layers" role="toolbar" aria-label="What the 3D view shows">
         <Button label="Scene" class="chip" isOn={display.showScene} onClick={() => studio.show({ showScene: !display.showScene })} />
@@ -68,7 +74,12 @@ function Tools() {
           <Select label="Colour of the points" isLabelled={false} value={cloudColor} options={CLOUD_COLORS} onChange={(cloudColor) => studio.show({ cloudColor })} />
         )}
       </div>
-      {made && <Detail view={made} />}
+      <div class="foot">
+        {made && <Ruler view={made} />}
+        {made && <Pointed view={made} />}
+        {made && <Detail view={made} />}
+        <Start />
+      </div>
     </>
   );
 }
@@ -89,12 +100,47 @@ function RideTool({ view }: { view: SceneView }) {
   return <Button icon="camera" label="Fly the OAK: it moves with the view (F)" isOn={isRiding} onClick={() => view.setRiding(!isRiding)} />;
 }
 
+function RulerTool({ view }: { view: SceneView }) {
+  const isOn = useStore(view.ruler) !== null;
+  return <Button icon="ruler" label="Measure between two points (M)" isOn={isOn} onClick={() => view.ruler.set(isOn ? null : [])} testId="ruler" />;
+}
+
+async function savePicture(studio: Studio, view: SceneView): Promise<void> {
+  const picture = await view.viewer.picture();
+  if (picture) save("oaktwin-view.png", picture);
+  else studio.notify("warning", "The browser could not make a picture of the view.");
+}
+
+/** The distance between the points of the ruler. */
+function Ruler({ view }: { view: SceneView }) {
+  const points = useStore(view.ruler);
+  if (!points) return null;
+  const [a, b] = points;
+  if (!a || !b) return <div class="note-line" data-testid="distance">{a ? "Click the second point." : "Click two points of the scene. Escape ends."}</div>;
+  const along = b.map((value, axis) => decimal(value - (a[axis] ?? 0), 3));
+  return <div class="note-line" data-testid="distance"><b>{length(Math.hypot(...b.map((value, axis) => value - (a[axis] ?? 0))))}</b>{` (${along.join(", ")} m along x, y, z)`}</div>;
+}
+
+/** What is under the mouse. */
+function Pointed({ view }: { view: SceneView }) {
+  const { studio } = useApp();
+  const pointed = useStore(view.pointed);
+  const { oaks, selected } = useStore(studio.document);
+  if (!pointed) return null;
+  const model = oaks.find(({ key }) => key === selected)?.state.model ?? "";
+  const at = pointed.point.map((metres) => decimal(metres, 3)).join(", ");
+  const seen = pointed.isSeen ? "" : `, not in its view`;
+  return <div class="note-line" data-testid="pointed">{`${pointed.object ?? ""} at ${at} m; ${length(pointed.distanceM)} from the ${model}${seen}`}</div>;
+}
+
 /** Says what is drawn of a large scene. */
 function Detail({ view }: { view: SceneView }) {
   const detail = useStore(view.detail);
   const isPicking = useStore(view.isPicking);
   if (isPicking) return <div class="note-line">Click an object of the scene. Escape cancels.</div>;
-  if (!detail || detail.shown >= detail.of) return null;
+  const isPointing = useStore(view.pointed) !== null;
+  const isMeasuring = useStore(view.ruler) !== null;
+  if (!detail || detail.shown >= detail.of || isPointing || isMeasuring) return null;
   return (
     <div class="note-line">
       {`This view draws ${detail.shown.toLocaleString("en")} of ${detail.of.toLocaleString("en")} triangles; the images use all. `}

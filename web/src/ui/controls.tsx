@@ -1,5 +1,6 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
+import { decimal, typed } from "../util/format";
 import { Icon, type IconName } from "./icons";
 
 interface ButtonProps {
@@ -150,18 +151,18 @@ interface NumberFieldProps {
 
 export function NumberField({ value, onChange, step, digits, minimum = -1e6, maximum = 1e6, ...rest }: NumberFieldProps) {
   const take = (text: string): string | null => {
-    const typed = Number(text.trim().replace(",", "."));
-    if (text.trim() === "" || !Number.isFinite(typed)) return "Enter a number.";
-    if (typed < minimum) return `Enter at least ${minimum}.`;
-    if (typed > maximum) return `Enter at most ${maximum}.`;
-    onChange(typed);
+    const value = Number(typed(text));
+    if (text.trim() === "" || !Number.isFinite(value)) return "Enter a number.";
+    if (value < minimum) return `Enter at least ${decimal(minimum, 9)}.`;
+    if (value > maximum) return `Enter at most ${decimal(maximum, 9)}.`;
+    onChange(value);
     return null;
   };
   const nudge = (direction: number) => {
     const next = Number((value + direction * step).toFixed(digits + 1));
     onChange(Math.min(maximum, Math.max(minimum, next)));
   };
-  return <TextField {...rest} text={String(Number(value.toFixed(digits)))} onText={take} onStep={nudge} />;
+  return <TextField {...rest} text={decimal(value, digits)} onText={take} onStep={nudge} />;
 }
 
 /** A part of a side bar that can be folded. */

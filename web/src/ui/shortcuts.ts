@@ -49,10 +49,13 @@ function plainKey(app: App, event: KeyboardEvent, onHelp: () => void): boolean {
     f: () => view?.setRiding(!view.isRiding.get()),
     "[": () => selectNeighbour(app, -1),
     "]": () => selectNeighbour(app, 1),
+    m: () => view?.ruler.set(view.ruler.get() ? null : []),
     Home: () => view?.home(),
     Escape: () => {
       studio.hover.set(null);
+      studio.maximized.set(null);
       view?.isPicking.set(false);
+      view?.ruler.set(null);
       view?.setRiding(false);
     },
   };

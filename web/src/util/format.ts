@@ -39,9 +39,19 @@ export function share(fraction: number | null | undefined): string {
   return `${(fraction * 100).toFixed(1)} %`;
 }
 
-/** Formats a number for a field: at most `digits` decimals and no trailing zeros. */
+/** Formats a number: at most `digits` decimals, no trailing zeros, and a minus sign that is no hyphen. */
 export function decimal(value: number, digits: number): string {
-  return String(Number(value.toFixed(digits)));
+  return minus(String(Number(value.toFixed(digits))));
+}
+
+/** Writes a number's hyphens as minus signs. */
+export function minus(number: string): string {
+  return number.replaceAll("-", "−");
+}
+
+/** Reads a number as somebody types it: with a decimal comma, or a minus sign. */
+export function typed(text: string): string {
+  return text.trim().replace(",", ".").replaceAll("−", "-");
 }
 
 /** Makes a heading of an identifier: "outside_view" and "outsideView" become "Outside view". */

@@ -11,21 +11,24 @@ import { type Box, BoxHandles } from "./boxhandles";
 import { makeMesh, makePainting } from "./meshes";
 import { Navigation } from "./navigation";
 import { dispose } from "./oakobject";
+import { RulerLine } from "./ruler";
 
 export interface ViewerHandlers {
   /** The selected OAK was moved in the view. */
   onPose(pose: Pose): void;
   /** The box of the region was moved in the view. */
   onBox(box: Box): void;
-  /** An object of the scene was clicked, by its index; null for nothing. */
-  onPick(object: number | null): void;
+  /** A place of the scene was clicked; null for nothing. */
+  onPick(hit: Hit | null): void;
   /** The camera of the view moved. */
   onView(): void;
-  /** The body of an OAK was clicked, by its place among the drawn ones. */
-  onOak(index: number): void;
+  /** The mouse is over a place of the scene; null for nothing. */
+  onHover(hit: Hit | null): void;
+  /** The body of an OAK was clicked, by its place among the drawn ones; returns false if what is behind it is meant. */
+  onOak(index: number): boolean;
 }
 
-/** What a click hits. */
+/** What a click hits: a point, and the object by its index. */
 export interface Hit {
   point: Vector3;
   object: number;
@@ -36,6 +39,18 @@ const ROOF_GAP = 0.03;
 const MARKER_COLOR = "#ff2d78";
 /** A pointer that moved less than this between press and release, in pixels, clicked. */
 const CLICK = 4;
+/** The time between two looks at what is under the mouse, ms. */
+const HOVER_PACE = 60;
+
+/** Whether a processor draws instead of a graphics card: it has no time to smooth edges. */
+export function isDrawnBySoftware(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  if (!gl) return true;
+  const info = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|basic render/i.test(name);
+}
 
 /** The 3D view. It draws only after something changed. */
 export class Viewer {
@@ -59,12 +74,13 @@ export class Viewer {
   private target: Box3Helper | null = null;
   private painting: Mesh<BufferGeometry, MeshLambertMaterial> | null = null;
   private readonly box: BoxHandles;
+  private readonly ruler: RulerLine;
   private objects: Uint32Array | null = null;
   private isWaiting = false;
   private lastDraw = 0;
 
   constructor(private readonly canvas: HTMLCanvasElement, handlers: ViewerHandlers) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: false, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({ canvas, antialias: !isDrawnBySoftware(), powerPreference: "high-performance" });
     this.renderer.localClippingEnabled = true;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.scene.add(new HemisphereLight("#ffffff", "#8a8f98", 1.9), this.lamp, this.oaks, this.clouds);
@@ -92,7 +108,9 @@ export class Viewer {
     }
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(canvas);
+    this.ruler = new RulerLine(this.scene);
     this.listenForClicks(handlers);
+    this.listenForHover(handlers);
   }
 
   close(): void {
@@ -108,13 +126,6 @@ export class Viewer {
     const wait = this.lastDraw + this.pace - performance.now();
     if (wait > 0) setTimeout(() => this.draw(), wait);
     else this.draw();
-  }
-
-  /** Whether a processor draws instead of a graphics card. */
-  get isSoftware(): boolean {
-    const gl = this.renderer.getContext();
-    const info = gl.getExtension("WEBGL_debug_renderer_info");
-    return /swiftshader|llvmpipe|softpipe|basic render/i.test(String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER)));
   }
 
   private draw(): void {
@@ -227,6 +238,19 @@ export class Viewer {
     this.invalidate();
   }
 
+  /** Shows up to two points and the line between them. */
+  setRuler(points: readonly Vec3[]): void {
+    this.ruler.set(points);
+    this.invalidate();
+  }
+
+  /** Returns what the view shows as a PNG. */
+  picture(): Promise<Blob | null> {
+    // Within one task: a canvas is empty once the page has shown it.
+    this.renderer.render(this.scene, this.camera);
+    return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
+  }
+
   /** Paints a surface; `color` is that of a number in the place of a triangle's object. */
   setPainting(mesh: WireMesh | null, color: (object: number) => Rgb): void {
     if (this.painting) {
@@ -325,12 +349,28 @@ export class Viewer {
       if (!start || Math.hypot(event.clientX - start[0], event.clientY - start[1]) > CLICK) return;
       const scene = this.hit(event.clientX, event.clientY);
       const oak = this.oakAt(event.clientX, event.clientY, scene?.point ?? null);
-      if (oak === null) onPick(scene?.object ?? null);
-      else onOak(oak);
+      if (oak === null || !onOak(oak)) onPick(scene);
     });
     this.canvas.addEventListener("dblclick", (event) => {
       const hit = this.hit(event.clientX, event.clientY);
       if (hit) this.navigation.focus(hit.point, Math.max(0.3, this.camera.position.distanceTo(hit.point) * 0.5));
+    });
+  }
+
+  private listenForHover({ onHover }: ViewerHandlers): void {
+    let timer = 0;
+    let last: PointerEvent | null = null;
+    this.canvas.addEventListener("pointermove", (event) => {
+      // Looking for the place would hold up a movement of the view.
+      last = event.buttons === 0 ? event : null;
+      timer ||= window.setTimeout(() => {
+        timer = 0;
+        if (last) onHover(this.hit(last.clientX, last.clientY));
+      }, HOVER_PACE);
+    });
+    this.canvas.addEventListener("pointerleave", () => {
+      last = null;
+      onHover(null);
     });
   }
 

@@ -65,18 +65,23 @@ impl SceneArgs {
         if let Some(time) = self.time.filter(|time| !time.is_finite()) {
             return Err(format!("--time: must be a finite number (got {time})").into());
         }
-        if let Some(scale) = self.scale.filter(|scale| !(scale.is_finite() && *scale > 0.0)) {
-            return Err(format!("--scale: must be a finite number > 0 (got {scale})").into());
-        }
         Ok(OpenOptions {
             time: self.time,
             subdivide: self.subdivide,
             limit: self.scene_limit,
             up: self.up,
-            scale: self.scale,
+            scale: checked_scale(self.scale)?,
             allow_outside: self.allow_outside,
             texture_coordinates: false,
             micro_texture: self.micro_texture.unwrap_or(false),
         })
+    }
+}
+
+/// Checks the metres per unit of a mesh file.
+pub(crate) fn checked_scale(scale: Option<f64>) -> Result<Option<f64>> {
+    match scale.filter(|scale| !(scale.is_finite() && *scale > 0.0)) {
+        Some(scale) => Err(format!("--scale: must be a finite number > 0 (got {scale})").into()),
+        None => Ok(scale),
     }
 }

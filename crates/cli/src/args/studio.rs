@@ -2,8 +2,10 @@ use std::net::IpAddr;
 use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
+use oaktwin::scene::Up;
 use oaktwin::usd::stage::SceneLimit;
 
+use super::choice::parser;
 use super::{ThreadArgs, limit};
 
 #[derive(Args, Debug)]
@@ -27,6 +29,14 @@ pub(crate) struct StudioArgs {
     /// Do not open a browser
     #[arg(long)]
     pub(crate) no_open: bool,
+
+    /// The up axis of a glTF, OBJ, STL or PLY file [default: its format's]
+    #[arg(long, requires = "scene", value_parser = parser::<Up>())]
+    pub(crate) up: Option<Up>,
+
+    /// Metres per unit of a glTF, OBJ, STL or PLY file [default: 1]
+    #[arg(long, requires = "scene", value_name = "METRES")]
+    pub(crate) scale: Option<f64>,
 
     /// Let a glTF file name files outside its folder; only for trusted files
     #[arg(long)]

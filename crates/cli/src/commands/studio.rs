@@ -7,12 +7,14 @@ use oaktwin_studio::{FirstScene, Options, serve};
 use serde::Serialize;
 use tempfile::TempDir;
 
-use crate::args::StudioArgs;
+use crate::args::{StudioArgs, checked_scale};
 use crate::context::{Context, Exit, Result};
 use crate::{output, signals};
 
 /// Where `oaktwin demo` writes the room.
 const ROOM: &str = "oaktwin-demo/demo_room/demo_room.usda";
+/// The command that writes it.
+const MADE_BY: &str = "oaktwin demo";
 
 #[derive(Serialize)]
 struct Link<'a> {
@@ -24,7 +26,7 @@ pub(crate) fn run(context: &Context, args: &StudioArgs) -> Result<Exit> {
     let model = context.device(&args.model)?.name.clone();
     // The room's textures are read when they are first seen.
     let (scene, _folder) = match &args.scene {
-        Some(path) => (named(path, args), None),
+        Some(path) => (named(path, args)?, None),
         None => {
             let (scene, folder) = room()?;
             (scene, Some(folder))
@@ -69,23 +71,26 @@ fn announce(args: &StudioArgs, link: &str) -> Result<()> {
 }
 
 /// The scene of the command line.
-fn named(path: &Path, args: &StudioArgs) -> FirstScene {
+fn named(path: &Path, args: &StudioArgs) -> Result<FirstScene> {
     let name = path
         .file_name()
         .unwrap_or(path.as_os_str())
         .to_string_lossy()
         .into_owned();
-    FirstScene {
+    Ok(FirstScene {
         argument: path.display().to_string(),
+        made_by: None,
         path: path.to_owned(),
         options: OpenOptions {
             limit: args.scene_limit,
             allow_outside: args.allow_outside,
+            up: args.up,
+            scale: checked_scale(args.scale)?,
             ..OpenOptions::default()
         },
         name,
         world_from_body: None,
-    }
+    })
 }
 
 /// The demo room in a temporary folder, which is removed when it is dropped.
@@ -99,6 +104,7 @@ fn room() -> Result<(FirstScene, TempDir)> {
         options: OpenOptions::default(),
         name: "demo room".to_owned(),
         argument: ROOM.to_owned(),
+        made_by: Some(MADE_BY.to_owned()),
         world_from_body: Some(demo_room::world_from_body()),
     };
     Ok((scene, folder))
