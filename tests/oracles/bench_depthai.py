@@ -12,15 +12,17 @@ import time
 SIZES = ((640, 400), (1280, 800))
 ENGINES = ("stereo-matching", "stereo-noise")
 MODEL, LOOK_AT = "OAK-D Pro PoE", (0, 0, 1.15, 1, 0, 1.03)
+# Where nothing moves, light is rendered once.
+MOVING = "demo room, moving"
 WARM_UP, FPS = 5, 200
 
 
 def main(seconds, room):
     print("| scene | engine | size | frames/s | processor time of a frame |\n|---|---|---|---:|---:|")
-    for scene, path in (("demo room", room), ("textured wall", "")):
+    for scene, path in (("demo room", room), (MOVING, room), ("textured wall", "")):
         for engine in ENGINES:
             for width, height in SIZES:
-                command = [sys.executable, __file__, str(seconds), path, engine, str(width), str(height)]
+                command = [sys.executable, __file__, str(seconds), path, engine, str(width), str(height), scene]
                 rate, cost = subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()[-2:]
                 print(f"| {scene} | `{engine}` | {width} × {height} | {rate} | {cost} ms |", flush=True)
 
@@ -37,12 +39,20 @@ def wall():
     return oaktwin.Scene.from_meshes({"wall": mesh})
 
 
-def measure(seconds, path, engine, size):
+def forward(seconds):
+    """A walk to the table and back."""
+    import oaktwin
+
+    x = 0.1 * abs(seconds % 4 - 2)
+    return oaktwin.look_at((x, *LOOK_AT[1:3]), LOOK_AT[3:], frame="body")
+
+
+def measure(seconds, path, engine, size, scene):
     import depthai as dai
 
     from oaktwin.depthai import virtual_device
 
-    place = {"scene": path, "look_at": LOOK_AT} if path else {"scene": wall()}
+    place = {"scene": path} | ({"pose": forward} if scene == MOVING else {"look_at": LOOK_AT}) if path else {"scene": wall()}
     with virtual_device(MODEL, engine=engine, **place), dai.Pipeline() as pipeline:
         left, right = (pipeline.create(dai.node.Camera).build(getattr(dai.CameraBoardSocket, name)) for name in ("CAM_B", "CAM_C"))
         stereo = pipeline.create(dai.node.StereoDepth)
@@ -64,6 +74,6 @@ def measure(seconds, path, engine, size):
 
 if __name__ == "__main__":
     if len(sys.argv) > 3:
-        measure(float(sys.argv[1]), sys.argv[2], sys.argv[3], (int(sys.argv[4]), int(sys.argv[5])))
+        measure(float(sys.argv[1]), sys.argv[2], sys.argv[3], (int(sys.argv[4]), int(sys.argv[5])), sys.argv[6])
     else:
         main(float(sys.argv[1]), sys.argv[2])

@@ -23,8 +23,8 @@ def depth_image(path):
 # Noise changes the statistics of a picture, so those of five are compared.
 SEEDS = 5
 # How far outside the range of the known units a median may be, as a share: they are five of ten. The band left of the board is known
-# to be too narrow.
-MARGIN, MARGIN_LEFT = 0.05, 0.15
+# to be too narrow, and holes on the wall are known to be too high: smooth light has less texture than the wall of the rig.
+MARGIN, MARGIN_LEFT = 0.07, 0.15
 
 
 @pytest.fixture(scope="module")

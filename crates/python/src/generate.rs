@@ -296,7 +296,6 @@ impl Recipe {
             verify,
             workers,
             only_frames,
-            ..GenerateOptions::default()
         };
         let made = match ray {
             Ray::Switch(false) => self.generate_here(py, &output, &options, progress),

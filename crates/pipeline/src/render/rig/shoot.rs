@@ -41,7 +41,7 @@ impl Rig {
         Ok((shots, findings))
     }
 
-    /// Renders and measures a frame as [`Rig::shoot`] does, of a scene and a rig in motion: with a [shutter](RigSpec::shutter), colours and
+    /// Renders and measures a frame as [`Rig::shoot`] does, of a scene and a rig in motion: with a [shutter](super::RigSpec::shutter), colours and
     /// the images of the pair take time.
     ///
     /// # Errors

@@ -6,7 +6,7 @@ use ::gltf::json::{Root, deserialize};
 use oaktwin_files as files;
 use serde_json::Value;
 
-use super::animation::Channel;
+use super::channel::Channel;
 use super::placement::{Instancing, Placement, Skin};
 use super::uri::{self, Folder, Target};
 use super::{compressed, glb, json};

@@ -8,6 +8,7 @@
 mod accessor;
 mod animation;
 mod camera;
+mod channel;
 mod compressed;
 mod document;
 mod extension;

@@ -3,7 +3,7 @@
 use oaktwin_camera::math::{DAffine3, DMat4, DQuat, DVec3};
 use serde_json::{Map, Value, json};
 
-use super::animation::Change;
+use super::channel::Change;
 use super::json::objects;
 
 /// The extensions that hide a node and those below it: the ratified one, and the one that it was first drafted as.
