@@ -59,6 +59,18 @@ pub(crate) struct CoverageArgs {
     #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(crate) output: Option<PathBuf>,
 
+    /// Write report.html and report.csv to this folder: every model by day and by night, at its best pose, with pictures
+    ///
+    /// By night, the scene's lights are off. Stereo pairs are measured by stereo-matching, unless --engine names another engine.
+    #[arg(
+        long,
+        value_name = "DIR",
+        value_hint = ValueHint::DirPath,
+        requires = "model",
+        conflicts_with_all = ["output", "ambient", "json"]
+    )]
+    pub(crate) report: Option<PathBuf>,
+
     /// Place this model in the scene; repeatable
     #[arg(long, help_heading = "OAK")]
     pub(crate) model: Vec<String>,

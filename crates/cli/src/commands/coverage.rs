@@ -1,17 +1,18 @@
 mod asked;
+mod lights;
 mod text;
 
 use std::path::Path;
 
-use oaktwin::coverage::{self, Coverage, MeasuringRig, Options};
+use oaktwin::coverage::{self, Coverage, MeasuringRig};
 use oaktwin::files::{OutputFiles, WrittenFile};
 use oaktwin::image::{Image, png};
-use oaktwin::render::{OpenOptions, Renderer, SceneFile};
+use oaktwin::render::Renderer;
 use serde::Serialize;
 
 use crate::args::CoverageArgs;
 use crate::context::{Context, Exit, Result};
-use crate::{output, progress};
+use crate::output;
 
 /// The result of the command.
 #[derive(Serialize)]
@@ -27,12 +28,11 @@ pub(crate) fn run(context: &Context, args: &CoverageArgs) -> Result<Exit> {
     let sweep = coverage::Sweep::parse(args.height.as_deref(), args.tilt.as_deref())?;
     asked::check(args)?;
     args.threads.apply();
-    let models = asked::models(context, args)?;
-    let options = OpenOptions {
-        micro_texture: args.scene_options.micro_texture.unwrap_or(true),
-        ..args.scene_options.open_options()?
-    };
-    let mut scene = SceneFile::open(&args.scene, &options)?;
+    if let Some(folder) = &args.report {
+        return lights::run(context, args, &region, &sweep, folder);
+    }
+    let models = asked::models(context, args, None)?;
+    let mut scene = asked::scene(args)?;
     let mut findings = std::mem::take(&mut scene.findings);
     findings.extend(models.findings);
     let placements = asked::placements(args, &sweep, scene.scene.up)?;
@@ -53,13 +53,7 @@ pub(crate) fn run(context: &Context, args: &CoverageArgs) -> Result<Exit> {
     files.protect([args.scene.as_path()].into_iter().chain(args.poses.as_deref()));
     rigs.iter().try_for_each(MeasuringRig::check_memory)?;
     let renderer = Renderer::new(scene.scene);
-    let options = Options {
-        samples: args.samples,
-        tolerance_mm: args.tolerance,
-        ..Options::default()
-    };
-    let measured =
-        progress::watched(|watch| coverage::measure(&renderer, &region, &candidates, &options, watch))?;
+    let measured = asked::measure(args, &renderer, &region, &candidates)?;
     if args.output.is_some()
         && let Some(&best) = measured.ranking.first()
     {

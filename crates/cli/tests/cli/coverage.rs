@@ -86,6 +86,46 @@ fn files_contain_what_json_does() {
 }
 
 #[test]
+fn a_report_compares_day_and_night() {
+    let program = program();
+    let command = "coverage room.usda --region /World/Box --model oak-d-tof --model oak-d-lite --resolution 160x100 --samples 300 \
+                   --look-at 0 -2 1 0 0 0.25 --height 0.6,1.2 --report out";
+    let text = program.good(&words(command));
+    assert!(text.contains("By day") && text.contains("By night"), "{text}");
+    let csv = std::fs::read_to_string(program.path("out/report.csv")).unwrap();
+    let lines: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    let column = |name: &str| lines[0].iter().position(|other| *other == name).unwrap();
+    let measured = |light: &str, model: &str| {
+        let rows = lines
+            .iter()
+            .filter(|line| line[0] == light && line[column("model")] == model);
+        let shares: Vec<f64> = rows
+            .map(|line| line[column("measured")].parse().unwrap())
+            .collect();
+        assert_eq!(shares.len(), 2, "{light} {model}: a row for each height");
+        shares[0].max(shares[1])
+    };
+    // Time of flight has its own light; a passive pair sees nothing in the dark.
+    assert_eq!(measured("day", "OAK-D ToF"), measured("night", "OAK-D ToF"));
+    assert!(measured("night", "OAK-D ToF") > 0.3);
+    assert!(measured("night", "OAK-D Lite") < 0.1);
+    let html = std::fs::read_to_string(program.path("out/report.html")).unwrap();
+    let pictures: Vec<&str> = html
+        .split("src=\"")
+        .skip(1)
+        .filter_map(|rest| rest.split('"').next())
+        .collect();
+    assert_eq!(pictures.len(), 4, "each model in each light");
+    for picture in pictures {
+        let bytes = std::fs::read(program.path("out").join(picture)).unwrap();
+        assert!(bytes.starts_with(b"\x89PNG"), "{picture}");
+    }
+    for option in ["--ambient 0.5", "--json", "-o other"] {
+        program.refused(&words(&format!("{command}2 {option}")));
+    }
+}
+
+#[test]
 fn poses_of_a_file_are_compared() {
     let program = program();
     program.put(

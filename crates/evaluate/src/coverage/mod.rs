@@ -40,6 +40,7 @@
 
 mod clip;
 mod error;
+mod lights;
 mod look;
 mod measure;
 mod outcome;
@@ -57,6 +58,7 @@ mod tests;
 mod vantage;
 
 pub use error::CoverageError;
+pub use lights::{InLight, InLights, LIGHTS};
 pub use measure::{MAX_CANDIDATES, MAX_SAMPLES, Options, SAMPLES, measure};
 pub use outcome::{Outcome, Reason, reasons};
 pub use patches::{MAX_TRIANGLES, PATCHES, Patches};

@@ -27,21 +27,29 @@ impl Coverage {
     /// reason that occurs.
     #[must_use]
     pub fn to_csv(&self) -> String {
-        let occurs = |name: &&str| {
-            let mut candidates = self.candidates.iter();
-            candidates.any(|candidate| candidate.shares.lost.contains_key(name))
-        };
-        let reasons = reasons().iter().map(|reason| reason.name.as_str());
-        let reasons: Vec<&str> = reasons.filter(occurs).collect();
-        let mut table = csv::Writer::from_writer(Vec::new());
-        // Writing to memory does not fail.
-        let _ = table.write_record(COLUMNS.iter().chain(&reasons));
-        for (rank, &index) in (1..).zip(&self.ranking) {
-            let _ = table.write_record(row(rank, &self.candidates[index], &reasons));
-        }
-        let bytes = table.into_inner().unwrap_or_default();
-        String::from_utf8_lossy(&bytes).into_owned()
+        table(&[], &[(&[], self)])
     }
+}
+
+/// Returns a table in CSV of the candidates of each coverage, best first, after columns that are the same for all of its rows.
+pub(super) fn table(common: &[&str], parts: &[(&[String], &Coverage)]) -> String {
+    let occurs = |name: &&str| {
+        let mut candidates = parts.iter().flat_map(|(_, coverage)| &coverage.candidates);
+        candidates.any(|candidate| candidate.shares.lost.contains_key(name))
+    };
+    let reasons = reasons().iter().map(|reason| reason.name.as_str());
+    let reasons: Vec<&str> = reasons.filter(occurs).collect();
+    let mut table = csv::Writer::from_writer(Vec::new());
+    // Writing to memory does not fail.
+    let _ = table.write_record(common.iter().chain(&COLUMNS).chain(&reasons));
+    for (values, coverage) in parts {
+        for (rank, &index) in (1..).zip(&coverage.ranking) {
+            let row = row(rank, &coverage.candidates[index], &reasons);
+            let _ = table.write_record(values.iter().chain(&row));
+        }
+    }
+    let bytes = table.into_inner().unwrap_or_default();
+    String::from_utf8_lossy(&bytes).into_owned()
 }
 
 fn row(rank: usize, candidate: &CandidateCoverage, reasons: &[&str]) -> Vec<String> {

@@ -2,16 +2,19 @@
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DVec3;
-use oaktwin::coverage::{self, Base, Candidate, CoverageError, MeasuringRig, Placement, Region, Sweep};
+use oaktwin::catalog::DepthKind;
+use oaktwin::coverage::{
+    self, Base, Candidate, Coverage, CoverageError, MeasuringRig, Options, Placement, Region, Sweep,
+};
 use oaktwin::diagnostic::Finding;
-use oaktwin::render::{RigError, RigSpec, SceneFile, trajectory};
+use oaktwin::render::{OpenOptions, Renderer, RigError, RigSpec, SceneFile, trajectory};
 use oaktwin::scene::{Bounds, Up};
-use oaktwin::sensor::EngineInput;
+use oaktwin::sensor::{EngineInput, STEREO_MATCHING, depth_sensor};
 use oaktwin::usd::asset::LensChoice;
 
 use crate::args::CoverageArgs;
 use crate::context::{Context, Result};
-use crate::size;
+use crate::{progress, size};
 
 /// The models to compare.
 #[derive(Default)]
@@ -55,8 +58,34 @@ pub(super) fn check(args: &CoverageArgs) -> Result<()> {
     Ok(())
 }
 
-/// Creates the rigs of the models.
-pub(super) fn models(context: &Context, args: &CoverageArgs) -> Result<Models> {
+/// Opens the scene.
+pub(super) fn scene(args: &CoverageArgs) -> Result<SceneFile> {
+    let options = OpenOptions {
+        micro_texture: args.scene_options.micro_texture.unwrap_or(true),
+        ..args.scene_options.open_options()?
+    };
+    Ok(SceneFile::open(&args.scene, &options)?)
+}
+
+/// Measures the candidates.
+pub(super) fn measure(
+    args: &CoverageArgs,
+    renderer: &Renderer,
+    region: &Region,
+    candidates: &[Candidate<'_>],
+) -> Result<Coverage> {
+    let options = Options {
+        samples: args.samples,
+        tolerance_mm: args.tolerance,
+        ..Options::default()
+    };
+    Ok(progress::watched(|watch| {
+        coverage::measure(renderer, region, candidates, &options, watch)
+    })?)
+}
+
+/// Creates the rigs of the models. In a light, which is a factor on the scene's, stereo pairs are matched by default.
+pub(super) fn models(context: &Context, args: &CoverageArgs, ambient: Option<f64>) -> Result<Models> {
     let engine = args.engine.options()?;
     let is_pair = engine
         .engine
@@ -65,16 +94,23 @@ pub(super) fn models(context: &Context, args: &CoverageArgs) -> Result<Models> {
     if !args.pair.imager.is_empty() && !is_pair {
         return Err("--imager requires --engine stereo-matching".into());
     }
+    let mut pair = args.pair.options(args.unit.lens)?;
+    pair.ambient = ambient.unwrap_or(pair.ambient);
     let spec = RigSpec {
         sensor: engine,
         size: size::parse("--resolution", args.resolution.as_deref())?,
-        pair: args.pair.options(args.unit.lens)?,
+        pair,
         ..RigSpec::default()
     };
     let mut models = Models::default();
     for name in &args.model {
         let (twin, findings) = context.twin(name, &args.unit)?;
         models.calibration_findings.extend(findings);
+        let mut spec = spec.clone();
+        let is_stereo = depth_sensor(&twin, args.sensor.as_deref())?.spec.kind == DepthKind::Stereo;
+        if ambient.is_some() && is_stereo && spec.sensor.engine.is_none() {
+            spec.sensor.engine = Some((&STEREO_MATCHING).into());
+        }
         let (rig, findings) = MeasuringRig::new(&twin, args.sensor.as_deref(), args.pair.projector, &spec)?;
         if !models.rigs.iter().any(|known| known.name() == rig.name()) {
             models.rigs.push(rig);

@@ -1,0 +1,95 @@
+//! The report of `coverage` by day and by night.
+
+use std::path::Path;
+
+use oaktwin::coverage::{self, InLight, InLights, LIGHTS, MeasuringRig, Region, Sweep};
+use oaktwin::diagnostic::Finding;
+use oaktwin::files::OutputFiles;
+use oaktwin::image::png;
+use oaktwin::render::Renderer;
+
+use super::asked::{self, Models};
+use crate::args::CoverageArgs;
+use crate::context::{Context, Exit, Result};
+use crate::output;
+
+pub(super) fn run(
+    context: &Context,
+    args: &CoverageArgs,
+    region: &Region,
+    sweep: &Sweep,
+    folder: &Path,
+) -> Result<Exit> {
+    let mut scene = asked::scene(args)?;
+    let mut findings = std::mem::take(&mut scene.findings);
+    let placements = asked::placements(args, sweep, scene.scene.up)?;
+    let mut files = OutputFiles::in_folder(folder)?;
+    files.protect([args.scene.as_path()].into_iter().chain(args.poses.as_deref()));
+    let of_light = |(_, ambient): (&str, f64)| asked::models(context, args, Some(ambient));
+    let models: Vec<Models> = LIGHTS.into_iter().map(of_light).collect::<Result<_>>()?;
+    let renderer = Renderer::new(scene.scene);
+    let mut lights = Vec::new();
+    for ((name, ambient), models) in LIGHTS.into_iter().zip(&models) {
+        models.rigs.iter().try_for_each(MeasuringRig::check_memory)?;
+        let candidates = coverage::candidates(&models.rigs, &placements);
+        let coverage = asked::measure(args, &renderer, region, &candidates)?;
+        if coverage.is_interrupted {
+            output::say("interrupted: no report is written");
+            return Ok(Exit::Interrupted);
+        }
+        add(&mut findings, models.findings.iter().chain(&coverage.findings));
+        lights.push(InLight {
+            name,
+            ambient,
+            coverage,
+        });
+    }
+    let report = InLights {
+        scene: args.scene.display().to_string(),
+        tolerance_mm: args.tolerance,
+        lights,
+    };
+    for candidate in report.best() {
+        for (light, models) in models.iter().enumerate() {
+            let shares = &report.lights[light].coverage.candidates[candidate].shares;
+            let candidates = coverage::candidates(&models.rigs, &placements);
+            let picture = coverage::picture(&renderer, region, &candidates[candidate], shares)?;
+            files.write(
+                Path::new(&picture_name(candidate, light)),
+                &png::encode(&picture)?,
+            )?;
+        }
+    }
+    files.write(Path::new("report.csv"), report.to_csv().as_bytes())?;
+    files.write(Path::new("report.html"), report.to_html(picture_name).as_bytes())?;
+    for in_light in &report.lights {
+        output::print(&format!(
+            "By {}\n{}\n",
+            in_light.name,
+            super::text::report(&in_light.coverage, &[])
+        ))?;
+    }
+    for file in files.files() {
+        output::print(&format!("Written: {}\n", file.path.display()))?;
+    }
+    if let (Some(calibration), Some(models)) = (&args.unit.calibration, models.first()) {
+        output::say_findings(calibration, &models.calibration_findings);
+    }
+    output::say_findings(&args.scene, &findings);
+    Ok(Exit::Success)
+}
+
+/// The name of the picture of a candidate in a light.
+fn picture_name(candidate: usize, light: usize) -> String {
+    let name = LIGHTS.get(light).map_or("", |(name, _)| name);
+    format!("candidate_{candidate}_{name}.png")
+}
+
+/// Adds findings that are new: those of both lights are mostly the same.
+fn add<'a>(findings: &mut Vec<Finding>, more: impl Iterator<Item = &'a Finding>) {
+    for finding in more {
+        if !findings.contains(finding) {
+            findings.push(finding.clone());
+        }
+    }
+}
