@@ -121,7 +121,10 @@ fn a_report_compares_day_and_night() {
         assert!(bytes.starts_with(b"\x89PNG"), "{picture}");
     }
     for option in ["--ambient 0.5", "--json", "-o other"] {
-        program.refused(&words(&format!("{command}2 {option}")));
+        let ended = program.run(&words(&format!("{command}2 {option}")));
+        assert_eq!(ended.code, 2, "{option}");
+        assert!(ended.stderr.contains("cannot be used with"), "{}", ended.stderr);
+        assert!(!program.path("out2").exists(), "{option}");
     }
 }
 
