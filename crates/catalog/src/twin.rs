@@ -51,7 +51,7 @@ pub struct TwinCamera {
     pub spec: Camera,
     /// The pixel pitch of the sensor's mode, µm.
     pub pixel_size_um: f64,
-    /// The time from the exposure of the first row to that of the last in s; 0 of a sensor that does not roll.
+    /// The readout time, s: how much later the last row is exposed than the first; 0 unless the sensor rolls.
     pub readout_s: f64,
     /// The intrinsics at the sensor's used resolution.
     pub intrinsics: Intrinsics,

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use oaktwin_base::diagnostic::Finding;
+use oaktwin_base::diagnostic::{Finding, add_new};
 use oaktwin_camera::math::DVec3;
 use oaktwin_catalog::InertialPart;
 use oaktwin_dataset::{WriteError, euroc};
@@ -49,11 +49,7 @@ impl Context {
         let mut findings = Vec::new();
         for model in inertial.parts.keys() {
             let unit = DrawnUnit::draw(self, model, 0);
-            for finding in self.samples(inertial, 0, &unit)?.1 {
-                if !findings.contains(&finding) {
-                    findings.push(finding);
-                }
-            }
+            add_new(&mut findings, self.samples(inertial, 0, &unit)?.1);
         }
         Ok(findings)
     }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use oaktwin::camera::{Camera, ImageSize, RigidTransform};
 use oaktwin::depth::{Capture, Engine};
-use oaktwin::diagnostic::Finding;
+use oaktwin::diagnostic::{Finding, add_new};
 use oaktwin::image::annotation::{Annotator, Frame};
 use oaktwin::image::{Image, ImageView, ZDepth};
 use oaktwin::pair::Pair;
@@ -157,11 +157,7 @@ impl Station {
         findings.extend(seen.findings.iter().cloned());
         findings.extend(pair.iter().flat_map(|pair| pair.findings.clone()));
         let mut unique: Vec<Finding> = Vec::new();
-        for finding in findings {
-            if !unique.contains(&finding) {
-                unique.push(finding);
-            }
-        }
+        add_new(&mut unique, findings);
         let filters = oak.sensor.filters().filters().iter();
         let measurement = Measurement {
             engine: Arc::clone(oak.sensor.engine()),

@@ -31,6 +31,15 @@ pub struct Finding {
     pub remedy: Message,
 }
 
+/// Adds the findings that are not in a list yet.
+pub fn add_new(findings: &mut Vec<Finding>, more: impl IntoIterator<Item = Finding>) {
+    for finding in more {
+        if !findings.contains(&finding) {
+            findings.push(finding);
+        }
+    }
+}
+
 impl Finding {
     /// A finding; the remedy may be empty.
     pub fn new(

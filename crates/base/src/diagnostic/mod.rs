@@ -11,7 +11,7 @@ pub mod stored;
 mod suggest;
 
 pub use crate::message;
-pub use finding::{Finding, Level};
+pub use finding::{Finding, Level, add_new};
 pub use group::{FindingGroup, group};
 pub use message::{Message, Opt, Style, command, opt, with_style};
 pub use suggest::{fold_name, nearest, suggest, suggestion};

@@ -37,7 +37,7 @@ pub struct Sensor {
     /// Whether all rows are exposed at once or one after another; absent if no source states it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shutter: Option<ShutterKind>,
-    /// The time from the exposure of the first row to that of the last in the used mode in ms, of a sensor that rolls.
+    /// The readout time in the used mode, ms: how much later a rolling sensor exposes its last row than its first.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub readout_ms: Option<f64>,
     /// The wavelength of the light source in nm, for time-of-flight sensors.
@@ -74,7 +74,7 @@ pub enum ShutterKind {
 }
 
 impl Sensor {
-    /// Returns the time from the exposure of the first row to that of the last in s; 0 of a sensor that does not roll.
+    /// Returns the readout time, s: how much later the last row is exposed than the first. It is 0 unless the sensor rolls.
     #[must_use]
     pub fn readout_s(&self) -> f64 {
         match self.shutter {

@@ -31,7 +31,7 @@ pub(crate) struct ShutterArgs {
     )]
     velocity: Option<Vec<f64>>,
 
-    /// Take the frames of this camera so many ms after those of the others; repeatable
+    /// Delay the frames of a camera by this many ms relative to the other cameras; repeatable
     ///
     /// They have the camera's own times, poses and scenes, for devices whose cameras are not synchronized.
     #[arg(long, value_name = "CAMERA=MS")]

@@ -40,8 +40,8 @@
 //!   after correction; the fixed pattern; the unit of the unwrapping threshold; the minimum amplitude.
 //! * A measurement is one exposure with all four samples, as a four-tap pixel takes them. The order of the measurements is
 //!   low, high, low shuffled, high shuffled; two per frame, so that each frame shares half of its measurements with
-//!   the previous one except in burst mode. The four samples of a frequency see the same; the two frequencies see an
-//!   edge that moves across the image at different places, where the light is that of the frame. A device also blurs it.
+//!   the previous one except in burst mode. The four samples of a frequency see the same; the two frequencies see a
+//!   moving edge at different places of the image. The brightness is taken from the time of the frame. A device also blurs the edge.
 //! * `enableTemperatureCorrection` and `enableDistortionCorrection` have no counterpart: neither temperature nor lens distortion is modelled.
 
 mod batch;

@@ -87,12 +87,13 @@ impl InLights {
             |most| format!("with an error of at most {most} mm"),
         );
         let (mut rows, mut figures) = (String::new(), String::new());
-        for candidate in self.best() {
+        let best = self.best();
+        for &candidate in &best {
             for (light, in_light) in self.lights.iter().enumerate() {
                 let Some(found) = in_light.coverage.candidates.get(candidate) else {
                     continue;
                 };
-                let is_best = self.best_in(light) <= found.shares.measured;
+                let is_best = most(in_light, &best) <= found.shares.measured;
                 rows += &row(found, in_light.name, is_best);
                 let caption = format!(
                     "{}, {}, {}",
@@ -114,19 +115,10 @@ impl InLights {
              <table><thead><tr><th class=\"text\">Model</th><th class=\"text\">Light</th><th class=\"text\">Engine</th>\
              <th class=\"text\">Pose</th><th>Visible, %</th><th>Measured, %</th><th>Measured of visible, %</th>\
              <th>Median |error|, mm</th><th class=\"text\">Lost most</th></tr></thead>\n<tbody>\n{rows}</tbody></table>\n{figures}\
-             <p>Simulated by oaktwin {}. By night, the only light is that of the dot projector, and of time-of-flight sensors.</p>\n</body></html>\n",
+             <p>Simulated by oaktwin {}. By night, only the dot projector and time-of-flight sensors light the scene.</p>\n</body></html>\n",
             escaped(&self.scene),
             env!("CARGO_PKG_VERSION")
         )
-    }
-
-    /// The largest share that a candidate measures in a light.
-    fn best_in(&self, light: usize) -> f64 {
-        let candidates = &self.lights[light].coverage.candidates;
-        let shown = self.best().into_iter().filter_map(|index| candidates.get(index));
-        shown
-            .map(|candidate| candidate.shares.measured)
-            .fold(0.0, f64::max)
     }
 
     fn region(&self) -> String {
@@ -143,6 +135,16 @@ impl InLights {
         }
         places
     }
+}
+
+/// The largest share that one of the candidates measures in a light.
+fn most(light: &InLight, candidates: &[usize]) -> f64 {
+    let shown = candidates
+        .iter()
+        .filter_map(|index| light.coverage.candidates.get(*index));
+    shown
+        .map(|candidate| candidate.shares.measured)
+        .fold(0.0, f64::max)
 }
 
 fn row(candidate: &CandidateCoverage, light: &str, is_best: bool) -> String {

@@ -1,6 +1,6 @@
 use std::collections::BTreeMap;
 
-use oaktwin_base::diagnostic::{Finding, message, opt};
+use oaktwin_base::diagnostic::{Finding, add_new, message, opt};
 use oaktwin_pipeline::progress::{Progress, Watch};
 use oaktwin_pipeline::render::Renderer;
 use oaktwin_scene::Scene;
@@ -179,11 +179,7 @@ impl Tally {
             occluders: occluders(scene, &look.occluders, look.outcomes.len()),
         });
         self.measured.push(Bits::new(&look.outcomes));
-        for finding in look.findings {
-            if !self.findings.contains(&finding) {
-                self.findings.push(finding);
-            }
-        }
+        add_new(&mut self.findings, look.findings);
         if self.keeps_points {
             self.outcomes.push(look.outcomes);
             self.errors_m.push(look.errors_m);

@@ -3,12 +3,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
+use oaktwin_base::diagnostic::add_new;
 use oaktwin_dataset::WriteError;
 use oaktwin_files::{AtomicFile, FileError, OutputFiles, PackedFiles};
 use serde_json::json;
 
 use super::store::{Container, FileRecord, FrameRecord, Store, checksum, pretty};
-use super::{Generated, PlacedFormat, add_new};
+use super::{Generated, PlacedFormat};
 use crate::GenerateError;
 use crate::context::Context;
 use crate::unit;

@@ -150,12 +150,3 @@ impl Generator {
         Generation::start(Arc::clone(&self.context), root, options)
     }
 }
-
-/// Adds the findings that are not in a list yet.
-fn add_new(findings: &mut Vec<Finding>, more: Vec<Finding>) {
-    for finding in more {
-        if !findings.contains(&finding) {
-            findings.push(finding);
-        }
-    }
-}

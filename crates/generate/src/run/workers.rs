@@ -5,13 +5,13 @@ use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-use oaktwin_base::diagnostic::Finding;
+use oaktwin_base::diagnostic::{Finding, add_new};
 use oaktwin_files::OutputFiles;
 use oaktwin_files::memory;
 use oaktwin_pipeline::progress::{Progress, Watch};
 
 use super::store::{FrameRecord, Store};
-use super::{Generated, PlacedFormat, add_new};
+use super::{Generated, PlacedFormat};
 use crate::GenerateError;
 use crate::context::Context;
 use crate::frame::FrameMaker;

@@ -4,7 +4,7 @@ use super::{Pair, PairError, PairOptions};
 use crate::limits::check_size;
 use crate::render::{Moments, RigError, Shutter, exposed};
 use crate::sensor::Illumination;
-use oaktwin_base::diagnostic::Finding;
+use oaktwin_base::diagnostic::{Finding, add_new};
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Axes, Camera, Intrinsics, LensModel, OpenCv, PixelPoint, RigidTransform};
 use oaktwin_catalog::{self as catalog, DepthKind, Role, Twin};
@@ -210,11 +210,7 @@ impl PairCameras {
         renderer: &Renderer,
         world_from_body: &RigidTransform,
     ) -> PairLight {
-        for finding in more {
-            if !findings.contains(&finding) {
-                findings.push(finding);
-            }
-        }
+        add_new(&mut findings, more);
         let truth = View {
             camera: Camera::new(self.rectify.geometry().left, LensModel::Pinhole),
             world_from_camera: *world_from_body * self.body_from_rectified_left(),

@@ -26,7 +26,7 @@ pub struct PlacedCamera {
     pub mount_from_camera: RigidTransform,
     /// The pose of that frame in the world, metres.
     pub world_from_mount: RigidTransform,
-    /// The time from the exposure of the first row to that of the last in s: 0 of a global shutter; `None` of a camera of the scene, whose
+    /// The readout time, s: how much later the last row is exposed than the first. 0 for a global shutter; `None` for a camera of the scene, whose
     /// shutter is unknown.
     pub readout_s: Option<f64>,
     /// The attributes of the camera's prim.

@@ -14,7 +14,7 @@ use super::trajectory::{self, TimedPose};
 use crate::progress::Watch;
 use crate::recording::RecordingFileError;
 use crate::write::{Producer, write_while};
-use oaktwin_base::diagnostic::{Finding, Level, message, opt};
+use oaktwin_base::diagnostic::{Finding, Level, add_new, message, opt};
 use oaktwin_dataset::{WriteError, Writer};
 use oaktwin_files::{FileError, OutputFiles, WrittenFile};
 use oaktwin_imu::Motion;
@@ -335,11 +335,7 @@ fn note(more: Vec<Finding>, is_strict: bool, findings: &mut Vec<Finding>) -> Res
     if let Some(warning) = warning.filter(|_| is_strict) {
         return Err(FramesError::Strict(warning.clone()));
     }
-    for finding in more {
-        if !findings.contains(&finding) {
-            findings.push(finding);
-        }
-    }
+    add_new(findings, more);
     Ok(())
 }
 

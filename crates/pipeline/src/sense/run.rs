@@ -20,7 +20,7 @@ use crate::limits;
 use crate::progress::Watch;
 use crate::sensor::{self, Engine, Sensor};
 use crate::write::{Producer, write_while};
-use oaktwin_base::diagnostic::{Finding, message, opt};
+use oaktwin_base::diagnostic::{Finding, add_new, message, opt};
 use oaktwin_camera::{Camera, ImageSize, RigidTransform, UsdOptics};
 use oaktwin_catalog::{Twin, TwinCamera, TwinDepthSensor};
 use oaktwin_dataset::{self as dataset, Extras, FlatWriter, InputName, Shot, View, Writer};
@@ -107,11 +107,7 @@ pub fn sense(
         }
         Ok::<_, SenseError>(ControlFlow::Continue(()))
     })?;
-    for finding in findings {
-        if !sensed.findings.contains(&finding) {
-            sensed.findings.push(finding);
-        }
-    }
+    add_new(&mut sensed.findings, findings);
     sensed.images = written.complete;
     sensed.is_interrupted = written.is_interrupted;
     sensed.files = output_files.files().to_vec();

@@ -40,7 +40,7 @@ class Rig:
     backend: "auto", "raster" or "ray".
     transparent: the ground truth of transparent surfaces: "surface" (default), or "through" for what lies behind the clear ones.
     exposure_ms: how long each row is exposed, ms, which blurs what moves in `shoot` with a velocity. By default frames are moments.
-    readout_ms: the time from the exposure of the first row to that of the last, ms, of sensors that roll; by default the sensor's own, if
+    readout_ms: the readout time, ms: how much later sensors that roll expose the last row than the first; by default the sensor's own, if
         there is an exposure.
     engine: the error model: "stereo-noise" (an OAK's stereo; the default for stereo), "time-of-flight" (the default for
         time of flight), "single-view" (Isaac Sim's DepthSensorDistance), "stereo-matching", which matches pairs of images

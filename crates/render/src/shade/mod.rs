@@ -170,6 +170,26 @@ pub(crate) struct LuminanceParts {
     pub(crate) beam: Option<Image<f32>>,
 }
 
+impl ShadingContext<'_> {
+    /// Antialiases the outlines of an image that was made from the linear colours of pixel centres, by `value`.
+    fn smooth<T: Send>(
+        &self,
+        corners: &Corners<'_>,
+        seen: &Visibility,
+        colors: &Image<[f32; 3]>,
+        image: &mut Image<T>,
+        value: impl Fn(Vec3) -> T + Sync,
+    ) {
+        let mut rgb = self.spare.bytes.image(colors.width(), colors.height(), [0; 4]);
+        film::develop(self.film, colors, seen, &mut rgb);
+        let outlines = outlines::outlines_of(seen, &rgb, self.level);
+        self.spare.bytes.keep(rgb);
+        edges::smooth(self, corners, seen, colors, &outlines, image, |pixel, color| {
+            *pixel = value(color);
+        });
+    }
+}
+
 impl Shader {
     pub(crate) fn new(scene: &Scene, caster: &RayCaster, assets: ShaderAssets) -> Self {
         Self {
@@ -220,19 +240,9 @@ impl Shader {
         self.with_context(input, Film::Linear, |context| {
             let colors = context.centres(input.rays, input.seen).colors;
             let mut smooth = colors.clone();
-            let mut rgb = context.spare.bytes.image(colors.width(), colors.height(), [0; 4]);
-            film::develop(context.film, &colors, input.seen, &mut rgb);
-            let outlines = outlines::outlines_of(input.seen, &rgb, context.level);
-            context.spare.bytes.keep(rgb);
-            edges::smooth(
-                context,
-                corners,
-                input.seen,
-                &colors,
-                &outlines,
-                &mut smooth,
-                |pixel, color| *pixel = color.to_array(),
-            );
+            context.smooth(corners, input.seen, &colors, &mut smooth, |color| {
+                color.to_array()
+            });
             context.spare.colors.keep(colors);
             smooth
         })
@@ -251,21 +261,7 @@ impl Shader {
             let value = |color: Vec3| luminance(color) * (1.0 / WHITE);
             let mut grey = colors.map(|color| value(Vec3::from(*color)));
             if let Some(corners) = corners {
-                let mut rgb = context.spare.bytes.image(colors.width(), colors.height(), [0; 4]);
-                film::develop(context.film, &colors, input.seen, &mut rgb);
-                let outlines = outlines::outlines_of(input.seen, &rgb, context.level);
-                context.spare.bytes.keep(rgb);
-                edges::smooth(
-                    context,
-                    corners,
-                    input.seen,
-                    &colors,
-                    &outlines,
-                    &mut grey,
-                    |pixel, color| {
-                        *pixel = value(color);
-                    },
-                );
+                context.smooth(corners, input.seen, &colors, &mut grey, value);
             }
             context.spare.colors.keep(colors);
             LuminanceParts {

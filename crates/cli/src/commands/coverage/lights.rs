@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use oaktwin::coverage::{self, InLight, InLights, LIGHTS, MeasuringRig, Region, Sweep};
-use oaktwin::diagnostic::Finding;
+use oaktwin::diagnostic::add_new;
 use oaktwin::files::OutputFiles;
 use oaktwin::image::png;
 use oaktwin::render::Renderer;
@@ -37,7 +37,11 @@ pub(super) fn run(
             output::say("interrupted: no report is written");
             return Ok(Exit::Interrupted);
         }
-        add(&mut findings, models.findings.iter().chain(&coverage.findings));
+        // Both lights have mostly the same.
+        add_new(
+            &mut findings,
+            models.findings.iter().chain(&coverage.findings).cloned(),
+        );
         lights.push(InLight {
             name,
             ambient,
@@ -83,13 +87,4 @@ pub(super) fn run(
 fn picture_name(candidate: usize, light: usize) -> String {
     let name = LIGHTS.get(light).map_or("", |(name, _)| name);
     format!("candidate_{candidate}_{name}.png")
-}
-
-/// Adds findings that are new: those of both lights are mostly the same.
-fn add<'a>(findings: &mut Vec<Finding>, more: impl Iterator<Item = &'a Finding>) {
-    for finding in more {
-        if !findings.contains(finding) {
-            findings.push(finding.clone());
-        }
-    }
 }

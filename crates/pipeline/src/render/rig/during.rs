@@ -1,6 +1,6 @@
 //! What a camera sees while it takes a frame, beside the moment of the frame.
 
-use oaktwin_base::diagnostic::Finding;
+use oaktwin_base::diagnostic::{Finding, add_new};
 use oaktwin_camera::Camera;
 use oaktwin_image::annotation::Frame;
 use oaktwin_render::Backend;
@@ -63,11 +63,7 @@ impl During {
     pub(super) fn put(self, camera: &Camera, frame: &mut Frame, findings: &mut Vec<Finding>) {
         if let Some((rgb, more)) = self.colours {
             frame.rgb = Some(rgb);
-            for finding in more {
-                if !findings.contains(&finding) {
-                    findings.push(finding);
-                }
-            }
+            add_new(findings, more);
         }
         let depth = frame.distance_to_image_plane.as_ref();
         frame.radial_velocities =

@@ -1,6 +1,6 @@
 //! Sums of light over the time of a frame.
 
-use oaktwin_base::diagnostic::Finding;
+use oaktwin_base::diagnostic::{Finding, add_new};
 use oaktwin_camera::{ImageSize, OpenCv, PixelPoint, RigidTransform};
 use oaktwin_image::Image;
 use oaktwin_render::{Backend, Renderer, View};
@@ -76,11 +76,7 @@ pub(crate) fn exposed<const CHANNELS: usize>(
         }
         let [_, end] = ends;
         last = Some((to, end));
-        for finding in found {
-            if !findings.contains(&finding) {
-                findings.push(finding);
-            }
-        }
+        add_new(&mut findings, found);
         for (row, weight) in sample.weights {
             let source = (row - sample.rendered.start) as usize * width;
             let target = row as usize * width;

@@ -34,7 +34,7 @@ const MAX_MS: f64 = 10_000.0;
 pub struct Shutter {
     /// The exposure of each row, ms.
     pub exposure_ms: f64,
-    /// The time from the exposure of the first row to that of the last, ms, of sensors that roll and of cameras whose sensor is unknown.
+    /// The readout time, ms: how much later the last row is exposed than the first, on sensors that roll and in cameras whose sensor is unknown.
     /// By default the catalog's; 0 of unknown ones.
     pub readout_ms: Option<f64>,
 }

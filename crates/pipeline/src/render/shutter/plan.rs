@@ -24,7 +24,7 @@ const STILL_PX: f64 = 0.05;
 pub(crate) struct Timing {
     /// The exposure of each row.
     pub(crate) exposure_s: f64,
-    /// The time from the exposure of the first row to that of the last.
+    /// The readout time: how much later the last row is exposed than the first.
     pub(crate) readout_s: f64,
 }
 
