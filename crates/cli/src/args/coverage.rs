@@ -59,7 +59,7 @@ pub(crate) struct CoverageArgs {
     #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(crate) output: Option<PathBuf>,
 
-    /// Write report.html and report.csv to this folder: every model by day and by night, at its best pose, with pictures
+    /// Write report.html and report.csv, with pictures by day and by night, to this folder
     ///
     /// By night, the scene's lights are off. Stereo pairs are measured by stereo-matching, unless --engine names another engine.
     #[arg(
