@@ -11,8 +11,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-# What examples expect on their command lines, and the models that some folders need.
+# What examples expect on their command lines, and the models that some folders need. CALIBRATION stands for a file of the model.
 ARGUMENTS = {
+    "calibration_load.py": ["CALIBRATION"],
     "camera_multiple_outputs.py": "640 480 0 30 CAM_A 300 300 0 30 CAM_A 300 300 1 30 CAM_A".split(),
     "camera_timings.py": "640 480 0 30".split(),
 }
@@ -34,6 +35,7 @@ def main() -> None:
     parser.add_argument("--scene", required=True, help="the scene that they see")
     parser.add_argument("--model", default="OAK-D-Pro-PoE", help="the model (default: %(default)s)")
     parser.add_argument("--seconds", type=float, default=20.0, help="the time of each (default: %(default)s)")
+    parser.add_argument("--calibration", type=Path, default="calibration.json", help="a calibration of the model (default: %(default)s)")
     options = parser.parse_args()
     counts: dict[str, int] = {}
     print("| example | result |\n|---|---|")
@@ -51,7 +53,8 @@ def run(script: Path, options: argparse.Namespace) -> str:
     model = next((model for folder, model in MODELS.items() if folder in script.parts), options.model)
     command = [sys.executable, "-m", "oaktwin.depthai", "--model", model, "--scene", str(Path(options.scene).resolve()), *place]
     command += ["--engine", "stereo-noise", "--headless", "3", "--seconds", str(options.seconds)]
-    command += ["--", script.name, *ARGUMENTS.get(script.name, [])]
+    calibration = str(options.calibration.resolve())
+    command += ["--", script.name, *(calibration if one == "CALIBRATION" else one for one in ARGUMENTS.get(script.name, []))]
     try:
         done = subprocess.run(
             command,

@@ -36,7 +36,7 @@ pub(crate) fn run(args: &Args) -> ExitCode {
 }
 
 fn compare(data: PathBuf) -> Result<u8, String> {
-    let program = workspace::build_program("oaktwin", &["--workspace"])?;
+    let program = workspace::oaktwin("dev")?;
     let python = CURRENT.ready()?;
     let script = workspace::root().join("tests/oracles/conformance.py");
     let mut command = isolated(&python);

@@ -21,25 +21,35 @@ pub(crate) struct Args {
     profile: String,
 }
 
-/// Writes the demo room and returns its stage.
-pub(crate) fn demo_room(profile: &str) -> Result<PathBuf, String> {
-    let options = ["-p", "oaktwin-cli", "--profile", profile, "--features", "full"];
-    let program = workspace::build_program("oaktwin", &options)?;
-    let folder = workspace::root().join("target/depthai-examples");
+/// What `oaktwin demo` wrote.
+pub(crate) struct Demo {
+    pub(crate) room: PathBuf,
+    /// The calibration of an OAK-D Pro PoE.
+    calibration: PathBuf,
+}
+
+/// Writes the demo room and the calibration of a unit.
+pub(crate) fn demo(profile: &str) -> Result<Demo, String> {
+    let program = workspace::oaktwin(profile)?;
+    let folder = workspace::target().join("depthai-examples");
     check(Command::new(program).args(["demo", "--output"]).arg(&folder))?;
-    Ok(folder.join("demo_room/demo_room.usda"))
+    Ok(Demo {
+        room: folder.join("demo_room/demo_room.usda"),
+        calibration: folder.join("example_calibration.json"),
+    })
 }
 
 /// Runs the examples and prints the table of the manual.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
     let python = PEERS.ready()?;
     install_wheel(&python, &build_wheel(&python, &args.profile)?)?;
-    let scene = match &args.scene {
-        Some(scene) => scene.clone(),
-        None => demo_room(&args.profile)?,
-    };
+    let demo = demo(&args.profile)?;
     let mut examples = Command::new(&python);
     examples.arg(workspace::root().join("xtask/depthai_examples.py"));
-    examples.arg(&args.examples).arg("--scene").arg(scene);
+    examples.arg(&args.examples);
+    examples
+        .arg("--scene")
+        .arg(args.scene.as_ref().unwrap_or(&demo.room));
+    examples.arg("--calibration").arg(&demo.calibration);
     check(examples.args(["--seconds", &args.seconds.to_string()]))
 }

@@ -85,7 +85,7 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
 
 /// Builds the program that lists the targets and writes their seeds.
 fn targets(seeds: &Path) -> Result<Vec<Target>, String> {
-    let program = workspace::build_program("fuzz-targets", &["-p", "oaktwin-fuzz", "--quiet"])?;
+    let program = workspace::build_program("fuzz-targets", &["--workspace", "--quiet"])?;
     let listed = output(Command::new(program).arg(seeds))?;
     let target = |line: &str| {
         let mut fields = line.splitn(3, '\t').map(str::to_owned);

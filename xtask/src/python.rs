@@ -236,7 +236,7 @@ fn pinned(file: &Path) -> Result<String, String> {
 
 /// Builds the native module of the Python package with one of cargo's profiles, packs it into a wheel, and returns its path.
 pub(crate) fn build_wheel(python: &Path, profile: &str) -> Result<PathBuf, String> {
-    let mut built = workspace::build(&["--package", "oaktwin-python", "--profile", profile])?;
+    let mut built = workspace::build(&["--workspace", "--lib", "--profile", profile])?;
     let module = built.remove(MODULE).ok_or("cargo built no native module")?;
     pack_wheel(python, &module)
 }

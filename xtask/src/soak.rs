@@ -23,17 +23,7 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
     if !cfg!(target_os = "linux") {
         return Err("memory and descriptors are read below /proc, which only Linux has".into());
     }
-    let program = workspace::build_program(
-        "oaktwin",
-        &[
-            "-p",
-            "oaktwin-cli",
-            "--profile",
-            &args.profile,
-            "--features",
-            "full",
-        ],
-    )?;
+    let program = workspace::oaktwin(&args.profile)?;
     let python = PACKAGE.ready()?;
     install_wheel(&python, &build_wheel(&python, &args.profile)?)?;
     let mut soak = Command::new(&python);

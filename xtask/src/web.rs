@@ -41,7 +41,7 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
         println!("{}: {bytes} bytes", path.display());
     }
     if args.pictures {
-        let program = workspace::build_program("oaktwin", &["-p", "oaktwin-cli", "--features", "studio"])?;
+        let program = workspace::oaktwin("dev")?;
         let server = Server::of(&program)?;
         let mut pictures = npm(&["run", "pictures", "--"]);
         pictures.arg(workspace::root().join("docs/images"));

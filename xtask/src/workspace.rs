@@ -170,6 +170,12 @@ pub(crate) fn metadata(arguments: &[&str]) -> Result<Value, String> {
     serde_json::from_str(&output(&mut command)?).map_err(|error| format!("cargo metadata: {error}"))
 }
 
+/// Builds `oaktwin` with everything in it, and returns its path. Built with the workspace, it shares what the tests and the
+/// package have compiled; a package on its own selects other features of its dependencies, and compiles them again.
+pub(crate) fn oaktwin(profile: &str) -> Result<PathBuf, String> {
+    build_program("oaktwin", &["--workspace", "--profile", profile])
+}
+
 /// Builds a program with additional arguments, and returns its path.
 pub(crate) fn build_program(name: &str, arguments: &[&str]) -> Result<PathBuf, String> {
     build(&[arguments, &["--bin", name]].concat())?

@@ -57,6 +57,16 @@ def test_images_state_the_intrinsics_that_are_set():
     assert found == pytest.approx(1.1 * handler.getCameraIntrinsics(CAM_B, *SIZE)[0][0], rel=1e-4)
 
 
+@pytest.mark.filterwarnings("ignore:.*not the images")
+def test_the_calibration_of_a_unit_is_set_on_a_nominal_device():
+    [unit] = oaktwin.Device(MODEL).population(1, seed=3)
+    [text] = unit.to_depthai().values()
+    handler = dai.CalibrationHandler.fromJson(json.loads(text))
+    with virtual_device(MODEL, scene=textured_scene(), fast=True), dai.Device() as device:
+        device.setCalibration(handler)
+        assert device.readCalibration().getCameraIntrinsics(CAM_B) == handler.getCameraIntrinsics(CAM_B)
+
+
 def test_a_calibration_of_another_model_is_refused():
     other = oaktwin.Device("OAK-D ToF").to_depthai()
     [text] = other.values()

@@ -202,7 +202,9 @@ def depth_node_without_configuration(pipeline):
     node = pipeline.create(dai.node.Depth).build(dai.node.Depth.Algorithm.AUTO, None, (320, 200))
     queue = node.depth.createOutputQueue()
     pipeline.build()
-    assert node.getResolvedAlgorithm() == dai.node.Depth.Algorithm.STEREO
+    stereo = dai.node.Depth.Algorithm.STEREO
+    assert node.getResolvedAlgorithm() == stereo == dai.node.Depth.getDefaultAlgorithm(pipeline.getDefaultDevice())
+    assert dai.node.Depth.getSupportedAlgorithms(pipeline.getDefaultDevice()) == [stereo]
     assert node.getResolvedConfig() == node.getRequestedConfig() == dai.node.StereoDepth.PresetMode.DEFAULT
     pipeline.start()
     frame = first(queue)
@@ -262,9 +264,11 @@ def test_program(program):
     run(program)
 
 
-def test_time_of_flight():
+@pytest.mark.parametrize("node", [dai.node.ToF, dai.node.Depth])
+def test_time_of_flight(node):
     with virtual_device("OAK-D ToF", scene=textured_scene(), fast=True), dai.Pipeline() as pipeline:
-        queue = pipeline.create(dai.node.ToF).build().depth.createOutputQueue()
+        # The stand-in of the same name.
+        queue = pipeline.create(getattr(dai.node, node.__name__)).build().depth.createOutputQueue()
         pipeline.start()
         frame = first(queue).getFrame()
     assert np.median(frame[:60][frame[:60] > 0]) == pytest.approx(1000 * WALL_M, rel=0.02)

@@ -13,10 +13,7 @@ pub(crate) struct Args {
 
 /// Runs the benchmark, which prints its table.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
-    let program = workspace::build_program(
-        "oaktwin",
-        &["--release", "--package", "oaktwin-cli", "--features", "full"],
-    )?;
+    let program = workspace::oaktwin("release")?;
     let script = Script::new(&CURRENT, "bench_bridge.py")?;
     let mut command = script.command();
     command

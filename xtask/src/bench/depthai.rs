@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use crate::depthai_examples::demo_room;
+use crate::depthai_examples::demo;
 use crate::python::{PEERS, build_wheel, install_wheel};
 use crate::workspace::{self, check};
 
@@ -20,7 +20,7 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args) -> Result<(), String> {
     let python = PEERS.ready()?;
     install_wheel(&python, &build_wheel(&python, &args.profile)?)?;
-    let room = demo_room(&args.profile)?;
+    let room = demo(&args.profile)?.room;
     let script = workspace::root().join("tests/oracles/bench_depthai.py");
     check(
         Command::new(&python)

@@ -15,10 +15,7 @@ pub(crate) struct Args {
 
 /// Runs the benchmarks and prints their rates and times.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
-    let program = workspace::build_program(
-        "oaktwin",
-        &["--release", "--package", "oaktwin-cli", "--features", "full"],
-    )?;
+    let program = workspace::oaktwin("release")?;
     let python = PEERS.ready()?;
     let root = workspace::root();
     let script = root.join("tests/oracles/bench_generate.py");

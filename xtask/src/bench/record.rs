@@ -17,7 +17,7 @@ pub(crate) struct Args {
 
 /// Runs the benchmark and prints both rates and the program's memory.
 pub(crate) fn run(args: &Args) -> Result<(), String> {
-    let program = workspace::build_program("oaktwin", &["--release", "--package", "oaktwin-cli"])?;
+    let program = workspace::oaktwin("release")?;
     let python = PACKAGE.ready()?;
     check(
         Command::new(&python)

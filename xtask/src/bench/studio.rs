@@ -10,10 +10,7 @@ use crate::workspace;
 pub(crate) struct Args {}
 
 pub(crate) fn run(_: &Args) -> Result<(), String> {
-    let program = workspace::build_program(
-        "oaktwin",
-        &["--release", "-p", "oaktwin-cli", "--features", "full"],
-    )?;
+    let program = workspace::oaktwin("release")?;
     web::install()?;
     let start = Instant::now();
     let server = Server::of(Path::new(&program))?;

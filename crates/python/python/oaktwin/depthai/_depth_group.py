@@ -18,6 +18,8 @@ from ._tof import ToF
 if TYPE_CHECKING:
     from typing_extensions import Self
 
+    from ._twin import Twin
+
 _RealDepth, _RealRGBD = dai.node.Depth, dai.node.RGBD
 Algorithm = _RealDepth.Algorithm
 _real_build = dai.node.RGBD.build
@@ -69,6 +71,16 @@ class Depth(VirtualNode):
         self._align_to = alignTo
         return self
 
+    @staticmethod
+    def getDefaultAlgorithm(device: Any) -> Any:
+        """The algorithm that AUTO chooses on a device: time of flight if it measures it, as on hardware with RVC2, else the stereo pair."""
+        return _default(device.twin)
+
+    @staticmethod
+    def getSupportedAlgorithms(device: Any) -> list[Any]:
+        """The algorithms that can be simulated on a device."""
+        return _supported(device.twin)
+
     def getRequestedAlgorithm(self) -> Any:
         """The algorithm that was chosen."""
         return self._algorithm
@@ -99,9 +111,9 @@ class Depth(VirtualNode):
     def _node(self) -> Any:
         if self._inner is None:
             pipeline = self.getParentPipeline()
-            has_tof = "tof" in self.twin.device.depth_sensors and self.twin.stereo_sockets is None
+            chosen = _default(self.twin) if self._algorithm == Algorithm.AUTO else self._algorithm
             with creating_for(self.twin):
-                self._inner = pipeline.create(ToF if has_tof or "tof" in self._algorithm.name.lower() else StereoDepth)
+                self._inner = pipeline.create(ToF if chosen == Algorithm.TOF else StereoDepth)
             if isinstance(self._inner, ToF):
                 self._inner.build(fps=self._fps)
             else:
@@ -112,6 +124,17 @@ class Depth(VirtualNode):
 
     def work(self) -> None:
         """Does nothing: the node that it created measures."""
+
+
+def _supported(twin: Twin) -> list[Any]:
+    return [algorithm for name, algorithm in (("stereo", Algorithm.STEREO), ("tof", Algorithm.TOF)) if name in twin.device.depth_sensors]
+
+
+def _default(twin: Twin) -> Any:
+    supported = _supported(twin)
+    if not supported:
+        raise RuntimeError(f"Depth: {twin.device.name} has neither a stereo pair nor a sensor of time of flight")
+    return supported[-1]
 
 
 def build_rgbd(self: dai.node.RGBD, *arguments: Any, **named: Any) -> dai.node.RGBD:

@@ -197,7 +197,8 @@ class Twin:
         """Sets what the device and its nodes take for its calibration. Its cameras stay as they are."""
         content = calibration.eepromToJson()
         described = Device.from_calibration(content, force=True)
-        if described.depth_sensors != self.device.depth_sensors:
+        # Units of a model differ in their numbers, not in what they have.
+        if any(set(one) != set(other) for one, other in ((described.cameras, self.device.cameras), (described.depth_sensors, self.device.depth_sensors))):
             raise Error(f"Device: the calibration is one of another model than {self.device.name}; pass one of this model")
         self.calibration_json, self.described = content, described
         warn_once("Device: a calibration that a program sets changes what nodes calculate, not the images; with stereo-noise, depth stays as it was")
