@@ -65,6 +65,6 @@ async function steps() {
 }
 
 await steps();
-await film();
-await looks();
+if (!process.env.STEPS) await film();
+if (!process.env.STEPS) await looks();
 await browser.close();
