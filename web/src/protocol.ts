@@ -10,9 +10,14 @@
  * |---|---|
  * | `GET /api/catalog` | {@link Catalog} |
  * | `GET /api/scenes/{id}` | {@link SceneInfo} |
- * | `GET /api/scenes/{id}/mesh?triangles=N` | a mesh, see {@link MeshHeader} |
+ * | `GET /api/scenes/{scene}/mesh?triangles=N` | a mesh, see {@link MeshHeader} |
+ * | `GET /api/scenes/{scene}/textures` | textured surfaces, see {@link TexturedHeader} |
  * | `POST /api/scenes?name=room.glb`, the file as the body; of a mesh file also `scale=0.001`, metres per unit, and `up=z` | {@link SceneInfo}; 422 with {@link Failure} |
  * | `POST /api/calibrations?name=unit.json`, the file as the body | {@link CalibrationInfo}; 422 with {@link Failure} |
+ * | `POST /api/trajectories?name=path.txt`, the file as the body | {@link TrajectoryInfo}; 422 with {@link Failure} |
+ * | `GET /api/trajectories/{id}` | {@link TrajectoryInfo} |
+ * | `POST /api/session/save`, {@link SaveRequest} | a file |
+ * | `POST /api/session/open?name=room.oaktwin`, the file as the body | {@link SessionInfo}; 422 with {@link Failure} |
  * | `GET /api/models/{name}/body` | a mesh in the body frame |
  * | `POST /api/export`, {@link ExportRequest} | a file (`Content-Disposition` has its name, `X-Findings` the {@link Finding}s); 422 with {@link Failure} |
  * | `POST /api/accuracy`, {@link OakState} | {@link AccuracyCurve}; 422 with {@link Failure} |
@@ -21,6 +26,8 @@
  * | `GET /api/live`, a WebSocket | {@link ClientMessage} as text; {@link ServerMessage} as text, frames as binary |
  *
  * Any other status than 200 has a {@link Failure} as its body.
+ *
+ * A `scene` in a request is the id of a scene, or of an animated one at a time code: "ID@12.5".
  */
 
 /** A 3D vector. */
@@ -169,6 +176,42 @@ export interface SceneInfo {
   findings: Finding[];
   /** A pose of the body that shows the scene. */
   pose: Pose;
+  /** Null if nothing in it moves. */
+  animation: Animation | null;
+}
+
+/** The time codes of an animated scene. */
+export interface Animation {
+  first: number;
+  last: number;
+  codesPerSecond: number;
+  /** The time codes from frame to frame. */
+  step: number;
+}
+
+export interface TrajectoryInfo {
+  id: string;
+  name: string;
+  poses: Pose[];
+  /** The time of each pose in seconds, from 0. */
+  timesS: number[];
+}
+
+/** What a session has: the state of the page, which only the page understands, and the ids of what was dropped. */
+export interface SaveRequest {
+  document: unknown;
+  display: unknown;
+  scene: string;
+  calibrations: string[];
+  trajectory: string | null;
+}
+
+export interface SessionInfo {
+  document: unknown;
+  display: unknown;
+  scene: SceneInfo;
+  calibrations: CalibrationInfo[];
+  trajectory: TrajectoryInfo | null;
 }
 
 export interface SceneObject {
@@ -196,6 +239,19 @@ export interface MeshHeader {
   /** The number of triangles of the full scene. */
   ofTriangles: number;
 }
+
+/**
+ * Binary surfaces with textures, over those of the mesh; none if there are too many. Laid out like a mesh: after the header and its
+ * padding, for each group the float32 positions (3 per vertex) and coordinates (2 per vertex) of its triangles' corners; then the rgba8
+ * pixels of the textures, the lowest row first.
+ */
+export interface TexturedHeader {
+  /** The colour is the linear factor of the texture. */
+  groups: { vertices: number; texture: number; color: Vec3 }[];
+  textures: { width: number; height: number; wrap: [TextureWrap, TextureWrap] }[];
+}
+
+export type TextureWrap = "repeat" | "mirror" | "clamp";
 
 /** A pose of the body in the world. */
 export interface Pose {
@@ -231,6 +287,8 @@ export interface OakState {
   /** The brightness of the dot projector and of the scene's own light, for stereo engines. Night is an ambient of 0. */
   projector: number;
   ambient: number;
+  /** The number of the frame of a trajectory or an animation: frames differ in their noise. 0 for a frame on its own. */
+  frame: number;
 }
 
 /** An image of an OAK. */
@@ -384,6 +442,9 @@ export interface ExportRequest {
   /** For `statistics`: the rectangle as fractions of the image, and the other OAKs. */
   region?: [number, number, number, number];
   others?: { state: OakState; size: [number, number] | null }[];
+  /** For commands: the trajectory to which the state's frame belongs; and of an animated scene, the first time code and the step. */
+  trajectory?: string;
+  codes?: [number, number];
 }
 
 export interface CoverageRequest {

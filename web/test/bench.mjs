@@ -1,4 +1,5 @@
 // Times the page in a browser: `npm run bench`, with the address of a server in OAKTWIN_STUDIO_URL.
+import { spawn } from "node:child_process";
 import { launch, open, rest } from "./page.mjs";
 
 const ROUNDS = 15;
@@ -22,6 +23,43 @@ async function slider(page, parameter) {
     }
     return times;
   }, [parameter, ROUNDS]);
+}
+
+/**
+ * Returns the times from a change of the OAK's pose to new pixels on the page, ms: at rest, or while images for rest are being computed, which
+ * begins 150 ms after the previous change.
+ */
+async function move(page, isAtRest) {
+  return page.evaluate(async ([rounds, isAtRest]) => {
+    const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
+    const times = [];
+    for (let round = 0; round < rounds; round++) {
+      if (isAtRest) while (!window.studio.isIdle) await frame();
+      else await new Promise((resolve) => setTimeout(resolve, 230));
+      const { painted, received, document } = window.studio;
+      const start = performance.now();
+      document.commit("bench", (before) => ({
+        ...before,
+        oaks: before.oaks.map((oak) => {
+          const [x, ...others] = oak.state.pose.position;
+          return { ...oak, state: { ...oak.state, pose: { ...oak.state.pose, position: [x + 0.02 * (round % 2 ? -1 : 1), ...others] } } };
+        }),
+      }));
+      while (window.studio.received === received || window.studio.painted === painted) await frame();
+      times.push(performance.now() - start);
+    }
+    return times;
+  }, [ROUNDS, isAtRest]);
+}
+
+/** Runs something beside two loops that do nothing but take the processor. */
+async function busy(run) {
+  const loops = [1, 2].map(() => spawn(process.execPath, ["-e", "for (;;);"]));
+  try {
+    return await run();
+  } finally {
+    for (const loop of loops) loop.kill("SIGKILL");
+  }
 }
 
 /** Returns the frames per second that the panels show while the OAK flies. */
@@ -66,8 +104,17 @@ for (const [engine, parameter] of [["stereo-noise", "bias"], ["single-view", "no
     lines.push([`${engine}, ${size}`, `${Math.round(median(times))} ms (${Math.round(Math.min(...times))} to ${Math.round(Math.max(...times))})`]);
   }
 }
-await page.getByTestId("engine").selectOption("stereo-noise");
-await rest(page);
-lines.push(["while flying", `${(await flight(page)).toFixed(1)} frames/s`]);
+for (const [beside, run] of [["", (task) => task()], [", beside two busy loops", busy]]) {
+  for (const engine of ["stereo-noise", "stereo-matching"]) {
+    await page.getByTestId("engine").selectOption(engine);
+    await page.waitForTimeout(300);
+    await rest(page);
+    for (const [title, isAtRest] of [["moving from rest", true], ["moving on while images for rest are computed", false]]) {
+      const times = await run(() => move(page, isAtRest));
+      lines.push([`${engine}, ${title}${beside}`, `${Math.round(median(times))} ms (${Math.round(Math.min(...times))} to ${Math.round(Math.max(...times))})`]);
+    }
+    lines.push([`${engine}, while flying${beside}`, `${(await run(() => flight(page))).toFixed(1)} frames/s`]);
+  }
+}
 for (const [name, value] of lines) console.log(`| ${name} | ${value} |`);
 await browser.close();

@@ -18,18 +18,20 @@ export async function read(page, png, width) {
   return { ...size, data: Buffer.from(data, "base64") };
 }
 
-/** Returns a PNG, scaled to a width. */
-export async function scaled(page, png, width) {
-  const text = await page.evaluate(async ([text, width]) => {
+/** Returns a PNG, or a picture of another type, scaled to a width. */
+export async function scaled(page, png, width, type = "image/png") {
+  const text = await page.evaluate(async ([text, width, type]) => {
     const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
     const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
     const canvas = new OffscreenCanvas(width, Math.round((bitmap.height * width) / bitmap.width));
     const context = canvas.getContext("2d");
     context.imageSmoothingQuality = "high";
     context.drawImage(bitmap, 0, 0, canvas.width, canvas.height);
-    const blob = await canvas.convertToBlob({ type: "image/png" });
-    return btoa(String.fromCharCode(...new Uint8Array(await blob.arrayBuffer())));
-  }, [png.toString("base64"), width]);
+    const made = new Uint8Array(await (await canvas.convertToBlob({ type, quality: 0.82 })).arrayBuffer());
+    let binary = "";
+    for (let i = 0; i < made.length; i += 0x8000) binary += String.fromCharCode(...made.subarray(i, i + 0x8000));
+    return btoa(binary);
+  }, [png.toString("base64"), width, type]);
   return Buffer.from(text, "base64");
 }
 

@@ -56,6 +56,20 @@ test("previews are marked, and say nearly what the final images say", { skip }, 
   await context.close();
 });
 
+test("the parameters that people change first come first", { skip }, async () => {
+  const { page, context, errors } = await open(browser);
+  const names = async () => {
+    const first = page.getByTestId("parameter-group").first();
+    assert.equal(await first.getByRole("heading").first().textContent(), "Changed first");
+    return first.locator("[data-parameter]").evaluateAll((fields) => fields.map((field) => field.dataset.parameter));
+  };
+  assert.deepEqual(await names(), ["confidenceThreshold", "subpixel", "leftRightCheckThreshold", "jitter", "bias"]);
+  await after(page, () => page.getByTestId("engine").selectOption("single-view"));
+  assert.deepEqual((await names()).slice(0, 2), ["noiseSigma", "noiseMean"]);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
 test("the time of flight sensor of an OAK-D ToF comes first", { skip }, async () => {
   const { page, context, errors } = await open(browser);
   await after(page, () => page.getByTestId("add-oak").selectOption({ label: "OAK-D ToF" }));

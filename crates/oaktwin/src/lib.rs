@@ -45,7 +45,7 @@
 pub mod guide;
 pub mod prelude;
 
-pub use oaktwin_base::{diagnostic, panics, parameter};
+pub use oaktwin_base::{diagnostic, interrupt, panics, parameter};
 pub use oaktwin_calibration as calibration;
 pub use oaktwin_calibration::population;
 pub use oaktwin_camera as camera;

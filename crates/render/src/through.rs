@@ -1,5 +1,6 @@
 //! What is seen through the invisible, or clear, parts of surfaces.
 
+use oaktwin_base::interrupt;
 use oaktwin_scene::Scene;
 use rayon::prelude::*;
 
@@ -29,6 +30,9 @@ pub(crate) fn look_through(
         .zip(seen.z.0.pixels_mut().par_chunks_mut(row_length))
         .zip(0..height);
     rows.for_each_init(Stack::new, |stack, ((hits, depths), y)| {
+        if interrupt::is_unwanted() {
+            return;
+        }
         for ((hit, z), x) in hits.iter_mut().zip(depths).zip(0_u32..) {
             if hit.is_miss() || blocks.is_some_and(|blocks| !blocks.contains(x / BLOCK, y / BLOCK)) {
                 continue;

@@ -296,7 +296,10 @@ impl FilterInfo {
 
 /// The parameters of a group with the defaults of the most common platform.
 fn listings(name: &str) -> Vec<Listing> {
-    group(name).map_or_else(|_| Vec::new(), |group| group.list(Platform::default()))
+    group(name).map_or_else(
+        |_| Vec::new(),
+        |group| group.list_common_first(Platform::default()),
+    )
 }
 
 impl Parameter {
@@ -309,7 +312,7 @@ impl Parameter {
         };
         Self {
             name: about.name,
-            group: listing.table,
+            group: listing.heading(),
             r#type,
             unit: (!about.unit.is_empty()).then_some(about.unit),
             minimum: finite(about.min),

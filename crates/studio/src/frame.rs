@@ -55,7 +55,7 @@ pub(crate) fn frame(
         images,
         parameters: measurement.engine.parameters().into_iter().collect(),
         filters: measurement.filters.clone(),
-        findings: measurement.findings.clone(),
+        findings: measurement.scene.local_findings(measurement.findings.clone()),
         statistics: statistics(measurement, request.region),
         milliseconds: start.elapsed().as_secs_f64() * 1e3,
         hfov_deg: hfov.to_degrees(),

@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use oaktwin::diagnostic::{Opt, with_style};
+use oaktwin::interrupt;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
 use crate::protocol::Failure;
@@ -88,6 +89,21 @@ pub(crate) async fn run_in<T: Send + 'static>(
             budget.time.as_secs(),
             budget.remedy
         ))),
+    }
+}
+
+impl Job {
+    /// Computes in threads of its own, whose loops end as soon as nobody waits for the result.
+    pub(crate) fn interruptibly<T: Send>(&self, compute: impl FnOnce() -> T + Send) -> T {
+        let wanted = self.waits.clone();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(rayon::current_num_threads())
+            .start_handler(move |_| interrupt::watch(wanted.clone()))
+            .build();
+        match pool {
+            Ok(pool) => pool.install(|| with_style(flag, compute)),
+            Err(_) => compute(),
+        }
     }
 }
 

@@ -14,7 +14,7 @@ use tokio::task::JoinHandle;
 use crate::frame;
 use crate::job::{self, Job};
 use crate::probe;
-use crate::protocol::{ClientMessage, Failure, FrameRequest, ProbeRequest, Rejection};
+use crate::protocol::{Failure, FrameRequest, Kind, ProbeRequest, Rejection, RequestKind};
 use crate::station::Station;
 use crate::studio::Studio;
 
@@ -108,7 +108,7 @@ impl Running {
     }
 }
 
-/// Interrupts images for rest if a preview waits for them. The computation ends at its next stage.
+/// Interrupts images for rest if a preview waits for them. The computation ends at its next row or tile.
 fn interrupt(running: &mut Option<Running>, pending: &mut Pending) {
     let is_in_the_way = |running: &mut Running| running.at_rest.is_some() && !running.task.is_finished();
     if !pending.has_preview() {
@@ -158,15 +158,14 @@ pub(crate) async fn serve(mut socket: WebSocket, studio: Arc<Studio>) {
 
 /// Reads a request, or returns what is answered to something else.
 pub(crate) fn read(text: &str) -> Result<Request, Message> {
-    serde_json::from_str(text)
-        .map(|message| match message {
-            ClientMessage::Frame(request) => Request::Frame(request),
-            ClientMessage::Probe(request) => Request::Probe(request),
-        })
-        .map_err(|error| {
-            let failure = Failure::from(format!("invalid request: {error}; load the page again"));
-            rejection(0, "", failure)
-        })
+    let message = serde_json::from_str(text).and_then(|Kind { is }| match is {
+        RequestKind::Frame => serde_json::from_str(text).map(Request::Frame),
+        RequestKind::Probe => serde_json::from_str(text).map(Request::Probe),
+    });
+    message.map_err(|error| {
+        let failure = Failure::from(format!("invalid request: {error}; load the page again"));
+        rejection(0, "", failure)
+    })
 }
 
 /// Waits for the running request, or forever without one.
@@ -193,8 +192,15 @@ pub(crate) fn start(studio: &Arc<Studio>, stations: &Stations, request: Request)
         Request::Probe(request) => (request.id, request.oak.clone()),
     };
     tokio::spawn(async move {
+        let is_at_rest = matches!(&request, Request::Frame(request) if !request.is_preview);
+        let compute = move |studio: &Studio, job: &Job| {
+            let answer = || answer(studio, &stations, &request, job);
+            Ok(match is_at_rest {
+                true => job.interruptibly(answer),
+                false => answer(),
+            })
+        };
         // Frames of several pages share the processor.
-        let compute = move |studio: &Studio, job: &Job| Ok(answer(studio, &stations, &request, job));
         let computed = job::run_in(&studio, &studio.computing, job::FRAME, compute).await;
         computed.unwrap_or_else(|failure| rejection(id, &oak, failure))
     })

@@ -31,6 +31,21 @@ mod tests {
     use oaktwin::camera::math::{DMat3, DVec3};
 
     #[test]
+    fn numbers_are_read_to_the_last_digit() {
+        let numbers = [-0.21045254855051526, 1e-300, 0.1, 1.0];
+        let text = format!(r#"{{"position": [1, -2.5e3, 5.884886], "quaternion": {numbers:?}}}"#);
+        let pose: Pose = serde_json::from_str(&text).unwrap();
+        assert_eq!(
+            (pose.position, pose.quaternion),
+            ([1.0, -2500.0, 5.884886], numbers)
+        );
+        for wrong in ["[1, 2]", "[1, 2, 3, 4]", "[1, 2, null]", r#"[1, 2, "3"]"#, "{}"] {
+            let text = format!(r#"{{"position": {wrong}, "quaternion": [0, 0, 0, 1]}}"#);
+            assert!(serde_json::from_str::<Pose>(&text).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
     fn poses_round_trip() {
         let turned = DMat3::from_rotation_z(0.7) * DMat3::from_rotation_y(-0.2);
         let transform = RigidTransform::new(turned, DVec3::new(1.0, -2.0, 3.0));

@@ -3,19 +3,29 @@
 use std::collections::BTreeMap;
 
 use oaktwin::diagnostic::Finding;
-use serde::{Deserialize, Serialize};
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize};
+use serde_json::value::RawValue;
 
-/// A request on the WebSocket.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(tag = "type", rename_all = "lowercase")]
-pub(crate) enum ClientMessage {
-    Frame(Box<FrameRequest>),
-    Probe(ProbeRequest),
+/// What a request on the WebSocket asks for.
+#[derive(Clone, Copy, Debug, Deserialize)]
+pub(crate) struct Kind {
+    #[serde(rename = "type")]
+    pub(crate) is: RequestKind,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum RequestKind {
+    Frame,
+    Probe,
 }
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub(crate) struct FrameRequest {
+    #[serde(rename = "type")]
+    pub(crate) _kind: RequestKind,
     pub(crate) id: u64,
     pub(crate) oak: String,
     pub(crate) scene: String,
@@ -34,6 +44,8 @@ pub(crate) struct FrameRequest {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub(crate) struct ProbeRequest {
+    #[serde(rename = "type")]
+    pub(crate) _kind: RequestKind,
     pub(crate) id: u64,
     pub(crate) oak: String,
     pub(crate) x: f64,
@@ -62,14 +74,32 @@ pub(crate) struct OakState {
     pub(crate) drift: BTreeMap<String, String>,
     pub(crate) projector: f64,
     pub(crate) ambient: f64,
+    /// The number of the frame of a trajectory or an animation, by which its noise differs from other frames'.
+    #[serde(default)]
+    pub(crate) frame: u64,
 }
 
 /// A pose of the body in the world: metres, and a quaternion x, y, z, w.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Pose {
+    #[serde(deserialize_with = "exact")]
     pub(crate) position: [f64; 3],
+    #[serde(deserialize_with = "exact")]
     pub(crate) quaternion: [f64; 4],
+}
+
+/// Reads numbers to the last digit, which JSON's reader may round: a frame of a trajectory must be at the pose of its file.
+fn exact<'de, D: Deserializer<'de>, const N: usize>(numbers: D) -> Result<[f64; N], D::Error> {
+    let texts = Vec::<Box<RawValue>>::deserialize(numbers)?;
+    let number = |text: &Box<RawValue>| {
+        let number = text.get().parse();
+        number.map_err(|_| D::Error::custom(format!("`{}` is not a number", text.get())))
+    };
+    let numbers = texts.iter().map(number).collect::<Result<Vec<f64>, D::Error>>()?;
+    numbers
+        .try_into()
+        .map_err(|numbers: Vec<f64>| D::Error::custom(format!("{} numbers instead of {N}", numbers.len())))
 }
 
 /// An image of an OAK.
@@ -210,6 +240,18 @@ pub(crate) struct SceneInfo {
     pub(crate) objects: Vec<SceneObject>,
     pub(crate) findings: Vec<Finding>,
     pub(crate) pose: Pose,
+    pub(crate) animation: Option<AnimationInfo>,
+}
+
+/// The times of an animated scene.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct AnimationInfo {
+    pub(crate) first: f64,
+    pub(crate) last: f64,
+    pub(crate) codes_per_second: f64,
+    /// The time codes from frame to frame.
+    pub(crate) step: f64,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -224,6 +266,17 @@ pub(crate) struct CalibrationInfo {
     pub(crate) name: String,
     pub(crate) model: Option<String>,
     pub(crate) findings: Vec<Finding>,
+}
+
+/// A trajectory that was dropped onto the page.
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct TrajectoryInfo {
+    pub(crate) id: String,
+    pub(crate) name: String,
+    pub(crate) poses: Vec<Pose>,
+    /// The time of each pose, s, from 0.
+    pub(crate) times_s: Vec<f64>,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -247,6 +300,10 @@ pub(crate) struct ExportRequest {
     pub(crate) region: Option<[f64; 4]>,
     /// The other OAKs of statistics.
     pub(crate) others: Option<Vec<SizedState>>,
+    /// The trajectory to which the state's frame belongs, for commands.
+    pub(crate) trajectory: Option<String>,
+    /// The first time code of an animated scene's frames, and the time codes from frame to frame, for commands.
+    pub(crate) codes: Option<[f64; 2]>,
 }
 
 /// An OAK with the size of its images.

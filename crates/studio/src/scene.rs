@@ -1,7 +1,9 @@
 //! The scenes that the page can show.
 
+mod moving;
+
 use std::collections::{BTreeMap, VecDeque};
-use std::path::Path;
+use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use axum::body::Bytes;
@@ -9,15 +11,20 @@ use oaktwin::camera::RigidTransform;
 use oaktwin::diagnostic::Finding;
 use oaktwin::render::{OpenOptions, Renderer, SceneFile, look_at, overview};
 use oaktwin::scene::{Bounds, Scene, Up};
+use tempfile::TempDir;
 
 use crate::mesh;
 use crate::pose::pose_of;
 use crate::protocol::{Failure, Pose, SceneInfo, SceneObject};
 use crate::task::Job;
+use crate::upload;
+use moving::Moving;
 
 /// The number of dropped scenes that are kept, besides the command line's, and of their triangles.
 const KEPT: usize = 24;
 const KEPT_TRIANGLES: usize = 2 * MAX_TRIANGLES;
+/// The number of bytes of their files, which stay on the disk for animations and sessions.
+const KEPT_BYTES: u64 = 4 * upload::MAX_BYTES;
 /// The number of objects that the page can name, and of bytes of their paths; others are part of the scene only.
 const MAX_OBJECTS: usize = 20_000;
 const MAX_PATH_BYTES: usize = 4 << 20;
@@ -37,7 +44,24 @@ pub(crate) struct LoadedScene {
     pub(crate) made_by: Option<String>,
     /// The up axis and the metres per unit with which it was read, where they were given.
     pub(crate) given: (Option<Up>, Option<f64>),
+    /// The time code, if it is not the scene as it was opened.
+    pub(crate) time: Option<f64>,
+    /// Whether only instances have moved since the scene was opened.
+    pub(crate) is_moved: bool,
+    /// The file, if it was dropped.
+    pub(crate) kept: Option<Kept>,
+    /// The path on this machine, which the page does not know.
+    path: PathBuf,
+    moving: Option<Moving>,
     meshes: Mutex<BTreeMap<usize, Bytes>>,
+}
+
+/// A dropped file on the disk, which is removed with its scene.
+#[derive(Debug)]
+pub(crate) struct Kept {
+    /// Keeps the folder of the file.
+    _folder: TempDir,
+    pub(crate) bytes: u64,
 }
 
 impl LoadedScene {
@@ -47,15 +71,19 @@ impl LoadedScene {
         options: &OpenOptions,
         (id, name, argument): (&str, &str, &str),
     ) -> Result<Self, Failure> {
-        let file = SceneFile::open(path, options).map_err(|error| {
-            // The page knows the file by the name that it was dropped with.
-            Failure::from(local(&error.to_string(), path, name))
-        })?;
+        let opened = match SceneFile::may_move(path) {
+            true => SceneFile::open_animated(path, options, None)
+                .map(|(moving, file)| (Moving::new(moving), file)),
+            false => SceneFile::open(path, options).map(|file| (None, file)),
+        };
+        // The page knows the file by the name that it was dropped with.
+        let (moving, file) = opened.map_err(|error| Failure::from(local(&error.to_string(), path, name)))?;
+        let (moving, animation) = moving.unzip();
         let scene = file.scene;
         let Some(bounds) = scene.bounds() else {
             return Err(Failure {
                 error: format!("{name}: has no triangles; give a scene with meshes"),
-                findings: file.findings,
+                findings: local_findings(file.findings, path, name),
                 ..Failure::default()
             });
         };
@@ -70,13 +98,9 @@ impl LoadedScene {
             triangles: mesh::triangles(&scene),
             bounds: corners(bounds),
             objects: objects(&scene),
-            findings: (file.findings.into_iter().take(MAX_FINDINGS))
-                .map(|finding| Finding {
-                    place: local(&finding.place, path, name),
-                    ..finding
-                })
-                .collect(),
+            findings: local_findings(file.findings, path, name),
             pose: initial_pose(&scene),
+            animation,
         };
         Ok(Self {
             info,
@@ -84,8 +108,79 @@ impl LoadedScene {
             argument: argument.to_owned(),
             made_by: None,
             given: (options.up, options.scale),
+            time: None,
+            is_moved: false,
+            kept: None,
+            path: path.to_owned(),
+            moving,
             meshes: Mutex::default(),
         })
+    }
+
+    /// Keeps the folder of a dropped file with its scene.
+    pub(crate) fn keeping(mut self, folder: TempDir) -> Result<Self, Failure> {
+        let bytes = std::fs::metadata(&self.path).map(|metadata| metadata.len());
+        let bytes = bytes.map_err(|error| unreadable(&self.info.name, &error))?;
+        self.kept = Some(Kept {
+            _folder: folder,
+            bytes,
+        });
+        Ok(self)
+    }
+
+    /// Reads the file that was dropped.
+    pub(crate) fn file(&self) -> Result<Vec<u8>, Failure> {
+        std::fs::read(&self.path).map_err(|error| unreadable(&self.info.name, &error))
+    }
+
+    /// Returns the scene at a time code.
+    fn at(&self, time: f64) -> Result<Arc<Self>, Failure> {
+        match &self.moving {
+            Some(moving) => moving.at(self, time),
+            None => {
+                let error = format!("{}: nothing moves in it; load the page again", self.info.name);
+                Err(Failure::of("time", &error))
+            }
+        }
+    }
+
+    /// Returns this scene with what it contains at a time code.
+    pub(crate) fn at_time(
+        &self,
+        renderer: Renderer,
+        is_moved: bool,
+        time: f64,
+        findings: Vec<Finding>,
+    ) -> Self {
+        let info = SceneInfo {
+            id: format!("{}@{time:?}", self.info.id),
+            triangles: mesh::triangles(renderer.scene()),
+            findings: self.local_findings(findings),
+            ..self.info.clone()
+        };
+        Self {
+            info,
+            renderer,
+            argument: self.argument.clone(),
+            made_by: self.made_by.clone(),
+            given: self.given,
+            time: Some(time),
+            is_moved,
+            kept: None,
+            path: self.path.clone(),
+            moving: None,
+            meshes: Mutex::default(),
+        }
+    }
+
+    /// Names the file, and others in its folder, as the page knows them.
+    pub(crate) fn local(&self, text: &str) -> String {
+        local(text, &self.path, &self.info.name)
+    }
+
+    /// The same for findings.
+    pub(crate) fn local_findings(&self, findings: Vec<Finding>) -> Vec<Finding> {
+        local_findings(findings, &self.path, &self.info.name)
     }
 
     /// Rejects a scene whose frames would take too long for the page.
@@ -131,13 +226,36 @@ impl LoadedScene {
     }
 }
 
-/// Names a file, and others in its folder, as the page knows them.
+/// Names a file as the page knows it, and others without the folders of this machine.
 fn local(text: &str, path: &Path, name: &str) -> String {
     let text = text.replace(&path.display().to_string(), name);
-    match path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
-        Some(folder) => text.replace(&format!("{}/", folder.display()), ""),
-        None => text,
-    }
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let whole = folder.canonicalize().unwrap_or_default();
+    // Other files may be in folders above it. A folder below the root could be a prim.
+    let above = whole.ancestors().filter(|folder| folder.components().count() > 2);
+    std::iter::once(folder).chain(above).fold(text, |text, folder| {
+        let folder = format!("{}{MAIN_SEPARATOR}", folder.display());
+        match folder.starts_with('.') {
+            true => text,
+            false => text.replace(&folder, ""),
+        }
+    })
+}
+
+fn local_findings(findings: Vec<Finding>, path: &Path, name: &str) -> Vec<Finding> {
+    let findings = findings.into_iter().take(MAX_FINDINGS);
+    findings
+        .map(|finding| finding.map_texts(|text| local(text, path, name)))
+        .collect()
+}
+
+fn unreadable(name: &str, error: &std::io::Error) -> Failure {
+    Failure::from(format!(
+        "{name}: the dropped file cannot be read: {error}; drop it again"
+    ))
 }
 
 /// An overview of the whole scene, or the origin.
@@ -197,7 +315,22 @@ impl Scenes {
         &self.first
     }
 
+    /// Returns a scene, by its id, or at a time code, by `ID@CODE`.
     pub(crate) fn get(&self, id: &str) -> Result<Arc<LoadedScene>, Failure> {
+        let Some((base, code)) = id.rsplit_once('@') else {
+            return self.as_opened(id);
+        };
+        match code.parse::<f64>() {
+            Ok(time) if time.is_finite() => self.as_opened(base)?.at(time),
+            _ => {
+                let error = format!("'{code}' is no time code; load the page again");
+                Err(Failure::of("time", &error))
+            }
+        }
+    }
+
+    /// Returns a scene as it was opened.
+    pub(crate) fn as_opened(&self, id: &str) -> Result<Arc<LoadedScene>, Failure> {
         if self.first.info.id == id {
             return Ok(Arc::clone(&self.first));
         }
@@ -227,7 +360,16 @@ impl Scenes {
         let triangles = |kept: &VecDeque<Arc<LoadedScene>>| -> usize {
             kept.iter().map(|scene| scene.info.triangles).sum()
         };
-        while dropped.len() > 1 && (dropped.len() > KEPT || triangles(&dropped) > KEPT_TRIANGLES) {
+        let bytes = |kept: &VecDeque<Arc<LoadedScene>>| -> u64 {
+            kept.iter()
+                .filter_map(|scene| scene.kept.as_ref())
+                .map(|file| file.bytes)
+                .sum()
+        };
+        let are_too_many = |kept: &VecDeque<Arc<LoadedScene>>| {
+            kept.len() > KEPT || triangles(kept) > KEPT_TRIANGLES || bytes(kept) > KEPT_BYTES
+        };
+        while dropped.len() > 1 && are_too_many(&dropped) {
             dropped.pop_front();
         }
         scene

@@ -21,8 +21,11 @@ use crate::catalog::CatalogInfo;
 use crate::coverage::{CoverageRequest, SurfaceRequest};
 use crate::protocol::{ExportRequest, Failure, OakState};
 use crate::scene::LoadedScene;
+use crate::session::{SaveRequest, SessionInfo};
 use crate::studio::Studio;
-use crate::{accuracy, coverage, export, guard, job, live, mesh, page, upload};
+use crate::{
+    accuracy, calibration, coverage, export, guard, job, live, mesh, page, session, trajectory, upload,
+};
 
 /// The maximum length of a request's JSON, and of a calibration, bytes.
 const MAX_JSON_BYTES: usize = 1 << 20;
@@ -46,7 +49,12 @@ pub(crate) fn router(studio: &Arc<Studio>) -> Router {
         .route("/api/scenes", post(drop_scene))
         .route("/api/scenes/{id}", get(scene))
         .route("/api/scenes/{id}/mesh", get(scene_mesh))
+        .route("/api/scenes/{id}/textures", get(scene_textures))
         .route("/api/calibrations", post(drop_calibration))
+        .route("/api/trajectories", post(drop_trajectory))
+        .route("/api/trajectories/{id}", get(known_trajectory))
+        .route("/api/session/save", post(save_session))
+        .route("/api/session/open", post(open_session))
         .route("/api/models/{name}/body", get(body_mesh))
         .route("/api/export", post(take_away))
         .route("/api/accuracy", post(accuracy_curve))
@@ -86,7 +94,7 @@ async fn catalog(State(studio): Server) -> Response {
 }
 
 async fn scene(State(studio): Server, Path(id): Path<String>) -> Response {
-    match studio.scenes.get(&id) {
+    match studio.scenes.as_opened(&id) {
         Ok(scene) => json(&scene.info),
         Err(error) => failure(StatusCode::NOT_FOUND, error),
     }
@@ -106,12 +114,21 @@ async fn scene_mesh(
         .triangles
         .unwrap_or(DEFAULT_TRIANGLES)
         .clamp(1, MAX_TRIANGLES);
-    match studio.scenes.get(&id) {
-        Ok(scene) => match job::run(&studio, job::VIEW, move |_, job| scene.mesh(triangles, job)).await {
-            Ok(bytes) => binary(bytes),
-            Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),
-        },
-        Err(error) => failure(StatusCode::NOT_FOUND, error),
+    let made = move |studio: &Studio, job: &job::Job| studio.scenes.get(&id)?.mesh(triangles, job);
+    match job::run(&studio, job::VIEW, made).await {
+        Ok(bytes) => binary(bytes),
+        Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),
+    }
+}
+
+async fn scene_textures(State(studio): Server, Path(id): Path<String>) -> Response {
+    let made = move |studio: &Studio, job: &job::Job| {
+        let scene = studio.scenes.get(&id)?;
+        mesh::of_textures(scene.renderer.scene(), job)
+    };
+    match job::run(&studio, job::VIEW, made).await {
+        Ok(bytes) => binary(bytes),
+        Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),
     }
 }
 
@@ -171,11 +188,7 @@ async fn dropped_scene(
 ) -> Result<crate::protocol::SceneInfo, Failure> {
     let name = upload::file_name(&query.name)?;
     let options = query.open_options()?;
-    let folder = tempfile::tempdir_in(&studio.uploads).map_err(|error| {
-        Failure::from(format!(
-            "no temporary folder can be created ({error}); free space on the disk"
-        ))
-    })?;
+    let folder = upload::folder(&studio.uploads)?;
     let path = folder.path().join(&name);
     // Few at once, because each takes space on the disk.
     let receiving = studio.receiving.acquire().await;
@@ -188,9 +201,7 @@ async fn dropped_scene(
         }
         let scene = LoadedScene::open(&path, &options, (&id, &name, &name))?;
         scene.check_triangles()?;
-        // Files that the scene names are not beside it; whatever it contains is in memory now.
-        drop(folder);
-        Ok(studio.scenes.add(scene).info.clone())
+        Ok(studio.scenes.add(scene.keeping(folder)?).info.clone())
     })
     .await
 }
@@ -203,10 +214,63 @@ async fn drop_calibration(State(studio): Server, Query(query): Query<DropQuery>,
     json_or_failure(
         job::run(&studio, job::FILE, move |studio, _| {
             let name = upload::file_name(&query.name)?;
-            studio.calibrations.add(&studio.catalog, &name, &bytes)
+            let dropped = calibration::Dropped::read(&studio.catalog, &name, bytes.into())?;
+            Ok(studio.calibrations.add(dropped))
         })
         .await,
     )
+}
+
+async fn drop_trajectory(State(studio): Server, Query(query): Query<DropQuery>, body: Body) -> Response {
+    let Ok(Ok(bytes)) = timeout(JSON_TIME, axum::body::to_bytes(body, trajectory::MAX_BYTES)).await else {
+        let error = "the dropped file is too large for a trajectory, or did not arrive; drop a part of it";
+        return failure(StatusCode::PAYLOAD_TOO_LARGE, Failure::from(error.to_owned()));
+    };
+    json_or_failure(
+        job::run(&studio, job::FILE, move |studio, _| {
+            let name = upload::file_name(&query.name)?;
+            let dropped = trajectory::Dropped::read(&name, bytes.into())?;
+            Ok(studio.trajectories.add(dropped))
+        })
+        .await,
+    )
+}
+
+async fn known_trajectory(State(studio): Server, Path(id): Path<String>) -> Response {
+    match studio.trajectories.get(&id) {
+        Ok(dropped) => json(&dropped.info),
+        Err(error) => failure(StatusCode::NOT_FOUND, error),
+    }
+}
+
+async fn save_session(State(studio): Server, body: Body) -> Response {
+    let made = match request::<SaveRequest>(body).await {
+        Ok(asked) => job::run(&studio, job::FILE, move |studio, _| session::save(studio, asked)).await,
+        Err(error) => Err(error),
+    };
+    match made {
+        Ok(made) => file(made),
+        Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),
+    }
+}
+
+async fn open_session(State(studio): Server, Query(query): Query<DropQuery>, body: Body) -> Response {
+    json_or_failure(opened_session(studio, &query, body).await)
+}
+
+async fn opened_session(studio: Arc<Studio>, query: &DropQuery, body: Body) -> Result<SessionInfo, Failure> {
+    let name = upload::file_name(&query.name)?;
+    let folder = upload::folder(&studio.uploads)?;
+    let path = folder.path().join("session");
+    let receiving = studio.receiving.acquire().await;
+    upload::receive(body, &path, session::MAX_BYTES).await?;
+    drop(receiving);
+    job::run(&studio, job::FILE, move |studio, _| {
+        let opened = session::open(studio, &path, &name);
+        drop(folder);
+        opened
+    })
+    .await
 }
 
 async fn take_away(State(studio): Server, body: Body) -> Response {

@@ -1,6 +1,7 @@
 //! The current state as a command line, a Python script and a file of parameters, which reproduce it to the byte.
 
 use std::fmt::Write;
+use std::sync::Arc;
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::sensor::EngineInput;
@@ -8,6 +9,7 @@ use oaktwin::sensor::EngineInput;
 use crate::protocol::{ExportRequest, Failure, OakState};
 use crate::size::image_size;
 use crate::studio::Studio;
+use crate::trajectory::Dropped;
 
 /// The folder of the calibrations of units that a command draws.
 const UNITS: &str = "units";
@@ -66,6 +68,12 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
     if let Some(scale) = scale {
         option("scale", &format!("{scale:?}"));
     }
+    let path = along(studio, request)?;
+    match (&path, scene.time) {
+        (None, Some(time)) => option("time", &format!("{time:?}")),
+        (Some(path), Some(_)) => option("frames", &path.codes(request)?),
+        (_, None) => {}
+    }
     option("model", &state.model);
     if let Some(id) = &state.calibration {
         option("calibration", &file(&studio.calibrations.name(id)?));
@@ -114,10 +122,53 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
     if state.extended_disparity {
         words.push("--extended-disparity".to_owned());
     }
-    words.push("--pose".to_owned());
-    words.extend(state.pose.numbers().map(|number| format!("{number:?}")));
+    match path {
+        Some(path) => {
+            let _ = writeln!(out, "# The page shows frame {}.", state.frame);
+            words.extend(["--trajectory".to_owned(), shell(&file(&path.0.info.name))]);
+        }
+        None => {
+            words.push("--pose".to_owned());
+            words.extend(state.pose.numbers().map(|number| format!("{number:?}")));
+        }
+    }
     let _ = writeln!(out, "{}", words.join(" "));
     Ok(out)
+}
+
+/// The trajectory along which a command renders the frame of a state.
+struct Along(Arc<Dropped>);
+
+/// Returns the trajectory to which the frame of a state belongs. The first frame of any path is one frame at its pose.
+fn along(studio: &Studio, request: &ExportRequest) -> Result<Option<Along>, Failure> {
+    let OakState { frame, pose, .. } = request.state;
+    if frame == 0 {
+        return Ok(None);
+    }
+    let dropped = (request.trajectory.as_ref()).map(|id| studio.trajectories.get(id));
+    let dropped = dropped.transpose()?;
+    let own = |dropped: &Dropped| {
+        let place = usize::try_from(frame).ok()?;
+        dropped.info.poses.get(place).copied()
+    };
+    match dropped.filter(|dropped| own(dropped) == Some(pose)) {
+        Some(dropped) => Ok(Some(Along(dropped))),
+        None => {
+            let error = format!("frame {frame} is none of a trajectory; pause the timeline");
+            Err(Failure::of("frame", &error))
+        }
+    }
+}
+
+impl Along {
+    /// The time codes of the frames, as `--frames` takes them.
+    fn codes(&self, request: &ExportRequest) -> Result<String, Failure> {
+        let Some([first, step]) = request.codes else {
+            return Err(Failure::of("codes", "are missing; load the page again"));
+        };
+        let count = self.0.info.poses.len().saturating_sub(1);
+        Ok(format!("{first:?}:{:?}:{step:?}", first + count as f64 * step))
+    }
 }
 
 /// Returns a script that computes the images of the state.
@@ -131,7 +182,14 @@ pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String,
     let made_by = scene.made_by.as_ref().map(comment).unwrap_or_default();
     let (up, scale) = scene.given;
     let up = up.map_or_else(String::new, |up| format!(", up={}", quoted(up.name())));
-    let units = scale.map_or_else(String::new, |scale| format!(", scale={scale:?}")) + &up;
+    let time = scene
+        .time
+        .map_or_else(String::new, |time| format!(", time={time:?}"));
+    let units = time + &scale.map_or_else(String::new, |scale| format!(", scale={scale:?}")) + &up;
+    let frame = match state.frame {
+        0 => String::new(),
+        frame => format!(", frame={frame}"),
+    };
     let mut out = format!(
         "{made_by}import numpy as np\nimport oaktwin\n\n{device}\nscene = oaktwin.Scene.open({}{units})\nworld_from_body = np.array({world_from_body})\n",
         quoted(&scene.argument)
@@ -144,7 +202,7 @@ pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String,
         });
         let _ = write!(
             out,
-            "\npair = scene.render_pair(\n    device, world_from_body, {size}projector={:?}, ambient={:?}, seed={}{unit}\n)\n\
+            "\npair = scene.render_pair(\n    device, world_from_body, {size}projector={:?}, ambient={:?}, seed={}{unit}{frame}\n)\n\
              matcher = oaktwin.StereoMatcher(device, raw=False{options})\n\
              depth = matcher(pair[\"rectified_left\"], pair[\"rectified_right\"])[\"depth\"]\n",
             state.projector, state.ambient, state.seed
@@ -165,7 +223,7 @@ pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String,
         "camera = device.depth_camera({kind}){resized}\n\n\
          seen = scene.render(\n    camera,\n    world_from_body @ camera.body_from_camera,\n    annotators=[\"rgb\", \"distance_to_image_plane\"],\n)\n\
          sensor = oaktwin.DepthSensor(device, sensor={kind}, camera=camera{engine}{options})\n\
-         depth = sensor(seen[\"distance_to_image_plane\"], seen[\"rgb\"])\n",
+         depth = sensor(seen[\"distance_to_image_plane\"], seen[\"rgb\"]{frame})\n",
         kind = quoted(kind)
     );
     Ok(out)

@@ -12,7 +12,7 @@ use oaktwin::render::{AnnotateOptions, Backend, DepthSensorSource, Renderer, Vie
 use oaktwin::sensor::{Input, Technology};
 
 use crate::oak::Oak;
-use crate::protocol::{Failure, FrameRequest, ImageName, OakState};
+use crate::protocol::{Failure, FrameRequest, ImageName, OakState, RequestKind};
 use crate::scene::LoadedScene;
 use crate::size::{TRUTH, image_size};
 use crate::studio::Studio;
@@ -21,6 +21,9 @@ use crate::studio::Studio;
 const KEPT: usize = 2;
 /// The maximum side of the squares of pixels that share a colour.
 const MAX_COLOR_STEP: u32 = 8;
+
+/// Returns an error if nobody waits any more. The images that were made last may then be incomplete.
+type Check<'a> = &'a dyn Fn() -> Result<(), Failure>;
 
 /// An OAK of a page.
 #[derive(Debug, Default)]
@@ -102,28 +105,29 @@ impl Measurement {
 }
 
 impl Station {
-    /// Renders and measures what a request asks for. `check` returns an error between the stages if nobody waits any more.
+    /// Renders and measures what a request asks for, until nobody waits any more.
     pub(crate) fn measure(
         &mut self,
         studio: &Studio,
         request: &FrameRequest,
-        check: &dyn Fn() -> Result<(), Failure>,
+        check: Check<'_>,
     ) -> Result<&Measurement, Failure> {
         let scene = studio.scenes.get(&request.scene)?;
         let size = image_size(request.size)?;
         let needs_pair = request.images.iter().any(|name| name.is_of_pair());
         let mut oak = Oak::new(studio, &request.state, size, needs_pair)?;
         let world_from_body = request.state.pose.transform()?;
+        let number = request.state.frame;
         let view = oak.camera.view(&world_from_body);
         let color_step = request.color_step.unwrap_or(1).clamp(1, MAX_COLOR_STEP);
-        let seen = self.see(&scene, view, color_step);
-        check()?;
+        let seen = self.see(&scene, view, color_step, check)?;
         if let Some(cameras) = &oak.pair {
             let key = PairKey(light_of(&request.state), request.size);
             if seen.pair.as_ref().is_none_or(|(known, _)| *known != key) {
-                let pair = cameras.look(&scene.renderer, &world_from_body, 0);
-                seen.pair = Some((key, Arc::new(pair)));
+                let pair = cameras.look(&scene.renderer, &world_from_body, number);
+                // What was interrupted is arbitrary.
                 check()?;
+                seen.pair = Some((key, Arc::new(pair)));
             }
         }
         let pair = seen
@@ -131,7 +135,7 @@ impl Station {
             .as_ref()
             .filter(|_| oak.pair.is_some())
             .map(|(_, pair)| Arc::clone(pair));
-        let input = sensor_input(&oak.sensor, &seen.frame, 0, pair.as_deref());
+        let input = sensor_input(&oak.sensor, &seen.frame, number, pair.as_deref());
         let mut input = input.map_err(|error| Failure::of("engine", &error))?;
         if let Input::Depth(shot) = &mut input {
             shot.color_step = color_step;
@@ -152,7 +156,10 @@ impl Station {
             world_from_camera: view.world_from_camera * output.input_from_output(),
             ..view
         };
-        let reference = (output_view != view).then(|| seen.reference(&scene.renderer, output_view));
+        let reference = match output_view == view {
+            true => None,
+            false => Some(seen.reference(&scene.renderer, output_view, check)?),
+        };
         findings.append(&mut oak.findings);
         findings.extend(seen.findings.iter().cloned());
         findings.extend(pair.iter().flat_map(|pair| pair.findings.clone()));
@@ -205,7 +212,13 @@ impl Station {
     }
 
     /// Returns what a view sees, rendered once.
-    fn see(&mut self, scene: &LoadedScene, view: View, color_step: u32) -> &mut Seen {
+    fn see(
+        &mut self,
+        scene: &LoadedScene,
+        view: View,
+        color_step: u32,
+        check: Check<'_>,
+    ) -> Result<&mut Seen, Failure> {
         let key = Key {
             scene: scene.info.id.clone(),
             view,
@@ -219,6 +232,7 @@ impl Station {
                     1 => annotate(&scene.renderer, &view, &TRUTH),
                     step => with_coarse_color(&scene.renderer, &view, step),
                 };
+                check()?;
                 Seen {
                     key,
                     frame: Arc::new(frame),
@@ -233,7 +247,7 @@ impl Station {
         }
         self.views.push(seen);
         let last = self.views.len() - 1;
-        &mut self.views[last]
+        Ok(&mut self.views[last])
     }
 }
 
@@ -246,6 +260,7 @@ pub(crate) fn measured(
     images: Vec<ImageName>,
 ) -> Result<Measurement, Failure> {
     let request = FrameRequest {
+        _kind: RequestKind::Frame,
         id: 0,
         oak: String::new(),
         scene: scene.to_owned(),
@@ -326,15 +341,21 @@ fn enlarged(small: &Image<[u8; 4]>, width: u32, height: u32) -> Image<[u8; 4]> {
 }
 
 impl Seen {
-    fn reference(&mut self, renderer: &Renderer, view: View) -> Arc<ZDepth> {
-        match &self.reference {
+    fn reference(
+        &mut self,
+        renderer: &Renderer,
+        view: View,
+        check: Check<'_>,
+    ) -> Result<Arc<ZDepth>, Failure> {
+        Ok(match &self.reference {
             Some((known, depth)) if *known == view => Arc::clone(depth),
             _ => {
                 let depth = Arc::new(renderer.depth(&view, Backend::Auto));
+                check()?;
                 self.reference = Some((view, Arc::clone(&depth)));
                 depth
             }
-        }
+        })
     }
 }
 

@@ -10,6 +10,7 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore, TryAcquireError, watch};
 use crate::calibration::Calibrations;
 use crate::guard::Guard;
 use crate::scene::Scenes;
+use crate::trajectory::Trajectories;
 
 /// The number of frames that are computed at the same time, each of which uses all cores.
 const COMPUTING: usize = 2;
@@ -30,6 +31,7 @@ pub(crate) struct Studio {
     pub(crate) model: String,
     pub(crate) scenes: Scenes,
     pub(crate) calibrations: Calibrations,
+    pub(crate) trajectories: Trajectories,
     pub(crate) guard: Guard,
     /// The folder for files that are being received, which is removed when the server ends.
     pub(crate) uploads: PathBuf,
@@ -54,6 +56,7 @@ impl Studio {
             model,
             scenes,
             calibrations: Calibrations::default(),
+            trajectories: Trajectories::default(),
             guard,
             uploads,
             computing: Arc::new(Semaphore::new(COMPUTING)),

@@ -7,6 +7,7 @@ use axum::body::Body;
 use futures_util::StreamExt;
 use oaktwin::render::OpenOptions;
 use sha2::{Digest, Sha256};
+use tempfile::TempDir;
 use tokio::io::AsyncWriteExt;
 
 use crate::protocol::Failure;
@@ -44,13 +45,33 @@ pub(crate) fn content_id(name: &str, options: &OpenOptions, path: &Path) -> Resu
     hash.update([0]);
     let mut file = std::fs::File::open(path).map_err(failed)?;
     std::io::copy(&mut file, &mut hash).map_err(failed)?;
-    let digits = hash
-        .finalize()
-        .iter()
-        .take(12)
-        .map(|byte| format!("{byte:02x}"))
-        .collect::<String>();
-    Ok(format!("dropped-{digits}"))
+    Ok(format!("dropped-{}", digits(hash)))
+}
+
+/// Returns the part of an id that depends on the name and the content of a file only.
+pub(crate) fn bytes_id(name: &str, bytes: &[u8]) -> String {
+    digits(
+        Sha256::new()
+            .chain_update(name)
+            .chain_update([0])
+            .chain_update(bytes),
+    )
+}
+
+fn digits(hash: Sha256) -> String {
+    let bytes = hash.finalize();
+    bytes.iter().take(12).map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// Makes a folder for a file that is received.
+pub(crate) fn folder(uploads: &Path) -> Result<TempDir, Failure> {
+    tempfile::tempdir_in(uploads).map_err(|error| {
+        // The whole error names the folder.
+        let kind = error.kind();
+        Failure::from(format!(
+            "no temporary folder can be created ({kind}); free space on the disk"
+        ))
+    })
 }
 
 /// How long a dropped file may take to arrive.

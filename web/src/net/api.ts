@@ -1,7 +1,9 @@
 import type {
-  AccuracyCurve, CalibrationInfo, Catalog, CoverageAnswer, CoverageRequest, ExportRequest, Failure, Finding, OakState, SceneInfo, SurfaceRequest,
+  AccuracyCurve, CalibrationInfo, Catalog, CoverageAnswer, CoverageRequest, ExportRequest, Failure, Finding, OakState, SaveRequest, SceneInfo,
+  SessionInfo, SurfaceRequest, TrajectoryInfo,
 } from "../protocol";
 import type { Units } from "../state/units";
+import { decodeTextured, type Textured } from "./textured";
 import { decodeMesh, type Mesh } from "./wire";
 
 /** An answer of the server that is an error. */
@@ -49,6 +51,15 @@ function posted(body: unknown, signal?: AbortSignal): RequestInit {
   return init;
 }
 
+/** Asks for a file. */
+async function saved(path: string, body: unknown, otherName: string): Promise<Exported> {
+  const response = await request(path, posted(body));
+  const disposition = response.headers.get("Content-Disposition") ?? "";
+  const name = /filename="([^"]+)"/.exec(disposition)?.[1] ?? otherName;
+  const findings = JSON.parse(response.headers.get("X-Findings") ?? "[]") as Finding[];
+  return { name, file: await response.blob(), findings };
+}
+
 export const api = {
   catalog: () => json<Catalog>("/api/catalog"),
 
@@ -57,6 +68,11 @@ export const api = {
   async sceneMesh(id: string, triangles: number): Promise<Mesh> {
     const response = await request(`/api/scenes/${encodeURIComponent(id)}/mesh?triangles=${triangles}`);
     return decodeMesh(await response.arrayBuffer());
+  },
+
+  async sceneTextures(id: string): Promise<Textured> {
+    const response = await request(`/api/scenes/${encodeURIComponent(id)}/textures`);
+    return decodeTextured(await response.arrayBuffer());
   },
 
   async body(model: string): Promise<Mesh> {
@@ -72,6 +88,16 @@ export const api = {
   openCalibration: (file: File) =>
     json<CalibrationInfo>(`/api/calibrations?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file }),
 
+  openTrajectory: (file: File) =>
+    json<TrajectoryInfo>(`/api/trajectories?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file }),
+
+  trajectory: (id: string) => json<TrajectoryInfo>(`/api/trajectories/${encodeURIComponent(id)}`),
+
+  openSession: (file: File) =>
+    json<SessionInfo>(`/api/session/open?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file }),
+
+  saveSession: (body: SaveRequest) => saved("/api/session/save", body, "session.oaktwin"),
+
   accuracy: (state: OakState, signal: AbortSignal) => json<AccuracyCurve>("/api/accuracy", posted(state, signal)),
 
   coverage: (body: CoverageRequest, signal: AbortSignal) => json<CoverageAnswer>("/api/coverage", posted(body, signal)),
@@ -82,11 +108,5 @@ export const api = {
   },
 
   /** Returns a file with its name, and what its format cannot represent. */
-  async export(body: ExportRequest): Promise<Exported> {
-    const response = await request("/api/export", posted(body));
-    const disposition = response.headers.get("Content-Disposition") ?? "";
-    const name = /filename="([^"]+)"/.exec(disposition)?.[1] ?? `oaktwin-${body.what}`;
-    const findings = JSON.parse(response.headers.get("X-Findings") ?? "[]") as Finding[];
-    return { name, file: await response.blob(), findings };
-  },
+  export: (body: ExportRequest) => saved("/api/export", body, `oaktwin-${body.what}`),
 };

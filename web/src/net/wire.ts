@@ -31,7 +31,7 @@ export interface Mesh {
 const BYTES_PER_PIXEL = { rgba8: 4, u16mm: 2, u8: 1 };
 
 /** Splits a binary message into its JSON header and the place where its data begins. */
-function header<T>(message: ArrayBuffer): [T, number] {
+export function header<T>(message: ArrayBuffer): [T, number] {
   const length = new DataView(message).getUint32(0, true);
   const text = new TextDecoder().decode(new Uint8Array(message, 4, length));
   return [JSON.parse(text) as T, 4 + length];

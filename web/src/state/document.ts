@@ -15,9 +15,20 @@ export type Rectangle = [number, number, number, number];
 /** The part of the scene whose coverage is computed. */
 export type Target = { minimum: Vec3; maximum: Vec3 } | { object: string };
 
+/** A frame of the timeline. */
+export interface Moment {
+  frame: number;
+  /** The time code of an animated scene; null if only OAKs move. */
+  time: number | null;
+}
+
 /** Everything that undo and a link restore. */
 export interface StudioDocument {
   scene: string;
+  /** Null for the scene as its file was opened. */
+  moment: Moment | null;
+  /** The id of the trajectory along which OAKs move. */
+  trajectory: string | null;
   oaks: Oak[];
   /** The key of the OAK that the controls change. */
   selected: string;
@@ -78,13 +89,14 @@ export function defaultState(model: Model, pose: Pose): OakState {
     drift: {},
     projector: model.hasProjector ? 1 : 0,
     ambient: 1,
+    frame: 0,
   };
 }
 
 /** Returns the state of another model that keeps what does not depend on the model. */
 export function withModel(state: OakState, model: Model): OakState {
-  const { pose, seed, deviceSeed, populationSeed, ambient } = state;
-  const next = { ...defaultState(model, pose), seed, deviceSeed, populationSeed, ambient };
+  const { pose, seed, deviceSeed, populationSeed, ambient, frame } = state;
+  const next = { ...defaultState(model, pose), seed, deviceSeed, populationSeed, ambient, frame };
   const sensor = model.depthSensors.find(({ id }) => id === state.sensor);
   if (!sensor) return next;
   const drift = sensor.kind === "stereo" ? state.drift : {};
@@ -104,7 +116,17 @@ export function freeKey(oaks: Oak[]): string {
 export function newDocument(catalog: Catalog, scene: string, pose: Pose): StudioDocument {
   const model = findModel(catalog, catalog.model) ?? catalog.models[0];
   const oaks = model ? [{ key: "oak1", isHidden: false, state: defaultState(model, pose) }] : [];
-  return { scene, oaks, selected: "oak1", arePosesLinked: true, region: WHOLE_IMAGE, target: null };
+  return { scene, moment: null, trajectory: null, oaks, selected: "oak1", arePosesLinked: true, region: WHOLE_IMAGE, target: null };
+}
+
+/** Returns a document that shows another scene as it was opened. */
+export function withScene(document: StudioDocument, scene: string): StudioDocument {
+  return { ...document, scene, moment: null, trajectory: null, target: null };
+}
+
+/** Returns the scene of requests: at the time of the document, if the scene is animated. */
+export function sceneAt({ scene, moment }: StudioDocument): string {
+  return moment === null || moment.time === null ? scene : `${scene}@${moment.time}`;
 }
 
 export function selectedOak(document: StudioDocument): Oak | undefined {
@@ -115,10 +137,12 @@ export function selectedOak(document: StudioDocument): Oak | undefined {
 export function changeOak(document: StudioDocument, key: string, change: (state: OakState) => OakState): StudioDocument {
   const before = document.oaks.find((oak) => oak.key === key);
   if (!before) return document;
-  const state = change(before.state);
+  const changed = change(before.state);
+  // An OAK that leaves its trajectory takes frames on its own.
+  const state = changed.pose === before.state.pose ? changed : { ...changed, frame: 0 };
   const oaks = document.oaks.map((oak) => {
     if (oak.key === key) return { ...oak, state };
-    if (document.arePosesLinked && state.pose !== before.state.pose) return { ...oak, state: { ...oak.state, pose: state.pose } };
+    if (document.arePosesLinked && state.pose !== before.state.pose) return { ...oak, state: { ...oak.state, pose: state.pose, frame: 0 } };
     return oak;
   });
   return { ...document, oaks };

@@ -1,6 +1,6 @@
 import type { OakState, Vec3 } from "../protocol";
 import { DEFAULT_DISPLAY, type Display, displayFrom } from "./display";
-import { MAX_OAKS, type Oak, type Rectangle, type StudioDocument, type Target, WHOLE_IMAGE } from "./document";
+import { MAX_OAKS, type Moment, type Oak, type Rectangle, type StudioDocument, type Target, WHOLE_IMAGE } from "./document";
 
 /** The state of the page in a link. */
 export interface Linked {
@@ -30,15 +30,25 @@ export function fromFragment(fragment: string, local: Display): Linked | null {
   try {
     const binary = atob(encoded.slice(VERSION.length).replaceAll("-", "+").replaceAll("_", "/"));
     const text = new TextDecoder().decode(Uint8Array.from(binary, (character) => character.charCodeAt(0)));
-    const json = JSON.parse(text) as { document?: unknown; display?: unknown };
-    const document = documentFrom(json.document);
-    if (!document) return null;
-    const display = displayFrom(json.display);
-    for (const key of LOCAL) Object.assign(display, { [key]: local[key] });
-    return { document, display };
+    return linkedFrom(JSON.parse(text) as Saved, local);
   } catch {
     return null;
   }
+}
+
+/** A state in a link or a session, of which nothing is known. */
+interface Saved {
+  document?: unknown;
+  display?: unknown;
+}
+
+/** Checks a state; null if it is none. */
+export function linkedFrom(json: Saved, local: Display): Linked | null {
+  const document = documentFrom(json.document);
+  if (!document) return null;
+  const display = displayFrom(json.display);
+  for (const key of LOCAL) Object.assign(display, { [key]: local[key] });
+  return { document, display };
 }
 
 type Json = Record<string, unknown>;
@@ -58,12 +68,23 @@ function documentFrom(json: unknown): StudioDocument | null {
   if (!first || new Set(oaks.map(({ key }) => key)).size !== oaks.length) return null;
   return {
     scene: json.scene,
+    moment: momentFrom(json.moment),
+    trajectory: typeof json.trajectory === "string" ? json.trajectory : null,
     oaks,
     selected: oaks.find(({ key }) => key === json.selected)?.key ?? first.key,
     arePosesLinked: json.arePosesLinked !== false,
     region: (numbers(json.region, 4) as Rectangle | null) ?? WHOLE_IMAGE,
     target: targetFrom(json.target),
   };
+}
+
+function momentFrom(json: unknown): Moment | null {
+  if (!isObject(json) || !isFrame(json.frame)) return null;
+  return { frame: json.frame as number, time: Number.isFinite(json.time) ? (json.time as number) : null };
+}
+
+function isFrame(json: unknown): boolean {
+  return Number.isSafeInteger(json) && (json as number) >= 0;
 }
 
 function targetFrom(json: unknown): Target | null {
@@ -108,5 +129,6 @@ function stateFrom(json: unknown): OakState | null {
     drift: texts(json.drift),
     projector: number(json.projector, 1),
     ambient: number(json.ambient, 1),
+    frame: isFrame(json.frame) ? (json.frame as number) : 0,
   };
 }

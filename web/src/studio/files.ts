@@ -1,8 +1,9 @@
 import { api } from "../net/api";
 import type { Units } from "../state/units";
-import { changeOak, findModel, type StudioDocument, withModel } from "../state/document";
+import { changeOak, findModel, type StudioDocument, withModel, withScene } from "../state/document";
 import { bytes } from "../util/format";
-import type { CalibrationInfo, SceneInfo } from "../protocol";
+import type { CalibrationInfo, SceneInfo, TrajectoryInfo } from "../protocol";
+import { openSession } from "./session";
 import type { Studio } from "./studio";
 
 /** Opens files that were dropped onto the page or chosen: calibrations by their extension, anything else as a scene. */
@@ -14,7 +15,9 @@ export async function openFiles(studio: Studio, files: Iterable<File>): Promise<
       continue;
     }
     try {
-      if (isCalibration(file)) useCalibration(studio, await api.openCalibration(file));
+      if (/\.oaktwin$/i.test(file.name)) await openSession(studio, file);
+      else if (await isTrajectory(file)) useTrajectory(studio, await api.openTrajectory(file));
+      else if (isCalibration(file)) useCalibration(studio, await api.openCalibration(file));
       else await readScene(studio, file);
     } catch (error) {
       studio.report("Not opened", error);
@@ -24,6 +27,17 @@ export async function openFiles(studio: Studio, files: Iterable<File>): Promise<
 
 function isCalibration(file: File): boolean {
   return file.name.toLowerCase().endsWith(".json");
+}
+
+/** A trajectory is text: lines of numbers, or JSON that begins with a list, which a calibration does not. */
+async function isTrajectory(file: File): Promise<boolean> {
+  return /\.(txt|tum|csv)$/i.test(file.name) || (isCalibration(file) && (await file.slice(0, 256).text()).trimStart().startsWith("["));
+}
+
+function useTrajectory(studio: Studio, info: TrajectoryInfo): void {
+  studio.timeline.use(info);
+  const duration = (info.timesS.at(-1) ?? 0).toFixed(1);
+  studio.notify("note", `${info.name}: ${info.poses.length.toLocaleString("en")} poses in ${duration} s. The timeline below the 3D view moves the OAK along them.`);
 }
 
 /** A dropped mesh file whose unit nobody knows. */
@@ -51,10 +65,8 @@ export async function useDropped(studio: Studio, { file, info }: Asked, units: U
 
 function useScene(studio: Studio, info: SceneInfo): void {
   studio.document.commit("scene", (document): StudioDocument => ({
-    ...document,
-    scene: info.id,
-    oaks: document.oaks.map((oak) => ({ ...oak, state: { ...oak.state, pose: info.pose } })),
-    target: null,
+    ...withScene(document, info.id),
+    oaks: document.oaks.map((oak) => ({ ...oak, state: { ...oak.state, pose: info.pose, frame: 0 } })),
   }));
   const worst = info.findings.some(({ level }) => level !== "note") ? "warning" : "note";
   studio.notify(worst, `${info.name}: ${info.triangles.toLocaleString("en")} triangles.`, info.findings);

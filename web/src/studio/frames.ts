@@ -3,7 +3,7 @@ import { FrameScheduler, type Wanted } from "../net/scheduler";
 import type { Frame } from "../net/wire";
 import type { ImageName, OakState, Rejection, ServerMessage } from "../protocol";
 import { type Display, FULL_SIZES, PANELS, shownKinds } from "../state/display";
-import { findSensor, type Oak } from "../state/document";
+import { findSensor, type Oak, sceneAt } from "../state/document";
 import type { Defaults } from "./defaults";
 import type { Probes } from "./probes";
 import type { Studio } from "./studio";
@@ -66,12 +66,13 @@ export class FrameLoop {
     studio.document.subscribe(() => this.follow());
     studio.display.subscribe(() => this.follow());
     studio.scene.subscribe(() => this.follow());
+    studio.timeline.isPlaying.subscribe(() => this.rest());
     this.live.connect();
   }
 
   /** Whether every frame is there and no change waits for one. */
   get isIdle(): boolean {
-    return this.timer === 0 && this.scheduler.isIdle && this.probes.isIdle;
+    return this.timer === 0 && this.scheduler.isIdle && this.probes.isIdle && !this.studio.timeline.isPlaying.get();
   }
 
   private connected(isOpen: boolean): void {
@@ -101,12 +102,12 @@ export class FrameLoop {
     const images = neededImages(this.studio.display.get());
     for (const oak of oaks) {
       if (oak.isHidden || !this.studio.hasDepth(oak.state)) continue;
-      const key = [id, oak.state, ...region, fullSize, ...images];
+      const key = [sceneAt(document.get()), oak.state, ...region, fullSize, ...images];
       const before = this.requested.get(oak.key);
       if (before && before.length === key.length && before.every((part, i) => part === key[i])) continue;
       this.requested.set(oak.key, key);
       // A new parameter needs no new rendering, unless the size changes.
-      const isMoved = (before?.[1] as OakState | undefined)?.pose !== oak.state.pose;
+      const isMoved = before?.[0] !== key[0] || (before?.[1] as OakState | undefined)?.pose !== oak.state.pose;
       const wanted = this.request(oak, COARSE[isMoved ? this.coarseness : 0] ?? null, images, isMoved ? COLOR_STEP : 1);
       if (isMoved) this.moving.add(wanted);
       this.rest();
@@ -115,6 +116,9 @@ export class FrameLoop {
 
   private rest(): void {
     clearTimeout(this.timer);
+    this.timer = 0;
+    // While the timeline plays, the next frame comes sooner.
+    if (this.studio.timeline.isPlaying.get()) return;
     this.timer = window.setTimeout(() => {
       this.timer = 0;
       const { document, display } = this.studio;
@@ -132,7 +136,8 @@ export class FrameLoop {
   }
 
   private request(oak: Oak, limit: [number, number] | null, images: ImageName[], colorStep: number): Wanted {
-    const { scene, region } = this.studio.document.get();
+    const { region } = this.studio.document.get();
+    const scene = sceneAt(this.studio.document.get());
     const resolution = findSensor(this.studio.catalog.get(), oak.state)?.resolution;
     const size = resolution ? fit(resolution, limit) : null;
     this.limits.set(oak.key, limitKey(limit, colorStep));

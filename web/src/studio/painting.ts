@@ -1,6 +1,6 @@
 import { api } from "../net/api";
 import type { Mesh } from "../net/wire";
-import { type Oak, selectedOak } from "../state/document";
+import { type Oak, selectedOak, sceneAt } from "../state/document";
 import { Store } from "../util/store";
 import type { Studio } from "./studio";
 
@@ -38,7 +38,7 @@ export class Painting extends Store<Painted> {
     const { target, scene: id } = document.get();
     const oak = selectedOak(document.get());
     const isOn = display.get().paintsCoverage && target !== null && oak !== undefined && this.studio.hasDepth(oak.state) && scene.get()?.id === id;
-    const wanted = isOn && connection.get() === "open" ? [id, target, oak.state] : [];
+    const wanted = isOn && connection.get() === "open" ? [sceneAt(document.get()), target, oak.state] : [];
     if (wanted.length === this.wanted.length && wanted.every((part, i) => part === this.wanted[i])) return;
     this.wanted = wanted;
     this.running?.abort();
@@ -51,12 +51,13 @@ export class Painting extends Store<Painted> {
 
   private async paint(oak: Oak): Promise<void> {
     this.timer = 0;
-    const { scene, target } = this.studio.document.get();
+    const document = this.studio.document.get();
+    const { target } = document;
     if (!target) return;
     const running = new AbortController();
     this.running = running;
     try {
-      const mesh = await api.surface({ scene, state: oak.state, region: target }, running.signal);
+      const mesh = await api.surface({ scene: sceneAt(document), state: oak.state, region: target }, running.signal);
       if (this.running === running) this.set({ mesh, error: null });
     } catch (error) {
       if (this.running === running) this.set({ mesh: null, error: error instanceof Error ? error.message : String(error) });

@@ -1,7 +1,7 @@
 import { api } from "../net/api";
 import { decodeFrame, type Frame } from "../net/wire";
 import type { FrameRequest, ImageName, OakState, PoseCoverage, ServerMessage } from "../protocol";
-import { findEngine, findModel, findSensor, type Target } from "../state/document";
+import { findEngine, findModel, findSensor, type Target, sceneAt } from "../state/document";
 import { fit } from "./frames";
 import type { Shown, Studio } from "./studio";
 
@@ -40,7 +40,9 @@ export function stateFor(studio: Studio, state: OakState, ambient: number): OakS
 
 /** Measures every OAK that is shown by day and by night. `onRow` is called after each. */
 export async function makeReport(studio: Studio, region: Target, toleranceMm: number | null, signal: AbortSignal, onRow: (done: number, of: number) => void): Promise<Report> {
-  const { oaks, scene } = studio.document.get();
+  const document = studio.document.get();
+  const { oaks } = document;
+  const scene = sceneAt(document);
   const shown = oaks.filter((oak) => !oak.isHidden && studio.hasDepth(oak.state));
   const rows: Row[] = [];
   const of = shown.length * LIGHTS.length;

@@ -3,10 +3,11 @@ import type { Connection } from "../net/live";
 import type { Frame } from "../net/wire";
 import type { CalibrationInfo, Catalog, Finding, ImageName, OakState, ProbeAnswer, Rejection, SceneInfo } from "../protocol";
 import { type Display, loadDisplay, saveDisplay, type Side } from "../state/display";
-import { changeOak, findModel, newDocument, type StudioDocument } from "../state/document";
+import { changeOak, findModel, newDocument, type StudioDocument, withScene } from "../state/document";
 import { History } from "../state/history";
 import { fromFragment, toFragment } from "../state/link";
 import type { Asked } from "./files";
+import { Timeline } from "./timeline";
 import { Store } from "../util/store";
 import { NO_ZOOM, type Zoom } from "../util/zoom";
 
@@ -63,6 +64,7 @@ export class Studio {
   /** The dropped files whose units a dialogue asks for. */
   readonly asked = new Store<readonly Asked[]>([]);
   readonly notices = new Store<readonly Notice[]>([]);
+  readonly timeline: Timeline;
   readonly calibrations = new Store<ReadonlyMap<string, CalibrationInfo>>(new Map());
   private lastNotice = 0;
   private loading = "";
@@ -74,6 +76,7 @@ export class Studio {
     this.display = new Store(linked?.display ?? display);
     this.document = new History(linked?.document ?? newDocument(catalog, first.id, first.pose));
     if (this.document.get().scene === first.id) this.scene.set(first);
+    this.timeline = new Timeline(this);
     if (location.hash.length > 1 && !linked) this.notify("error", BROKEN);
     this.followAddress();
     this.display.subscribe(() => saveDisplay(this.display.get()));
@@ -147,8 +150,8 @@ export class Studio {
     const { oaks } = this.document.get();
     this.notify("warning", "The server does not have the scene of this state; drop its file onto the page again.");
     const info = await api.scene(first);
-    const known = oaks.map((oak) => ({ ...oak, state: { ...oak.state, pose: info.pose } }));
-    this.document.reset({ ...this.document.get(), scene: first, oaks: known, target: null });
+    const known = oaks.map((oak) => ({ ...oak, state: { ...oak.state, pose: info.pose, frame: 0 } }));
+    this.document.reset({ ...withScene(this.document.get(), first), oaks: known });
     this.scene.set(info);
   }
 

@@ -6,7 +6,7 @@ import { api } from "../net/api";
 import type { Mesh } from "../net/wire";
 import type { Pose, SceneInfo, Vec3 } from "../protocol";
 import type { Display } from "../state/display";
-import { findModel, findSensor, type Oak, selectedOak, type Target } from "../state/document";
+import { findModel, findSensor, type Oak, selectedOak, type Target, sceneAt } from "../state/document";
 import { Store } from "../util/store";
 import { makeCloud, placeCloud, showThrough } from "../view3d/cloud";
 import type { GizmoMode } from "../view3d/gizmo";
@@ -62,7 +62,9 @@ export class SceneView {
   private readonly seen = new Map<string, readonly unknown[]>();
   private hasClouds = false;
   private mesh: Mesh | null = null;
+  /** The scene of the mesh, at its time. */
   private loaded = "";
+  private isLoading = false;
   private wantsDetail = false;
   /** The timer of the next pose of an OAK that flies. */
   private ridden = 0;
@@ -83,6 +85,8 @@ export class SceneView {
     const { document, display, scene, frames, probe } = studio;
     scene.subscribe(() => void this.loadScene());
     for (const store of [document, display, this.gizmo, this.isRiding]) store.subscribe(() => this.follow());
+    document.subscribe(() => this.followTime());
+    studio.timeline.isPlaying.subscribe(() => void this.loadTextures(this.loaded));
     frames.subscribe(() => this.followClouds());
     probe.subscribe(() => this.followProbe());
     this.ruler.subscribe(() => this.viewer.setRuler(this.ruler.get() ?? []));
@@ -93,7 +97,7 @@ export class SceneView {
 
   /** Whether everything is drawn. */
   get isIdle(): boolean {
-    return this.viewer.isIdle && this.painting.isIdle;
+    return this.viewer.isIdle && this.painting.isIdle && !this.isLoading;
   }
 
   /** Looks at the selected OAK from behind. */
@@ -135,11 +139,14 @@ export class SceneView {
     const info = this.studio.scene.get();
     // A server that was restarted may have another scene under the same name.
     if (!info) this.loaded = "";
-    if (!info || info.id === this.loaded) return;
+    if (!info || info.id !== this.studio.document.get().scene) return;
+    const scene = sceneAt(this.studio.document.get());
+    if (scene === this.loaded) return;
     const isFirst = this.isNew("place", info.id, ...info.bounds.flat());
-    this.loaded = info.id;
+    this.loaded = scene;
+    this.isLoading = true;
     try {
-      const mesh = await api.sceneMesh(info.id, this.wantsDetail ? FULL_DETAIL : TRIANGLES);
+      const mesh = await api.sceneMesh(scene, this.wantsDetail ? FULL_DETAIL : TRIANGLES);
       this.wantsDetail = false;
       if (this.studio.scene.get()?.id !== info.id) return;
       this.viewer.setScene(info, mesh, false);
@@ -148,10 +155,31 @@ export class SceneView {
       if (isFirst) this.roof = this.viewer.roofAbove(info, info.pose.position);
       if (isFirst) this.home();
       this.follow();
+      await this.loadTextures(scene);
     } catch (error) {
       this.loaded = "";
       if (this.studio.connection.get() === "open") this.studio.report("The 3D view", error);
+    } finally {
+      this.isLoading = false;
     }
+    this.followTime();
+  }
+
+  /** Loads the textures of the scene as it is at rest; without them, surfaces have the mean colours of their textures. */
+  private async loadTextures(scene: string): Promise<void> {
+    if (scene === "" || this.studio.timeline.isPlaying.get()) return;
+    try {
+      const surfaces = await api.sceneTextures(scene);
+      if (this.loaded === scene && surfaces.groups.length) this.viewer.setTextured(surfaces);
+    } catch {
+      // The mean colours remain.
+    }
+  }
+
+  /** Shows the scene at another time, as often as its mesh arrives. */
+  private followTime(): void {
+    const document = this.studio.document.get();
+    if (!this.isLoading && this.loaded !== "" && this.loaded !== sceneAt(document)) void this.loadScene();
   }
 
   /** Passes on what has changed; drawing without a GPU is slow, so nothing else may cause it. */

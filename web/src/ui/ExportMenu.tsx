@@ -1,9 +1,10 @@
 import { useState } from "preact/hooks";
+import { saveSession } from "../studio/session";
 import { fit } from "../studio/frames";
 import { api, type Exported } from "../net/api";
 import type { ExportRequest, OakState } from "../protocol";
 import { FULL_SIZES, type PanelKind, PANELS, shownKinds } from "../state/display";
-import { findSensor, selectedOak } from "../state/document";
+import { findSensor, selectedOak, sceneAt } from "../state/document";
 import type { Studio } from "../studio/studio";
 import { copyText, save } from "../util/away";
 import { words } from "../util/format";
@@ -40,11 +41,18 @@ async function exported(studio: Studio, what: What): Promise<Exported | null> {
   const shown = document.oaks.filter((other) => other.key !== oak.key && !other.isHidden && studio.hasDepth(other.state));
   const compared = what.what === "statistics" ? { region: document.region, others: shown.map(({ state }) => sized(state)) } : {};
   try {
-    return await api.export({ ...what, ...compared, scene: document.scene, ...sized(oak.state) });
+    return await api.export({ ...what, ...compared, ...timed(studio), scene: sceneAt(document), ...sized(oak.state) });
   } catch (error) {
     studio.report("The export", error);
     return null;
   }
+}
+
+/** What commands need to know of the timeline. */
+function timed(studio: Studio): Pick<ExportRequest, "trajectory" | "codes"> {
+  const { trajectory } = studio.document.get();
+  const codes = studio.timeline.frames()?.codes;
+  return { ...(trajectory !== null && { trajectory }), ...(codes && { codes: [codes.first, codes.step] }) };
 }
 
 /** Saves all panels in one picture, as they are on the page. */
@@ -97,6 +105,7 @@ export function ExportMenu() {
           return (
             <>
               <p class="menu-head">Reproduce this state</p>
+              {item("Session, to open it here again", () => void saveSession(studio), "One file with everything on this page, and the files that were dropped onto it")}
               {TEXTS.map(({ title, what }) => item(title, () => void show(title, what)))}
               <p class="menu-head">Files</p>
               {FILES.map(({ title, what }) => item(title, () => void download(what)))}

@@ -10,6 +10,8 @@ const KEYS: [string, [string, string][]][] = [
     ["C", "Look from the OAK"],
     ["M", "Measure between two points of the scene"],
     ["F", "Fly the OAK: it moves with the view"],
+    ["Space", "Play or pause the timeline"],
+    [", and .", "The previous, the next frame of the timeline"],
     ["[, ]", "Select the previous, next OAK"],
     ["Escape", "Close, restore the page, or stop probing"],
     ["?", "This list"],

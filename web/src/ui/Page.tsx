@@ -11,6 +11,7 @@ import { OakList } from "./OakList";
 import { Place } from "./Place";
 import { PoseFields } from "./PoseFields";
 import { listenForKeys } from "./shortcuts";
+import { TimelineBar } from "./TimelineBar";
 import { Tooltip } from "./Tooltip";
 import { TopBar } from "./TopBar";
 import { Tune } from "./Tune";
@@ -142,7 +143,7 @@ function Middle() {
     set(split + by);
   };
   return (
-    <main class="middle" ref={element} style={{ gridTemplateRows: `minmax(0, ${split}fr) 7px minmax(0, ${1 - split}fr)` }}>
+    <main class="middle" ref={element} style={{ gridTemplateRows: `minmax(0, ${split}fr) 7px minmax(0, ${1 - split}fr) auto` }}>
       <View />
       <div
         class="splitter"
@@ -157,6 +158,7 @@ function Middle() {
         onKeyDown={key}
       />
       <Images />
+      <TimelineBar />
       {showLeft && <SideEdge side="left" />}
       {showRight && <SideEdge side="right" />}
     </main>
@@ -191,5 +193,5 @@ function DropTarget() {
     };
   }, [studio]);
   if (!isOver) return null;
-  return <div class="drop"><p>Drop a scene or a calibration</p><span>It is read, never stored, and stays on this computer.</span></div>;
+  return <div class="drop"><p>Drop a scene, a calibration, a trajectory or a session</p><span>It stays on this computer, and is forgotten when the server ends.</span></div>;
 }

@@ -2,7 +2,7 @@ import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { css, outcomeColor } from "../gpu/colormaps";
 import { api } from "../net/api";
 import type { CoverageAnswer, OakState, SceneInfo, Vec3 } from "../protocol";
-import { choosable, type Oak, type Target } from "../state/document";
+import { choosable, type Oak, type Target, sceneAt } from "../state/document";
 import { type SceneView, targetBounds } from "../studio/view";
 import { bareMillimetres, bareShare, NONE, words } from "../util/format";
 import { useStore } from "../util/store";
@@ -127,9 +127,10 @@ export function useCoverage(scene: string, states: OakState[], target: Target, t
 /** What each OAK measures of the region now. */
 function Coverage({ target, tolerance }: { target: Target; tolerance: number | null }) {
   const { studio } = useApp();
-  const { oaks, scene } = useStore(studio.document);
+  const document = useStore(studio.document);
+  const { oaks } = document;
   const shown = oaks.filter((oak) => !oak.isHidden && studio.hasDepth(oak.state));
-  const { answer, error } = useCoverage(scene, shown.map(({ state }) => state), target, tolerance);
+  const { answer, error } = useCoverage(sceneAt(document), shown.map(({ state }) => state), target, tolerance);
   return (
     <Section title="Coverage" testId="coverage">
       <Tolerance value={tolerance} />

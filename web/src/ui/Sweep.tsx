@@ -1,7 +1,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { api } from "../net/api";
 import type { PoseCoverage } from "../protocol";
-import { changeOak, selectedOak, type Target } from "../state/document";
+import { changeOak, selectedOak, type Target, sceneAt } from "../state/document";
 import { height, MAX_POSES, rank, type Ranked, type Span, sweep } from "../studio/sweep";
 import { millimetres, NONE, share } from "../util/format";
 import { toAngles } from "../util/pose";
@@ -39,7 +39,7 @@ export function Sweep({ target, tolerance }: { target: Target; tolerance: number
     running.current?.abort();
     setRanked(null);
     setProblem(null);
-  }, [document.scene, JSON.stringify(target), tolerance]);
+  }, [sceneAt(document), JSON.stringify(target), tolerance]);
   if (!oak) return null;
   const shown = isForAll ? document.oaks.filter((oak) => !oak.isHidden && studio.hasDepth(oak.state)) : [oak];
   const count = heights.count * tilts.count * shown.length;
@@ -53,7 +53,7 @@ export function Sweep({ target, tolerance }: { target: Target; tolerance: number
       while (poses.length < tried.length) {
         setDone(poses.length);
         const states = tried.slice(poses.length, poses.length + AT_ONCE).map(({ state }) => state);
-        poses.push(...(await api.coverage({ scene: document.scene, states, region: target, toleranceMm: tolerance }, own.signal)).poses);
+        poses.push(...(await api.coverage({ scene: sceneAt(document), states, region: target, toleranceMm: tolerance }, own.signal)).poses);
         setRanked(rank(tried, poses, up));
       }
     } catch (error) {

@@ -1,4 +1,5 @@
 import { useRef } from "preact/hooks";
+import { withScene } from "../state/document";
 import { openFiles } from "../studio/files";
 import { copyText } from "../util/away";
 import { useStore } from "../util/store";
@@ -20,7 +21,7 @@ export function TopBar({ onHelp }: { onHelp: () => void }) {
     () => studio.notify("note", "The link is in the clipboard. It restores this state."),
     (error) => studio.report("Copying the link", error),
   );
-  const toFirst = () => studio.document.commit("scene", (document) => ({ ...document, scene: catalog.scene, target: null }));
+  const toFirst = () => studio.document.commit("scene", (document) => withScene(document, catalog.scene));
   return (
     <header class="top-bar">
       <Button icon="left" label="Controls (1)" isOn={display.showLeft} onClick={() => studio.show({ showLeft: !display.showLeft })} />
@@ -29,7 +30,7 @@ export function TopBar({ onHelp }: { onHelp: () => void }) {
         <span data-testid="scene">{scene?.name ?? "Loading…"}</span>
         {scene && <span class="detail">{scene.triangles.toLocaleString("en")} triangles</span>}
       </div>
-      <Button icon="open" label="Open…" isNamed tip="Open a scene or a calibration; or drop its file onto the page" onClick={() => input.current?.click()} />
+      <Button icon="open" label="Open…" isNamed tip="Open a scene, a calibration, a trajectory or a session; or drop the file onto the page" onClick={() => input.current?.click()} />
       <input
         ref={input}
         type="file"

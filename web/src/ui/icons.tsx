@@ -17,6 +17,8 @@ const PATHS = {
   reset: "M3 8a5 5 0 105-5H5M7 1L5 3l2 2",
   ruler: "M2 11.5l9.5-9.5 2.5 2.5-9.5 9.5zM5.5 8l1.5 1.5M8 5.5L9.5 7M10.5 3l1 1",
   picture: "M2 3h12v10H2zM4 11l3-3.5 2.5 2.5 1.5-1.5L13 11M10.5 6h.1",
+  play: "M4.5 2.5v11l9-5.5z",
+  pause: "M5 3v10M11 3v10",
   left: "M2 3h12v10H2zM6 3v10",
   right: "M2 3h12v10H2zM10 3v10",
   link: "M6 4H4a3 3 0 000 8h2M10 4h2a3 3 0 010 8h-2M5 8h6",

@@ -50,6 +50,9 @@ function plainKey(app: App, event: KeyboardEvent, onHelp: () => void): boolean {
     "[": () => selectNeighbour(app, -1),
     "]": () => selectNeighbour(app, 1),
     m: () => view?.ruler.set(view.ruler.get() ? null : []),
+    " ": () => studio.timeline.toggle(),
+    ",": () => studio.timeline.step(-1),
+    ".": () => studio.timeline.step(1),
     Home: () => view?.home(),
     Escape: () => {
       studio.hover.set(null);
@@ -59,7 +62,9 @@ function plainKey(app: App, event: KeyboardEvent, onHelp: () => void): boolean {
       view?.setRiding(false);
     },
   };
-  const action = actions[event.key];
+  // The space bar presses a button that has the focus.
+  const isPressed = event.key === " " && event.target instanceof HTMLButtonElement;
+  const action = isPressed ? undefined : actions[event.key];
   action?.();
   return action !== undefined;
 }

@@ -12,6 +12,8 @@ import { makeMesh, makePainting } from "./meshes";
 import { Navigation } from "./navigation";
 import { dispose } from "./oakobject";
 import { RulerLine } from "./ruler";
+import { clipTextured, forgetTextures, makeTextured } from "./textured";
+import type { Textured } from "../net/textured";
 
 export interface ViewerHandlers {
   /** The selected OAK was moved in the view. */
@@ -75,6 +77,7 @@ export class Viewer {
   private painting: Mesh<BufferGeometry, MeshLambertMaterial> | null = null;
   private readonly box: BoxHandles;
   private readonly ruler: RulerLine;
+  private readonly textured = new Group();
   private objects: Uint32Array | null = null;
   private isWaiting = false;
   private lastDraw = 0;
@@ -83,7 +86,7 @@ export class Viewer {
     this.renderer = new WebGLRenderer({ canvas, antialias: !isDrawnBySoftware(), powerPreference: "high-performance" });
     this.renderer.localClippingEnabled = true;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.scene.add(new HemisphereLight("#ffffff", "#8a8f98", 1.9), this.lamp, this.oaks, this.clouds);
+    this.scene.add(new HemisphereLight("#ffffff", "#8a8f98", 1.9), this.lamp, this.oaks, this.clouds, this.textured);
     const invalidate = () => this.invalidate();
     this.navigation = new Navigation(this.camera, canvas, () => {
       this.invalidate();
@@ -157,6 +160,7 @@ export class Viewer {
     this.mesh = makeMesh(mesh, isTwoSided);
     this.objects = mesh.objects;
     this.scene.add(this.mesh);
+    this.setTextured(null);
     const size = new Vector3(...info.bounds[1]).distanceTo(new Vector3(...info.bounds[0]));
     this.camera.near = Math.min(0.05, Math.max(size / 5000, 0.001));
     this.camera.far = Math.max(100, size * 10);
@@ -164,8 +168,21 @@ export class Viewer {
     this.invalidate();
   }
 
+  /** Draws textures over the scene; null for none. */
+  setTextured(surfaces: Textured | null): void {
+    forgetTextures(this.textured);
+    dispose(this.textured);
+    this.textured.clear();
+    if (surfaces && this.mesh) {
+      this.textured.add(...makeTextured(surfaces).children);
+      clipTextured(this.textured, this.mesh.material.clippingPlanes);
+    }
+    this.invalidate();
+  }
+
   showScene(isShown: boolean): void {
     if (this.mesh) this.mesh.visible = isShown;
+    this.textured.visible = isShown;
     this.invalidate();
   }
 
@@ -184,6 +201,7 @@ export class Viewer {
     const down = new Vector3(...upVector(info.up)).negate();
     this.mesh.material.clippingPlanes = height === null ? null : [new Plane(down, height - ROOF_GAP)];
     if (this.painting) this.painting.material.clippingPlanes = this.mesh.material.clippingPlanes;
+    clipTextured(this.textured, this.mesh.material.clippingPlanes);
     this.invalidate();
   }
 

@@ -58,6 +58,17 @@ impl Finding {
         }
     }
 
+    /// The finding with other texts, for a reader who knows files by other names.
+    #[must_use]
+    pub fn map_texts(&self, change: impl Fn(&str) -> String) -> Self {
+        Self {
+            place: change(&self.place),
+            message: self.message.map_texts(&change),
+            remedy: self.remedy.map_texts(&change),
+            ..*self
+        }
+    }
+
     /// Writes the finding with another text for its place.
     pub(crate) fn write_at(&self, f: &mut fmt::Formatter<'_>, place: &str) -> fmt::Result {
         write!(f, "{}[{}]: {place}: {}", self.level, self.code, self.message)?;
@@ -101,6 +112,8 @@ mod tests {
         );
         let line = "warning[baseline-off]: extrinsics: 8 cm; recalibrate";
         assert_eq!(finding.to_string(), line);
+        let renamed = finding.map_texts(|text| text.replace("extrinsics", "rig"));
+        assert_eq!(renamed.to_string(), line.replace("extrinsics", "rig"));
         finding.remedy = Message::default();
         assert_eq!(finding.to_string(), "warning[baseline-off]: extrinsics: 8 cm");
     }

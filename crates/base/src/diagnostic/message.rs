@@ -129,6 +129,19 @@ impl Message {
             .extend(moved.map(|(start, end, option)| (start + offset, end + offset, option)));
     }
 
+    /// The message with other texts between its options.
+    #[must_use]
+    pub fn map_texts(&self, change: impl Fn(&str) -> String) -> Self {
+        let mut changed = Self::default();
+        for (text, option) in self.pieces() {
+            changed.push(change(text));
+            if let Some(option) = option {
+                changed.push(option.clone());
+            }
+        }
+        changed
+    }
+
     /// The text with each option spelled by `style`.
     #[must_use]
     pub fn render(&self, style: impl Fn(&Opt) -> String) -> String {

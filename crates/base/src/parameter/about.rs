@@ -92,6 +92,8 @@ pub struct About {
     pub platform: Option<Platform>,
     /// The source of the default.
     pub source: Source,
+    /// The place among the parameters that people change first, from 1; 0 of all others.
+    pub common: u8,
     /// What the parameter does.
     pub doc: &'static str,
 }
@@ -112,6 +114,7 @@ impl About {
             typical: None,
             platform: None,
             source: Source::DepthAi,
+            common: 0,
             doc: "",
         }
     }
@@ -154,6 +157,12 @@ impl About {
             typical: Some((*range.start(), *range.end())),
             ..self
         }
+    }
+
+    /// The same for the parameter at a place among those that people change first, from 1. Front ends list these first.
+    #[must_use]
+    pub const fn common(self, common: u8) -> Self {
+        Self { common, ..self }
     }
 
     /// The same for a parameter of one platform.

@@ -16,6 +16,20 @@ pub struct Listing {
     pub default: String,
 }
 
+/// The heading above the parameters that people change first.
+pub const COMMON: &str = "changed first";
+
+impl Listing {
+    /// The heading under which front ends list the parameter: its table, or [`COMMON`].
+    #[must_use]
+    pub fn heading(&self) -> &'static str {
+        match self.about.common {
+            0 => self.table,
+            _ => COMMON,
+        }
+    }
+}
+
 /// The parameter as JSON: what `oaktwin params --json` prints and Python returns.
 impl Serialize for Listing {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -87,5 +101,15 @@ impl Group {
     #[must_use]
     pub fn list(&self, platform: Platform) -> Vec<Listing> {
         self.tables.iter().flat_map(|list| list(platform)).collect()
+    }
+
+    /// The same, after the parameters that people change first.
+    #[must_use]
+    pub fn list_common_first(&self, platform: Platform) -> Vec<Listing> {
+        let (mut list, others): (Vec<Listing>, Vec<Listing>) =
+            (self.list(platform).into_iter()).partition(|row| row.about.common > 0);
+        list.sort_by_key(|row| row.about.common);
+        list.extend(others);
+        list
     }
 }

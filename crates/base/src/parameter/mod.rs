@@ -21,7 +21,7 @@ pub use crate::{choice, parameters};
 pub use about::{About, Kind, Source};
 pub use choice::{Choice, choose, deserialize_choice};
 pub use error::ParameterError;
-pub use group::{Group, Listing};
+pub use group::{COMMON, Group, Listing};
 pub use platform::Platform;
 pub use scalar::Scalar;
 #[doc(hidden)]

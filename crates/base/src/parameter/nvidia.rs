@@ -58,19 +58,19 @@ parameters! {
         max_distance_m: f64 = 1e7 => ("maxDistance".unit("m").typical(1.0..=30.0).source(Source::Nvidia)),
         /// The quantization step of disparity. It is in pixels of the rendered image; 0 disables both the step and the jitter.
         noise_mean_px: f64 = 0.25
-            => ("noiseMean".unit("px").range(NOISE_PX).typical(0.0..=2.0).source(Source::Nvidia)),
+            => ("noiseMean".common(2).unit("px").range(NOISE_PX).typical(0.0..=2.0).source(Source::Nvidia)),
         /// The standard deviation of disparity. It is in pixels of the rendered image.
         noise_sigma_px: f64 = 0.25
-            => ("noiseSigma".unit("px").range(NOISE_PX).typical(0.0..=2.0).source(Source::Nvidia)),
+            => ("noiseSigma".common(1).unit("px").range(NOISE_PX).typical(0.0..=2.0).source(Source::Nvidia)),
         /// The side of the squares of pixels that share their noise.
         noise_downscale_factor_px: f64 = 1.0
             => ("noiseDownscaleFactorPixel".unit("px").range(1.0..=1e6).typical(1.0..=16.0).source(Source::Nvidia)),
         /// The threshold of confidence: lower values drop more smooth surface, 1 keeps all. The default of Isaac Sim 6 is 0.7.
         confidence_threshold: f64 = 0.95
-            => ("confidenceThreshold".range(0.0..=1.0).source(Source::Nvidia)),
+            => ("confidenceThreshold".common(3).range(0.0..=1.0).source(Source::Nvidia)),
         /// The range of outlier removal. 0 disables it, and the switch of Isaac Sim 6 is 1, its default.
         outlier_removal_range_px: u32 = 3
-            => ("outlierRemovalEnabled" as OutlierRange.alias("outlierRemovalRange").unit("px").range(0.0..=63.0).source(Source::Nvidia)),
+            => ("outlierRemovalEnabled" as OutlierRange.common(4).alias("outlierRemovalRange").unit("px").range(0.0..=63.0).source(Source::Nvidia)),
         /// Whether the stage enables the sensor. It has no effect here: the sensor runs when its output is requested.
         enabled: bool = false => ("enabled".source(Source::Nvidia)),
         /// The image that replaces the colour image.

@@ -44,10 +44,11 @@ pub(crate) fn run(context: &Context, args: &ParamsArgs) -> Result<Exit> {
 fn listings(context: &Context, args: &ParamsArgs, name: &str) -> Result<Vec<Listing>> {
     let group = parameters::group(name)?;
     let Some(model) = &args.model else {
-        return Ok(group.list(args.platform.unwrap_or_default()));
+        return Ok(group.list_common_first(args.platform.unwrap_or_default()));
     };
     let twin = context.catalog.nominal(context.device(model)?);
-    let mut list = group.list(args.platform.or_else(|| twin.platform()).unwrap_or_default());
+    let platform = args.platform.or_else(|| twin.platform());
+    let mut list = group.list_common_first(platform.unwrap_or_default());
     if let Ok(engine) = EngineKind::parse(name) {
         let options = SensorOptions {
             engine: Some(engine.into()),
@@ -79,8 +80,8 @@ fn text(group: &Group) -> String {
     let mut out = format!("{}: {}\n", group.name, group.description);
     let mut table = group.name;
     for row in &group.parameters {
-        if row.table != table {
-            table = row.table;
+        if row.heading() != table {
+            table = row.heading();
             let _ = write!(out, "\n{table}:\n");
         }
         let about = &row.about;

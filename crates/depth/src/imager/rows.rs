@@ -1,5 +1,6 @@
 //! Converts light to recorded values, row by row.
 
+use oaktwin_base::interrupt;
 use oaktwin_camera::{Intrinsics, Usd};
 use oaktwin_image::ImageView;
 use oaktwin_simd::{self as simd, Kernel, saturating_trunc};
@@ -114,6 +115,9 @@ impl<'a> Rows<'a> {
         bands.for_each_init(
             || Scratch::new(width, &self.blur),
             |scratch, (band, out)| {
+                if interrupt::is_unwanted() {
+                    return;
+                }
                 for (out, y) in out.chunks_exact_mut(width).zip(band * ROWS..) {
                     simd::run(Record {
                         rows: self,

@@ -68,7 +68,7 @@ parameters! {
         /// The step of disparity.
         subpixel: Subpixel = Subpixel::default() => {
             /// Whether disparity has fractional bits.
-            : Subpixel => ("subpixel" as SubpixelSwitch),
+            : Subpixel => ("subpixel" as SubpixelSwitch.common(2)),
             /// The fractional bits of disparity: 3, 4 or 5, or 0 for whole pixels.
             : Subpixel => ("subpixelFractionalBits" as FractionalBits),
         },
@@ -80,17 +80,17 @@ parameters! {
         /// Whether images of half the size are matched too, for near surfaces.
         extended_disparity: bool = false => ("extendedDisparity"),
         /// The first disparity of the search range.
-        disparity_shift_px: u32 = 0 => ("disparityShift".unit("px").range(0.0..=1024.0).typical(0.0..=128.0)),
+        disparity_shift_px: u32 = 0 => ("disparityShift".common(5).unit("px").range(0.0..=1024.0).typical(0.0..=128.0)),
         /// Whether the left-right check is enabled.
         left_right_check: bool = true => ("leftRightCheck"),
         /// The largest difference between both directions of matching that the left-right check accepts.
-        left_right_check_threshold_px: u32 = 10 => ("leftRightCheckThreshold".unit("px").range(0.0..=128.0).typical(0.0..=20.0)),
+        left_right_check_threshold_px: u32 = 10 => ("leftRightCheckThreshold".common(3).unit("px").range(0.0..=128.0).typical(0.0..=20.0)),
         /// The minimum confidence, as in `DepthAI` 3; 0 keeps all.
-        confidence_threshold: u8 = 55 => ("confidenceThreshold".range(0.0..=255.0)),
+        confidence_threshold: u8 = 55 => ("confidenceThreshold".common(1).range(0.0..=255.0)),
         /// The number of columns at the left border that are lost.
         invalid_edge_px: u32 = 0 => ("numInvalidateEdgePixels".unit("px").range(0.0..=16384.0).typical(0.0..=64.0)),
         /// The window of the census transform.
-        kernel_size: CensusKernel = CensusKernel::Auto => ("kernelSize"),
+        kernel_size: CensusKernel = CensusKernel::Auto => ("kernelSize".common(4)),
         /// The pixels of the window that are compared, row by row without the centre, the first in the highest bit. 0 is
         /// `DepthAI`'s choice: every second pixel in images at least 1280 px wide, all pixels in others.
         kernel_mask: u64 = 0 => ("kernelMask" as Hexadecimal),

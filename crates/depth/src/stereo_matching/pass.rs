@@ -4,6 +4,7 @@
 //! each adds its sums to the stored ones and completes those rows. The result does not depend on the order of
 //! execution.
 
+use oaktwin_base::interrupt;
 use oaktwin_simd::Level;
 
 use super::census::{Census, Source};
@@ -106,12 +107,18 @@ impl<P: Lane, H: Lane, S: Lane> Scans<P, H, S> {
             || {
                 down.begin(view);
                 for (y, half) in above.chunks_exact_mut(length).enumerate() {
+                    if interrupt::is_unwanted() {
+                        return;
+                    }
                     down.begin_row::<H, D>(view, y, false, half);
                 }
             },
             || {
                 up.begin(view);
                 for (y, half) in below.chunks_exact_mut(length).enumerate().rev() {
+                    if interrupt::is_unwanted() {
+                        return;
+                    }
                     up.begin_row::<H, D>(view, middle + y, true, half);
                 }
             },
@@ -130,6 +137,9 @@ impl<P: Lane, H: Lane, S: Lane> Scans<P, H, S> {
                     .zip(disparity_below.chunks_exact_mut(width))
                     .zip(confidence_below.chunks_exact_mut(width));
                 for (y, ((half, disparity), confidence)) in rows.enumerate() {
+                    if interrupt::is_unwanted() {
+                        return;
+                    }
                     let lost = lost_below.next().unwrap_or_default();
                     let out = Out {
                         disparity,
@@ -145,6 +155,9 @@ impl<P: Lane, H: Lane, S: Lane> Scans<P, H, S> {
                     .zip(disparity_above.chunks_exact_mut(width))
                     .zip(confidence_above.chunks_exact_mut(width));
                 for (y, ((half, disparity), confidence)) in rows.enumerate().rev() {
+                    if interrupt::is_unwanted() {
+                        return;
+                    }
                     let lost = lost_above.next_back().unwrap_or_default();
                     let out = Out {
                         disparity,

@@ -21,7 +21,7 @@ parameters! {
         /// The step of disparity.
         subpixel: Subpixel = Subpixel::default() => {
             /// Whether disparity has fractional bits.
-            : Subpixel => ("subpixel" as SubpixelSwitch),
+            : Subpixel => ("subpixel" as SubpixelSwitch.common(2)),
             /// The fractional bits of disparity: 3, 4 or 5, or 0 for whole pixels.
             : Subpixel => ("subpixelFractionalBits" as FractionalBits),
         },
@@ -36,9 +36,9 @@ parameters! {
         /// window widens (`edgeDilation`).
         left_right_check: bool = true => ("leftRightCheck"),
         /// The largest difference between both directions of matching that the left-right check accepts.
-        left_right_check_threshold_px: u32 = 10 => ("leftRightCheckThreshold".unit("px").range(0.0..=128.0).typical(0.0..=20.0)),
+        left_right_check_threshold_px: u32 = 10 => ("leftRightCheckThreshold".common(3).unit("px").range(0.0..=128.0).typical(0.0..=20.0)),
         /// The minimum confidence; pixels with less texture are lost. Needs a colour image; 0 keeps all.
-        confidence_threshold: u8 = 55 => ("confidenceThreshold".range(0.0..=255.0)),
+        confidence_threshold: u8 = 55 => ("confidenceThreshold".common(1).range(0.0..=255.0)),
         /// The light at the centre of a projected dot on a surface 1 m away, relative to the light of a bright room there: about 3
         /// for a Pro model with its projector at full power. Adds to the texture of a colour image.
         dot_contrast: f64 = 0.0 => ("dotContrast".range(0.0..=1e6).typical(0.0..=30.0).estimate()),
@@ -52,13 +52,13 @@ parameters! {
         /// The fraction of pixels that are lost at random.
         dropout: f64 = 0.0 => ("dropout".range(0.0..=1.0).typical(0.0..=0.2).estimate()),
         /// The disparity error of the unit's calibration (β). A negative bias makes depth too large.
-        bias_px: f64 = 0.0 => ("bias".unit("px").range(-10.0..=10.0).typical(-1.0..=1.0).estimate()),
+        bias_px: f64 = 0.0 => ("bias".common(5).unit("px").range(-10.0..=10.0).typical(-1.0..=1.0).estimate()),
         /// The amplitude of the error that repeats with every pixel of disparity (a); 0.2 px by default for widths of up
         /// to 640 px.
         pixel_locking_px: f64 = 0.13
             => ("pixelLocking".unit("px").range(0.0..=1.0).typical(0.0..=0.5).own("fit to the vendor's error curves")),
         /// The standard deviation of a pixel's disparity over time (σ).
-        jitter_px: f64 = 0.05 => ("jitter".unit("px").range(0.0..=10.0).typical(0.0..=0.5).estimate()),
+        jitter_px: f64 = 0.05 => ("jitter".common(4).unit("px").range(0.0..=10.0).typical(0.0..=0.5).estimate()),
         /// The factor of bias, pixel locking and jitter of surfaces nearer than 6 m; it grows to 1 at 7 m. On RVC4 it is 0.75: the
         /// parameter sheet states errors below 1.5 % instead of 2 % to 3.5 m, 3 % instead of 4 % to 6.5 m, and equal ones beyond. By default
         /// 1 if one of the three errors is given, which then holds at every distance.

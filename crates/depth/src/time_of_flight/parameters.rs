@@ -20,7 +20,7 @@ parameters! {
         /// The range of phase unwrapping. 0: one period of the lower frequency, which alone is used (1.87 m at 80 MHz). n:
         /// n + 1 periods of the higher frequency (3, 4.5, 6, 7.5 m at 100 MHz), up to the common period of both, 7.5 m.
         /// The distances are `DepthAI`'s; that they are these periods is inferred from them.
-        phase_unwrapping_level: u32 = 4 => ("phaseUnwrappingLevel".range(0.0..=5.0)),
+        phase_unwrapping_level: u32 = 4 => ("phaseUnwrappingLevel".common(2).range(0.0..=5.0)),
         /// The largest disagreement of the two frequencies. `DepthAI` does not document the unit: millimetres are an
         /// estimate, by which its presets of 50 to 130 lie within the largest possible disagreement, 187 mm.
         phase_unwrap_error_threshold: u16 = 100
@@ -54,18 +54,18 @@ parameters! {
         contrast: f64 = 0.8 => ("contrast".range(0.0..=1.0).estimate()),
         /// The electrons that ambient light on a white surface adds to a sample at any distance; `indoor` is 50 and
         /// `outdoor` 500.
-        ambient_e: f64 = INDOOR_E => ("ambient" as Ambient.unit("electrons").range(0.0..=1e6).typical(0.0..=1000.0).estimate()),
+        ambient_e: f64 = INDOOR_E => ("ambient" as Ambient.common(3).unit("electrons").range(0.0..=1e6).typical(0.0..=1000.0).estimate()),
         /// The standard deviation of the read noise of a sample.
         read_noise_e: f64 = 5.0 => ("readNoise".unit("electrons").range(0.0..=1e4).typical(0.0..=50.0).estimate()),
         /// The electrons that a sample can hold; a pixel with more is lost. With the default a white wall is lost below
         /// 0.2 m.
         full_well_e: f64 = 135_000.0 => ("fullWell".unit("electrons").range(1.0..=1e9).typical(1e4..=5e5).estimate()),
         /// The reflectance of all surfaces at 940 nm where there is no colour image.
-        albedo: f64 = 0.5 => ("albedo".range(0.0..=1.0).estimate()),
+        albedo: f64 = 0.5 => ("albedo".common(4).range(0.0..=1.0).estimate()),
         /// The weight of the neighbour on each side in a pixel. 1/8 is a pixel's whole area under linear interpolation.
         pixel_mixing: f64 = 0.125 => ("pixelMixing".range(0.0..=0.25).estimate()),
         /// The scale of multipath interference: 0 disables it, 1 is physical; larger values compensate for paths that the model leaves out.
-        multipath: f64 = 0.0 => ("multipath".range(0.0..=10.0).typical(0.0..=2.0).estimate()),
+        multipath: f64 = 0.0 => ("multipath".common(5).range(0.0..=10.0).typical(0.0..=2.0).estimate()),
         /// The velocity of all surfaces away from the camera, where the input has none for each pixel.
         radial_velocity_m_s: f64 = 0.0
             => ("radialVelocity".unit("m/s").range(-100.0..=100.0).typical(-3.0..=3.0).own("a still scene")),
@@ -74,7 +74,7 @@ parameters! {
         /// The minimum amplitude; a pixel with less is lost. The default is twice the noise of darkness.
         min_amplitude_e: f64 = 5.0 => ("minAmplitude".unit("electrons").range(0.0..=65535.0).typical(0.0..=100.0).estimate()),
         /// The minimum confidence of `DepthAI`'s depth confidence filter.
-        confidence_threshold: f32 = 0.1 => ("confidenceThreshold".range(0.0..=1e7).typical(0.0..=1.0)),
+        confidence_threshold: f32 = 0.1 => ("confidenceThreshold".common(1).range(0.0..=1e7).typical(0.0..=1.0)),
     }
     check frequencies_in_order
 }

@@ -159,6 +159,12 @@ impl SceneFile {
         USD.contains(&extension(path).as_str())
     }
 
+    /// Returns whether [`SceneFile::open_animated`] takes a file, by its extension.
+    #[must_use]
+    pub fn may_move(path: &Path) -> bool {
+        Self::is_stage(path) || is_gltf(path)
+    }
+
     fn of_stage(path: &Path, stage: StageScene) -> Self {
         Self {
             path: path.to_owned(),

@@ -46,6 +46,16 @@ pub fn read(path: &Path) -> Result<Vec<TimedPose>, FileError> {
 /// # Errors
 /// Returns an error if there are no poses, or one is invalid, with its line or index.
 pub fn parse(path: &Path, bytes: &[u8]) -> Result<Vec<TimedPose>, FileError> {
+    let poses = parse_numbers(path, bytes)?.into_iter();
+    Ok(poses.map(|(pose, _)| pose).collect())
+}
+
+/// Reads the content of a trajectory as [`parse`] does, with the seven numbers of each pose as the file has them: the position, and the
+/// quaternion x, y, z, w.
+///
+/// # Errors
+/// Returns an error in the cases of [`parse`].
+pub fn parse_numbers(path: &Path, bytes: &[u8]) -> Result<Vec<(TimedPose, [f64; 7])>, FileError> {
     let wrong = |message: String, remedy: &str| FileError::new(path, message, remedy);
     let text = std::str::from_utf8(bytes)
         .map_err(|_| wrong("is not text".to_owned(), "give a TUM or JSON trajectory"))?;
@@ -74,7 +84,7 @@ const TUM_REMEDY: &str = "a TUM line is `t x y z qx qy qz qw`";
 const JSON_REMEDY: &str =
     "give a list of {\"position\": [x, y, z], \"orientation\": [qx, qy, qz, qw]}, \"time\" if there is one";
 
-fn from_tum(text: &str) -> Result<Vec<TimedPose>, Wrong> {
+fn from_tum(text: &str) -> Result<Vec<(TimedPose, [f64; 7])>, Wrong> {
     let mut poses = Vec::new();
     for (number, line) in (1..).zip(text.lines()) {
         let line = line.split_once('#').map_or(line, |(before, _)| before).trim();
@@ -108,7 +118,7 @@ struct JsonPose {
     orientation: [f64; 4],
 }
 
-fn from_json(text: &str) -> Result<Vec<TimedPose>, Wrong> {
+fn from_json(text: &str) -> Result<Vec<(TimedPose, [f64; 7])>, Wrong> {
     let poses: Vec<JsonPose> = serde_json::from_str(text).map_err(|error| Wrong {
         message: error.to_string(),
         remedy: JSON_REMEDY,
@@ -125,14 +135,18 @@ fn from_json(text: &str) -> Result<Vec<TimedPose>, Wrong> {
         .collect()
 }
 
-fn timed(time_s: Option<f64>, numbers: [f64; 7]) -> Result<TimedPose, String> {
+fn timed(time_s: Option<f64>, numbers: [f64; 7]) -> Result<(TimedPose, [f64; 7]), String> {
     if let Some(time) = time_s.filter(|time| !time.is_finite()) {
         return Err(format!("the time {time} is not finite"));
     }
-    Ok(TimedPose {
-        time_s,
-        world_from_mount: pose(numbers).map_err(|error| error.to_string())?,
-    })
+    let world_from_mount = pose(numbers).map_err(|error| error.to_string())?;
+    Ok((
+        TimedPose {
+            time_s,
+            world_from_mount,
+        },
+        numbers,
+    ))
 }
 
 fn shortened(word: &str) -> String {

@@ -1,5 +1,6 @@
 //! Rendering of a view, tile by tile.
 
+use oaktwin_base::interrupt;
 use std::sync::Arc;
 
 use oaktwin_camera::math::DVec3;
@@ -53,6 +54,9 @@ impl RayCaster {
             Some(hits) => bands.zip(hits.pixels_mut().par_chunks_mut(length)).for_each_init(
                 Workspace::new,
                 |workspace, ((z, row), hits)| {
+                    if interrupt::is_unwanted() {
+                        return;
+                    }
                     frame.render_band(
                         Band {
                             row,
@@ -64,6 +68,9 @@ impl RayCaster {
                 },
             ),
             None => bands.for_each_init(Workspace::new, |workspace, (z, row)| {
+                if interrupt::is_unwanted() {
+                    return;
+                }
                 frame.render_band(Band { row, z, hits: None }, workspace);
             }),
         }

@@ -9,6 +9,7 @@ mod node;
 mod refine;
 mod samples;
 
+use oaktwin_base::interrupt;
 use oaktwin_image::Image;
 use oaktwin_simd::{Level, run_lanes_at};
 use rayon::prelude::*;
@@ -74,6 +75,9 @@ impl<'a> Sampler<'a> {
                 (Vec::new(), packet)
             },
             |(targets, packet), (strip, row)| {
+                if interrupt::is_unwanted() {
+                    return;
+                }
                 let first = TILE * row;
                 targets.clear();
                 for [x, y] in in_tiles(width, (first..height).take(TILE as usize)) {
@@ -132,6 +136,9 @@ impl<'a> Sampler<'a> {
         let rows = nodes.pixels_mut().par_chunks_mut((width as usize).max(1));
         rows.zip(0..height)
             .for_each_init(Workspace::default, |workspace, (row, y)| {
+                if interrupt::is_unwanted() {
+                    return;
+                }
                 let Workspace { strengths, stack } = workspace;
                 let mut first = 0;
                 if let (Some(coarser), 0) = (&coarser, y % 2) {

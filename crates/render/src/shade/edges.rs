@@ -1,6 +1,7 @@
 //! Antialiased outlines.
 
 use glam::Vec3;
+use oaktwin_base::interrupt;
 use oaktwin_camera::{Intrinsics, Usd};
 use oaktwin_image::Image;
 use rayon::prelude::*;
@@ -113,6 +114,9 @@ fn corner_rows(
         .map_init(
             || context.workspace(&corners.rays),
             |workspace, y| {
+                if interrupt::is_unwanted() {
+                    return Vec::new();
+                }
                 let of_pixels = |row: u32| outlines.get(row as usize).map_or(&[][..], Vec::as_slice);
                 let above = y.checked_sub(1).map_or(&[][..], of_pixels);
                 let mut columns: Vec<u32> = (above.iter().chain(of_pixels(y)))

@@ -1,6 +1,7 @@
 //! The colours of pixels, eight at a time.
 
 use glam::Vec3;
+use oaktwin_base::interrupt;
 use oaktwin_image::Image;
 use oaktwin_simd::run_lanes_at;
 use rayon::prelude::*;
@@ -87,6 +88,9 @@ impl<'a> ShadingContext<'a> {
                 || (self.workspace(rays), Vec::new()),
                 |(workspace, targets), (((colors, (depths, hits)), stretch), strip)| {
                     for left in (0..width).step_by(TILE as usize) {
+                        if interrupt::is_unwanted() {
+                            return;
+                        }
                         targets.clear();
                         let columns = left as usize..row_length.min((left + TILE) as usize);
                         let rows = hits.chunks(row_length).zip(depths.chunks(row_length));

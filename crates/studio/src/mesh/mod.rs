@@ -2,6 +2,7 @@
 //!
 //! The layout matches `MeshHeader` in `web/src/protocol.ts`.
 
+mod textured;
 mod view;
 mod welded;
 
@@ -9,6 +10,7 @@ use oaktwin::camera::math::DVec3;
 use oaktwin::catalog::Twin;
 use oaktwin::usd::body;
 
+pub(crate) use textured::of_textures;
 pub(crate) use view::{MAX_WELDED, of_scene, triangles};
 use welded::Welded;
 

@@ -11,7 +11,7 @@ use super::client::{Server, frame, request, send, state};
 use super::server;
 
 /// Asks for a file of a state.
-fn export(server: &Server, state: &Value, what: &str, more: &Value) -> Vec<u8> {
+pub(super) fn export(server: &Server, state: &Value, what: &str, more: &Value) -> Vec<u8> {
     let mut request = json!({"what": what, "scene": "first", "state": state, "size": [320, 200]});
     let more = more.as_object().cloned().unwrap_or_default();
     request.as_object_mut().unwrap().extend(more);

@@ -5,6 +5,7 @@ mod exports;
 mod hard;
 mod models;
 mod surface;
+mod timeline;
 mod units;
 
 use std::net::TcpStream;

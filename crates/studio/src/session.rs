@@ -1,0 +1,416 @@
+//! A session: what a page shows, with the files that were dropped onto it, as one file.
+//!
+//! It is a ZIP archive: `session.json` has the state of the page, and names the files beside it.
+
+use std::fs::File as DiskFile;
+use std::io::Read;
+use std::path::Path;
+
+use oaktwin::render::OpenOptions;
+use oaktwin::scene::Up;
+use oaktwin::usd::usdz;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use serde_json::value::RawValue;
+use zip::ZipArchive;
+use zip::result::ZipError;
+
+use crate::file::File;
+use crate::protocol::{CalibrationInfo, Failure, SceneInfo, TrajectoryInfo};
+use crate::scene::LoadedScene;
+use crate::studio::Studio;
+use crate::{calibration, trajectory, upload};
+
+/// The version of the format.
+const VERSION: u64 = 1;
+/// The file with the state.
+const STATE: &str = "session.json";
+/// The maximum length of that file, bytes.
+const MAX_STATE_BYTES: u64 = 4 << 20;
+/// The maximum length of a calibration, bytes.
+const MAX_CALIBRATION_BYTES: u64 = 1 << 20;
+/// The maximum number of calibrations: one for each OAK of a page.
+const MAX_CALIBRATIONS: usize = 16;
+/// The maximum size of a session, bytes: the largest scene that can be dropped, with the other files.
+pub(crate) const MAX_BYTES: u64 = upload::MAX_BYTES + (64 << 20);
+
+/// What a page wants to save.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SaveRequest {
+    document: Box<RawValue>,
+    display: Box<RawValue>,
+    scene: String,
+    calibrations: Vec<String>,
+    trajectory: Option<String>,
+}
+
+/// What a page shows after a session was opened.
+#[derive(Debug, Serialize)]
+pub(crate) struct SessionInfo {
+    document: Box<RawValue>,
+    display: Box<RawValue>,
+    scene: SceneInfo,
+    calibrations: Vec<CalibrationInfo>,
+    trajectory: Option<TrajectoryInfo>,
+}
+
+/// The content of `session.json`.
+#[derive(Debug, Serialize, Deserialize)]
+struct State {
+    #[serde(rename = "oaktwinSession")]
+    version: u64,
+    /// The version of the program that wrote it.
+    program: String,
+    document: Box<RawValue>,
+    display: Box<RawValue>,
+    scene: SceneEntry,
+    calibrations: Vec<Entry>,
+    trajectory: Option<Entry>,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+struct SceneEntry {
+    id: String,
+    name: String,
+    triangles: usize,
+    up: Option<String>,
+    scale: Option<f64>,
+    /// The place in the archive; none of a scene that the command line named, which may refer to other files.
+    file: Option<String>,
+}
+
+/// A dropped file.
+#[derive(Debug, Serialize, Deserialize)]
+struct Entry {
+    id: String,
+    name: String,
+    file: String,
+}
+
+/// Makes the file of a session.
+pub(crate) fn save(studio: &Studio, request: SaveRequest) -> Result<File, Failure> {
+    if request.calibrations.len() > MAX_CALIBRATIONS {
+        return Err(Failure::of("calibrations", "are too many; load the page again"));
+    }
+    let scene = studio.scenes.as_opened(&request.scene)?;
+    let mut files = Vec::new();
+    let (up, scale) = scene.given;
+    let mut entry = SceneEntry {
+        id: scene.info.id.clone(),
+        name: scene.info.name.clone(),
+        triangles: scene.info.triangles,
+        up: up.map(|up| up.name().to_owned()),
+        scale,
+        file: None,
+    };
+    if scene.kept.is_some() {
+        let place = format!("scene/{}", entry.name);
+        files.push((place.clone(), scene.file()?));
+        entry.file = Some(place);
+    }
+    let mut calibrations = Vec::new();
+    for (number, id) in request.calibrations.iter().enumerate() {
+        let dropped = studio.calibrations.get(id)?;
+        let name = dropped.info.name.clone();
+        let file = format!("calibrations/{number}/{name}");
+        files.push((file.clone(), dropped.bytes.clone()));
+        let id = dropped.info.id.clone();
+        calibrations.push(Entry { id, name, file });
+    }
+    let mut path = None;
+    if let Some(id) = &request.trajectory {
+        let dropped = studio.trajectories.get(id)?;
+        let name = dropped.info.name.clone();
+        let file = format!("trajectory/{name}");
+        files.push((file.clone(), dropped.bytes.clone()));
+        let id = dropped.info.id.clone();
+        path = Some(Entry { id, name, file });
+    }
+    let stem = entry.name.split('.').next().unwrap_or_default().to_owned();
+    let state = State {
+        version: VERSION,
+        program: env!("CARGO_PKG_VERSION").to_owned(),
+        document: request.document,
+        display: request.display,
+        scene: entry,
+        calibrations,
+        trajectory: path,
+    };
+    let failed =
+        |error: &dyn ToString| Failure::from(format!("the session cannot be saved: {}", error.to_string()));
+    let json = serde_json::to_vec_pretty(&state).map_err(|error| failed(&error))?;
+    let mut packed = vec![(STATE, json.as_slice())];
+    packed.extend(
+        files
+            .iter()
+            .map(|(place, bytes)| (place.as_str(), bytes.as_slice())),
+    );
+    let bytes = usdz::pack(&packed).map_err(|error| failed(&error))?;
+    Ok(File::new(format!("{stem}.oaktwin"), bytes))
+}
+
+/// Opens a session that was received as a file with a name. A session that cannot be opened changes nothing.
+pub(crate) fn open(studio: &Studio, path: &Path, name: &str) -> Result<SessionInfo, Failure> {
+    let mut archive = Archive::open(path, name)?;
+    let state = archive.state()?;
+    let scene = match &state.scene.file {
+        None => Scene::Known(first(studio, &state.scene, name)?),
+        Some(file) => dropped_scene(studio, &mut archive, &state.scene, file)?,
+    };
+    if state.calibrations.len() > MAX_CALIBRATIONS {
+        return Err(archive.wrong("has too many calibrations"));
+    }
+    let mut calibrations = Vec::new();
+    for entry in &state.calibrations {
+        let bytes = archive.file(&entry.file, MAX_CALIBRATION_BYTES)?;
+        let read = calibration::Dropped::read(&studio.catalog, &upload::file_name(&entry.name)?, bytes)?;
+        archive.check_id(&entry.id, &read.info.id, &entry.name)?;
+        calibrations.push(read);
+    }
+    let path = state.trajectory.as_ref().map(|entry| {
+        let bytes = archive.file(&entry.file, trajectory::MAX_BYTES as u64)?;
+        let read = trajectory::Dropped::read(&upload::file_name(&entry.name)?, bytes)?;
+        archive.check_id(&entry.id, &read.info.id, &entry.name)?;
+        Ok::<_, Failure>(read)
+    });
+    let path = path.transpose()?;
+    // Everything was read.
+    Ok(SessionInfo {
+        document: state.document,
+        display: state.display,
+        scene: match scene {
+            Scene::Known(info) => *info,
+            Scene::New(scene) => studio.scenes.add(*scene).info.clone(),
+        },
+        calibrations: (calibrations.into_iter())
+            .map(|dropped| studio.calibrations.add(dropped))
+            .collect(),
+        trajectory: path.map(|dropped| studio.trajectories.add(dropped)),
+    })
+}
+
+/// The scene of a session.
+enum Scene {
+    Known(Box<SceneInfo>),
+    New(Box<LoadedScene>),
+}
+
+/// Returns the scene of the command line, if the session shows the same one.
+fn first(studio: &Studio, entry: &SceneEntry, session: &str) -> Result<Box<SceneInfo>, Failure> {
+    let first = &studio.scenes.first().info;
+    match first.id == entry.id && first.name == entry.name && first.triangles == entry.triangles {
+        true => Ok(Box::new(first.clone())),
+        false => Err(Failure::from(format!(
+            "{session}: shows the scene {} with {} triangles, which was named on the command line and is not in the file; start `oaktwin studio` with that scene, and open the session there",
+            entry.name, entry.triangles
+        ))),
+    }
+}
+
+fn dropped_scene(
+    studio: &Studio,
+    archive: &mut Archive<'_>,
+    entry: &SceneEntry,
+    file: &str,
+) -> Result<Scene, Failure> {
+    let name = upload::file_name(&entry.name)?;
+    let options = OpenOptions {
+        up: entry.up.as_deref().map(up).transpose()?,
+        scale: entry.scale,
+        ..OpenOptions::default()
+    };
+    let bytes = archive.file(file, upload::MAX_BYTES)?;
+    let folder = upload::folder(&studio.uploads)?;
+    let path = folder.path().join(&name);
+    std::fs::write(&path, bytes).map_err(|error| {
+        Failure::from(format!(
+            "{name} cannot be written: {error}; free space on the disk"
+        ))
+    })?;
+    let id = upload::content_id(&name, &options, &path)?;
+    archive.check_id(&entry.id, &id, &name)?;
+    if let Some(known) = studio.scenes.dropped(&id) {
+        return Ok(Scene::Known(Box::new(known.info.clone())));
+    }
+    let scene = LoadedScene::open(&path, &options, (&id, &name, &name))?;
+    scene.check_triangles()?;
+    Ok(Scene::New(Box::new(scene.keeping(folder)?)))
+}
+
+fn up(name: &str) -> Result<Up, Failure> {
+    oaktwin::depth::parameters::choose("up", name).map_err(|error| Failure::of("up", &error))
+}
+
+/// The archive of a session.
+struct Archive<'a> {
+    name: &'a str,
+    zip: ZipArchive<DiskFile>,
+}
+
+impl<'a> Archive<'a> {
+    fn open(path: &Path, name: &'a str) -> Result<Self, Failure> {
+        let failed = |error: &dyn ToString| {
+            Failure::from(format!(
+                "{name}: is not a session of Studio, or not all of it ({}); open a file that Studio saved",
+                error.to_string()
+            ))
+        };
+        let file = DiskFile::open(path).map_err(|error| failed(&error))?;
+        let zip = ZipArchive::new(file).map_err(|error| failed(&error))?;
+        Ok(Self { name, zip })
+    }
+
+    fn state(&mut self) -> Result<State, Failure> {
+        if self.zip.index_for_name(STATE).is_none() {
+            return Err(self.wrong(&format!("has no {STATE}, so it is not a session of Studio")));
+        }
+        let bytes = self.file(STATE, MAX_STATE_BYTES)?;
+        let invalid = |error: serde_json::Error| format!("{STATE}: {error}");
+        let json: Value = serde_json::from_slice(&bytes).map_err(|error| self.wrong(&invalid(error)))?;
+        match json.get("oaktwinSession").and_then(Value::as_u64) {
+            // Numbers of the page's state keep their last digit.
+            Some(VERSION) => serde_json::from_slice(&bytes).map_err(|error| self.wrong(&invalid(error))),
+            Some(version) => Err(Failure::from(format!(
+                "{}: has version {version} of the format, but this program reads version {VERSION}; update oaktwin",
+                self.name
+            ))),
+            None => Err(self.wrong(&format!(
+                "{STATE} has no version, so it is not a session of Studio"
+            ))),
+        }
+    }
+
+    /// Reads a file, which must not be longer than `limit`.
+    fn file(&mut self, place: &str, limit: u64) -> Result<Vec<u8>, Failure> {
+        let name = self.name;
+        let damaged = |what: &dyn ToString| {
+            Failure::from(format!(
+                "{name}: {place}: {}; the file is damaged, save it again",
+                what.to_string()
+            ))
+        };
+        let entry = match self.zip.by_name(place) {
+            Ok(entry) => entry,
+            Err(ZipError::FileNotFound) => return Err(damaged(&"is missing")),
+            Err(error) => return Err(damaged(&error)),
+        };
+        let mut bytes = Vec::new();
+        let read = entry.take(limit + 1).read_to_end(&mut bytes);
+        read.map_err(|error| damaged(&error))?;
+        match bytes.len() as u64 > limit {
+            true => Err(damaged(&format!(
+                "is larger than {}",
+                oaktwin::memory::size(limit)
+            ))),
+            false => Ok(bytes),
+        }
+    }
+
+    /// The state refers to files by what they contain.
+    fn check_id(&self, expected: &str, found: &str, name: &str) -> Result<(), Failure> {
+        match expected == found {
+            true => Ok(()),
+            false => Err(self.wrong(&format!("{name} is not the file that was saved"))),
+        }
+    }
+
+    fn wrong(&self, what: &str) -> Failure {
+        Failure::from(format!("{}: {what}; open a file that Studio saved", self.name))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::studio::tests::studio;
+    use serde_json::value::to_raw_value;
+
+    const PATH: &str = "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n";
+
+    /// A studio with a dropped scene and a trajectory, and their session.
+    fn saved(studio: &Studio) -> Vec<u8> {
+        let folder = upload::folder(&std::env::temp_dir()).unwrap();
+        let path = folder.path().join("part.obj");
+        std::fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+        let options = OpenOptions {
+            scale: Some(0.001),
+            ..OpenOptions::default()
+        };
+        let id = upload::content_id("part.obj", &options, &path).unwrap();
+        let scene = LoadedScene::open(&path, &options, (&id, "part.obj", "part.obj")).unwrap();
+        studio.scenes.add(scene.keeping(folder).unwrap());
+        let path = trajectory::Dropped::read("path.txt", PATH.into()).unwrap();
+        let request = SaveRequest {
+            document: to_raw_value(&serde_json::json!({ "scene": id, "x": 0.1 })).unwrap(),
+            display: to_raw_value(&Value::Null).unwrap(),
+            scene: id,
+            calibrations: Vec::new(),
+            trajectory: Some(studio.trajectories.add(path).id),
+        };
+        let file = save(studio, request).unwrap();
+        assert_eq!(file.name, "part.oaktwin");
+        file.bytes
+    }
+
+    fn opened(studio: &Studio, bytes: &[u8]) -> Result<SessionInfo, String> {
+        let file = tempfile::NamedTempFile::new().unwrap();
+        std::fs::write(file.path(), bytes).unwrap();
+        open(studio, file.path(), "a.oaktwin").map_err(|failure| failure.error)
+    }
+
+    #[test]
+    fn a_session_opens_on_another_server() {
+        let bytes = saved(&studio());
+        let other = studio();
+        let info = opened(&other, &bytes).unwrap();
+        assert_eq!(
+            (info.scene.name.as_str(), info.scene.scale),
+            ("part.obj", Some(0.001))
+        );
+        assert_eq!(
+            info.document.get(),
+            format!(r#"{{"scene":"{}","x":0.1}}"#, info.scene.id)
+        );
+        assert_eq!(info.trajectory.unwrap().poses.len(), 2);
+        assert!(other.scenes.get(&info.scene.id).is_ok());
+    }
+
+    #[test]
+    fn files_that_are_no_session_change_nothing() {
+        let bytes = saved(&studio());
+        let other = studio();
+        let pack = |json: &str| usdz::pack(&[(STATE, json.as_bytes())]).unwrap();
+        let mut changed = bytes.clone();
+        let place = changed.windows(9).position(|part| part == b"1 1 0 0 0").unwrap();
+        changed[place] = b'2';
+        for (bytes, expected) in [
+            (Vec::new(), "is not a session"),
+            (b"solid part".to_vec(), "is not a session"),
+            (bytes[..bytes.len() / 2].to_vec(), "not all of it"),
+            (usdz::pack(&[("a.txt", b"a")]).unwrap(), "has no session.json"),
+            (pack("{"), "session.json: EOF"),
+            (pack("{}"), "has no version"),
+            (pack(r#"{"oaktwinSession": 2}"#), "update oaktwin"),
+            (pack(r#"{"oaktwinSession": 1}"#), "missing field"),
+            (pack(&" ".repeat(5 << 20)), "is larger than"),
+            (changed, "trajectory/path.txt: Invalid checksum"),
+        ] {
+            let error = opened(&other, &bytes).unwrap_err();
+            assert!(
+                error.starts_with("a.oaktwin: ") && error.contains(expected),
+                "{error}"
+            );
+        }
+        let state = String::from_utf8_lossy(&bytes);
+        let id = state
+            .split('"')
+            .find(|part| part.starts_with("dropped-"))
+            .unwrap();
+        assert!(other.scenes.get(id).is_err());
+        let foreign = r#"{"oaktwinSession": 1, "program": "", "document": {}, "display": {}, "calibrations": [],
+            "scene": {"id": "first", "name": "b", "triangles": 1}}"#;
+        let error = opened(&other, &pack(foreign)).unwrap_err();
+        assert!(error.contains("shows the scene b with 1 triangles"), "{error}");
+    }
+}
