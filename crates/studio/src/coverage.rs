@@ -60,14 +60,14 @@ impl RegionRequest {
         match self {
             Self::Object { object } => Region {
                 objects: vec![object.clone()],
-                within: None,
+                ..Region::default()
             },
             Self::Box { minimum, maximum } => Region {
-                objects: Vec::new(),
                 within: Some(Bounds {
                     min: DVec3::from(*minimum),
                     max: DVec3::from(*maximum),
                 }),
+                ..Region::default()
             },
         }
     }
