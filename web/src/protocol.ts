@@ -12,6 +12,7 @@
  * | `GET /api/scenes/{id}` | {@link SceneInfo} |
  * | `GET /api/scenes/{id}/mesh?triangles=N` | a mesh, see {@link MeshHeader} |
  * | `POST /api/scenes?name=room.glb`, the file as the body; of a mesh file also `scale=0.001`, metres per unit, and `up=z` | {@link SceneInfo}; 422 with {@link Failure} |
+ * | `POST /api/robots?name=arm.urdf&scene=ID`, a URDF or MJCF file as the body | {@link SceneInfo} of the scene with the robot; 422 with {@link Failure} |
  * | `POST /api/calibrations?name=unit.json`, the file as the body | {@link CalibrationInfo}; 422 with {@link Failure} |
  * | `GET /api/models/{name}/body` | a mesh in the body frame |
  * | `POST /api/export`, {@link ExportRequest} | a file (`Content-Disposition` has its name, `X-Findings` the {@link Finding}s); 422 with {@link Failure} |
@@ -168,6 +169,33 @@ export interface SceneInfo {
   objects: SceneObject[];
   findings: Finding[];
   /** A pose of the body that shows the scene. */
+  pose: Pose;
+  /** The robot in the scene. The id of the scene in another posture is `ID~P1,P2,…`, with the position of each of the joints. */
+  robot: RobotInfo | null;
+}
+
+/** A robot, in the posture of its scene. */
+export interface RobotInfo {
+  name: string;
+  /** The joints that can be moved. */
+  joints: RobotJoint[];
+  links: RobotLink[];
+}
+
+export interface RobotJoint {
+  name: string;
+  /** Whether its positions are angles in radians; otherwise lengths in metres. */
+  isRevolute: boolean;
+  /** Null for a joint without limits. */
+  limits: [number, number] | null;
+  position: number;
+}
+
+export interface RobotLink {
+  name: string;
+  /** The path below which its objects are. */
+  path: string;
+  /** The pose of its frame in the world. */
   pose: Pose;
 }
 
@@ -414,6 +442,8 @@ export interface PoseCoverage {
   medianAbsoluteErrorM: number | null;
   /** The shares that are not measured, by the name of the reason. */
   lost: Record<string, number>;
+  /** The share of the pixels that show the robot of the scene; null without a robot, and for all OAKs together. */
+  ownRobot: number | null;
 }
 
 /** For each of the states, and for all of them together. */

@@ -210,6 +210,30 @@ pub(crate) struct SceneInfo {
     pub(crate) objects: Vec<SceneObject>,
     pub(crate) findings: Vec<Finding>,
     pub(crate) pose: Pose,
+    pub(crate) robot: Option<RobotInfo>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct RobotInfo {
+    pub(crate) name: String,
+    pub(crate) joints: Vec<RobotJoint>,
+    pub(crate) links: Vec<RobotLink>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct RobotJoint {
+    pub(crate) name: String,
+    pub(crate) is_revolute: bool,
+    pub(crate) limits: Option<[f64; 2]>,
+    pub(crate) position: f64,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct RobotLink {
+    pub(crate) name: String,
+    pub(crate) path: String,
+    pub(crate) pose: Pose,
 }
 
 #[derive(Clone, Debug, Serialize)]

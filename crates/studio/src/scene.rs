@@ -13,6 +13,7 @@ use oaktwin::scene::{Bounds, Scene, Up};
 use crate::mesh;
 use crate::pose::pose_of;
 use crate::protocol::{Failure, Pose, SceneInfo, SceneObject};
+use crate::robot::{self, Postures, RobotFile, SceneRobot};
 use crate::task::Job;
 
 /// The number of dropped scenes that are kept, besides the command line's, and of their triangles.
@@ -37,6 +38,7 @@ pub(crate) struct LoadedScene {
     pub(crate) made_by: Option<String>,
     /// The up axis and the metres per unit with which it was read, where they were given.
     pub(crate) given: (Option<Up>, Option<f64>),
+    pub(crate) robot: Option<SceneRobot>,
     meshes: Mutex<BTreeMap<usize, Bytes>>,
 }
 
@@ -77,6 +79,7 @@ impl LoadedScene {
                 })
                 .collect(),
             pose: initial_pose(&scene),
+            robot: None,
         };
         Ok(Self {
             info,
@@ -84,6 +87,7 @@ impl LoadedScene {
             argument: argument.to_owned(),
             made_by: None,
             given: (options.up, options.scale),
+            robot: None,
             meshes: Mutex::default(),
         })
     }
@@ -97,6 +101,85 @@ impl LoadedScene {
                 "{name}: has {triangles} triangles with all instances, more than {MAX_TRIANGLES}; drop a smaller scene, or use the command line"
             ))),
         }
+    }
+
+    /// Returns a copy of the scene, with an empty cache.
+    pub(crate) fn copied(&self) -> Self {
+        Self {
+            info: self.info.clone(),
+            renderer: Renderer::new(self.renderer.scene().clone()),
+            argument: self.argument.clone(),
+            made_by: self.made_by.clone(),
+            given: self.given,
+            robot: self.robot.clone(),
+            meshes: Mutex::default(),
+        }
+    }
+
+    /// Returns the scene with a robot in it, under another id.
+    pub(crate) fn with_robot(&self, file: &RobotFile, id: &str, name: &str) -> Result<Self, Failure> {
+        if let Some(robot) = &self.robot {
+            let error = format!(
+                "the scene has a robot already, {}; open a scene without one first",
+                robot.placed.robot().name
+            );
+            return Err(Failure::of("robot", &error));
+        }
+        let mut scene = self.renderer.scene().clone();
+        let opened = SceneRobot::open(file, &mut scene);
+        let (robot, findings) = opened.map_err(|failure| Failure {
+            error: local(&failure.error, &file.path, name),
+            ..failure
+        })?;
+        let mut info = SceneInfo {
+            id: id.to_owned(),
+            triangles: mesh::triangles(&scene),
+            objects: objects(&scene),
+            robot: Some(robot.info()),
+            ..self.info.clone()
+        };
+        info.findings.extend(findings.into_iter().take(MAX_FINDINGS));
+        if let Some(bounds) = scene.bounds() {
+            info.bounds = corners(bounds);
+        }
+        Ok(Self {
+            info,
+            renderer: Renderer::new(scene),
+            robot: Some(robot),
+            argument: self.argument.clone(),
+            made_by: self.made_by.clone(),
+            given: self.given,
+            meshes: Mutex::default(),
+        })
+    }
+
+    /// Moves the robot to a posture, under another id.
+    pub(crate) fn pose(&mut self, id: &str, positions: Vec<f64>) {
+        let Some(robot) = &mut self.robot else { return };
+        robot.positions = positions;
+        let links = robot.placed.world_from_links(&robot.positions);
+        self.renderer.set_poses(robot.placed.poses(&links));
+        let scene = self.renderer.scene();
+        for (instance, world_from_mesh) in robot.placed.poses(&links) {
+            let instance = &scene.instances[instance];
+            let bounds = scene
+                .meshes
+                .get(instance.mesh as usize)
+                .and_then(oaktwin::scene::Mesh::bounds);
+            let place = self
+                .info
+                .objects
+                .binary_search_by(|object| object.path.cmp(&instance.path));
+            if let (Some(bounds), Ok(place)) = (bounds, place) {
+                self.info.objects[place].bounds = corners(bounds.transformed(world_from_mesh));
+            }
+        }
+        self.info.robot = Some(robot.info());
+        id.clone_into(&mut self.info.id);
+        self.meshes
+            .get_mut()
+            .unwrap_or_else(PoisonError::into_inner)
+            .clear();
     }
 
     /// Sets the pose from which the page first shows the scene.
@@ -182,6 +265,7 @@ pub(crate) struct Scenes {
     first: Arc<LoadedScene>,
     /// The one that was used last is the last.
     dropped: Mutex<VecDeque<Arc<LoadedScene>>>,
+    postures: Mutex<Postures>,
 }
 
 impl Scenes {
@@ -189,6 +273,7 @@ impl Scenes {
         Self {
             first: Arc::new(first),
             dropped: Mutex::default(),
+            postures: Mutex::default(),
         }
     }
 
@@ -197,7 +282,17 @@ impl Scenes {
         &self.first
     }
 
+    /// Returns a scene, in the posture of its robot that the id may name.
     pub(crate) fn get(&self, id: &str) -> Result<Arc<LoadedScene>, Failure> {
+        let Some((own, posture)) = robot::split(id) else {
+            return self.unposed(id);
+        };
+        let scene = self.unposed(own)?;
+        let mut postures = self.postures.lock().unwrap_or_else(PoisonError::into_inner);
+        postures.get(id, &scene, posture)
+    }
+
+    fn unposed(&self, id: &str) -> Result<Arc<LoadedScene>, Failure> {
         if self.first.info.id == id {
             return Ok(Arc::clone(&self.first));
         }

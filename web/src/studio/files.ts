@@ -15,6 +15,7 @@ export async function openFiles(studio: Studio, files: Iterable<File>): Promise<
     }
     try {
       if (isCalibration(file)) useCalibration(studio, await api.openCalibration(file));
+      else if (isRobot(file)) useRobot(studio, await api.openRobot(file, studio.document.get().scene));
       else await readScene(studio, file);
     } catch (error) {
       studio.report("Not opened", error);
@@ -24,6 +25,17 @@ export async function openFiles(studio: Studio, files: Iterable<File>): Promise<
 
 function isCalibration(file: File): boolean {
   return file.name.toLowerCase().endsWith(".json");
+}
+
+function isRobot(file: File): boolean {
+  return /\.(urdf|xml|mjcf)$/i.test(file.name);
+}
+
+/** Shows the scene with a dropped robot in it; the OAKs stay where they are. */
+function useRobot(studio: Studio, info: SceneInfo): void {
+  studio.document.commit("robot", (document): StudioDocument => ({ ...document, scene: info.id }));
+  const worst = info.findings.some(({ level }) => level !== "note") ? "warning" : "note";
+  studio.notify(worst, `${info.robot?.name ?? "The robot"} is in the scene, with ${info.robot?.joints.length ?? 0} joints.`, info.findings);
 }
 
 /** A dropped mesh file whose unit nobody knows. */

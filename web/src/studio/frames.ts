@@ -71,7 +71,7 @@ export class FrameLoop {
 
   /** Whether every frame is there and no change waits for one. */
   get isIdle(): boolean {
-    return this.timer === 0 && this.scheduler.isIdle && this.probes.isIdle;
+    return this.timer === 0 && this.studio.robot.isIdle && this.scheduler.isIdle && this.probes.isIdle;
   }
 
   private connected(isOpen: boolean): void {
@@ -106,7 +106,8 @@ export class FrameLoop {
       if (before && before.length === key.length && before.every((part, i) => part === key[i])) continue;
       this.requested.set(oak.key, key);
       // A new parameter needs no new rendering, unless the size changes.
-      const isMoved = (before?.[1] as OakState | undefined)?.pose !== oak.state.pose;
+      // The scene is another one in another posture of its robot.
+      const isMoved = before?.[0] !== id || (before?.[1] as OakState | undefined)?.pose !== oak.state.pose;
       const wanted = this.request(oak, COARSE[isMoved ? this.coarseness : 0] ?? null, images, isMoved ? COLOR_STEP : 1);
       if (isMoved) this.moving.add(wanted);
       this.rest();

@@ -7,6 +7,7 @@ import { changeOak, findModel, newDocument, type StudioDocument } from "../state
 import { History } from "../state/history";
 import { fromFragment, toFragment } from "../state/link";
 import type { Asked } from "./files";
+import { RobotMover } from "./robot";
 import { Store } from "../util/store";
 import { NO_ZOOM, type Zoom } from "../util/zoom";
 
@@ -64,6 +65,7 @@ export class Studio {
   readonly asked = new Store<readonly Asked[]>([]);
   readonly notices = new Store<readonly Notice[]>([]);
   readonly calibrations = new Store<ReadonlyMap<string, CalibrationInfo>>(new Map());
+  readonly robot = new RobotMover(this);
   private lastNotice = 0;
   private loading = "";
 

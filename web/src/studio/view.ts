@@ -14,6 +14,7 @@ import { makeOak, matrix, place } from "../view3d/oakobject";
 import { type Hit, isDrawnBySoftware, Viewer } from "../view3d/viewer";
 import { Painting } from "./painting";
 import { visiblePixel } from "./project";
+import { unposed } from "./robot";
 import type { Shown, Studio } from "./studio";
 
 /** How many triangles of a scene are loaded: what can be turned without a GPU at 10 images per second. */
@@ -136,13 +137,17 @@ export class SceneView {
     // A server that was restarted may have another scene under the same name.
     if (!info) this.loaded = "";
     if (!info || info.id === this.loaded) return;
-    const isFirst = this.isNew("place", info.id, ...info.bounds.flat());
+    const isMoved = unposed(info.id) === unposed(this.loaded);
     this.loaded = info.id;
+    if (isMoved) return this.viewer.moveRobot(info);
+    const isFirst = this.isNew("place", unposed(info.id), ...info.bounds.flat());
     try {
       const mesh = await api.sceneMesh(info.id, this.wantsDetail ? FULL_DETAIL : TRIANGLES);
       this.wantsDetail = false;
-      if (this.studio.scene.get()?.id !== info.id) return;
+      const now = this.studio.scene.get();
+      if (!now || unposed(now.id) !== unposed(info.id)) return;
       this.viewer.setScene(info, mesh, false);
+      this.viewer.moveRobot(now);
       this.mesh = mesh;
       this.detail.set({ shown: mesh.header.triangles, of: mesh.header.ofTriangles });
       if (isFirst) this.roof = this.viewer.roofAbove(info, info.pose.position);

@@ -10,6 +10,7 @@ import { Notices } from "./Notices";
 import { OakList } from "./OakList";
 import { Place } from "./Place";
 import { PoseFields } from "./PoseFields";
+import { Robot } from "./Robot";
 import { listenForKeys } from "./shortcuts";
 import { Tooltip } from "./Tooltip";
 import { TopBar } from "./TopBar";
@@ -38,6 +39,7 @@ export function Page() {
         <aside class="side left" aria-label="Controls">
           <OakList />
           <PoseFields />
+          <Robot />
           <Tune />
         </aside>
       )}
@@ -191,5 +193,5 @@ function DropTarget() {
     };
   }, [studio]);
   if (!isOver) return null;
-  return <div class="drop"><p>Drop a scene or a calibration</p><span>It is read, never stored, and stays on this computer.</span></div>;
+  return <div class="drop"><p>Drop a scene, a robot or a calibration</p><span>It is read, never stored, and stays on this computer.</span></div>;
 }

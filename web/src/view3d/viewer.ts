@@ -11,6 +11,7 @@ import { type Box, BoxHandles } from "./boxhandles";
 import { makeMesh, makePainting } from "./meshes";
 import { Navigation } from "./navigation";
 import { dispose } from "./oakobject";
+import { RobotParts } from "./robotparts";
 import { RulerLine } from "./ruler";
 
 export interface ViewerHandlers {
@@ -76,6 +77,7 @@ export class Viewer {
   private readonly box: BoxHandles;
   private readonly ruler: RulerLine;
   private objects: Uint32Array | null = null;
+  private parts: RobotParts | null = null;
   private isWaiting = false;
   private lastDraw = 0;
 
@@ -156,11 +158,18 @@ export class Viewer {
     }
     this.mesh = makeMesh(mesh, isTwoSided);
     this.objects = mesh.objects;
+    this.parts = info.robot ? new RobotParts(this.mesh.geometry, mesh.objects, info, info.robot) : null;
     this.scene.add(this.mesh);
     const size = new Vector3(...info.bounds[1]).distanceTo(new Vector3(...info.bounds[0]));
     this.camera.near = Math.min(0.05, Math.max(size / 5000, 0.001));
     this.camera.far = Math.max(100, size * 10);
     this.camera.updateProjectionMatrix();
+    this.invalidate();
+  }
+
+  /** Moves the robot of the scene to its posture. */
+  moveRobot(info: SceneInfo): void {
+    if (info.robot && this.parts?.isOf(info)) this.parts.move(info.robot);
     this.invalidate();
   }
 

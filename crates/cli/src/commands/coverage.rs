@@ -32,7 +32,7 @@ pub(crate) fn run(context: &Context, args: &CoverageArgs) -> Result<Exit> {
     if let Some(folder) = &args.report {
         return lights::run(context, args, &region, &sweep, folder);
     }
-    if args.robot.robot.is_some() {
+    if args.robot.robot().is_some() {
         return motion::run(context, args, &region, &sweep);
     }
     let models = asked::models(context, args, None)?;

@@ -7,6 +7,8 @@ mod mjcf;
 mod placed;
 mod positions;
 mod robot;
+#[cfg(test)]
+mod tests;
 mod turn;
 mod urdf;
 

@@ -67,7 +67,7 @@ impl PlacedRobot {
         };
         for (link, own) in placed.robot.links.iter().enumerate() {
             for visual in &own.visuals {
-                let name = format!("{}/{}/{}", placed.path, step(&own.name), visual.name);
+                let name = format!("{}/{}", placed.link_path(link), visual.name);
                 for link_from_mesh in builder.add(&name, visual)? {
                     placed.parts.push(Part { link, link_from_mesh });
                 }
@@ -91,6 +91,12 @@ impl PlacedRobot {
     #[must_use]
     pub fn path(&self) -> &str {
         &self.path
+    }
+
+    /// Returns the path of a link in the scene, below which are its instances.
+    #[must_use]
+    pub fn link_path(&self, link: usize) -> String {
+        format!("{}/{}", self.path, step(&self.robot.links[link].name))
     }
 
     /// Returns the pose of each link in the world, for a position of each joint.

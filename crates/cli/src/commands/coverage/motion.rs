@@ -101,7 +101,7 @@ pub(super) fn run(context: &Context, args: &CoverageArgs, region: &Region, sweep
     if let Some(calibration) = &args.unit.calibration {
         output::say_findings(calibration, &models.calibration_findings);
     }
-    if let Some(file) = &args.robot.robot {
+    if let Some(file) = args.robot.robot() {
         output::say_findings(file, &robot_findings);
     }
     output::say_findings(&args.scene, &findings);
@@ -115,7 +115,7 @@ pub(super) fn run(context: &Context, args: &CoverageArgs, region: &Region, sweep
 fn report<'a>(args: &'a CoverageArgs, coverage: &'a MotionCoverage, files: &'a [WrittenFile]) -> Report<'a> {
     Report {
         scene: &args.scene,
-        robot: args.robot.robot.as_deref(),
+        robot: args.robot.robot(),
         mount: args.mount.as_deref(),
         coverage,
         files,

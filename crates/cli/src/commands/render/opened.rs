@@ -27,7 +27,7 @@ pub(super) struct Opened {
 impl Opened {
     pub(super) fn new(args: &RenderArgs) -> Result<Self> {
         let options = args.scene_options.open_options()?;
-        if args.robot.robot.is_some() {
+        if args.robot.robot().is_some() {
             return Self::with_robot(args, &options);
         }
         if args.frames.is_none() && args.mount.is_none() {
@@ -82,7 +82,7 @@ impl Opened {
         }
         let mut scene = SceneFile::open(&args.scene, options)?;
         let robot = args.robot.open(&mut scene.scene, args.mount.as_deref())?;
-        if let (Some(file), Some(robot)) = (&args.robot.robot, &robot) {
+        if let (Some(file), Some(robot)) = (args.robot.robot(), &robot) {
             output::say_findings(file, &robot.findings);
             let warning = robot
                 .findings

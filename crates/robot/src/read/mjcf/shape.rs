@@ -191,7 +191,7 @@ impl Assets {
     }
 }
 
-/// Returns the pose and the length of a shape between two points, its z axis from the first to the second.
+/// Returns the pose and the length of a shape between two points, its z axis from the second to the first as in `MuJoCo`.
 fn segment(geom: &Element) -> Result<Option<(RigidTransform, f64)>, RobotFileError> {
     let Some([a, b, c, d, e, f]) = geom.exactly::<6>("fromto")? else {
         return Ok(None);
@@ -201,7 +201,7 @@ fn segment(geom: &Element) -> Result<Option<(RigidTransform, f64)>, RobotFileErr
     if length <= 0.0 {
         return Err(geom.wrong("fromto: both points are the same", "give two points"));
     }
-    let pose = RigidTransform::new(turn::z_to(to - from), 0.5 * (from + to));
+    let pose = RigidTransform::new(turn::z_to(from - to), 0.5 * (from + to));
     Ok(Some((pose, length)))
 }
 
