@@ -1,7 +1,6 @@
 """Robots that carry an OAK, as yourdfpy and MuJoCo read and move them."""
 
 import json
-import math
 import os
 import subprocess
 from pathlib import Path
@@ -223,10 +222,10 @@ def test_the_oak_sees_what_mujocos_rays_hit(workspace: Workspace, is_saved: bool
         mujoco.mj_kinematics(model, data)
         world_from_usd = np.linalg.inv(np.array(camera["cameraViewTransform"]).reshape(4, 4).T)
         height, width = range_m.shape
-        focal = camera["cameraFocalLength"] / camera["cameraAperture"][0] * width
-        offset = np.array(camera["cameraApertureOffset"]) / camera["cameraAperture"][0] * width
-        x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
-        rays = np.stack([x - width / 2 - offset[0], height / 2 - y - offset[1], np.full_like(x, -focal)], axis=-1)
+        projection = np.array(camera["cameraProjection"]).reshape(4, 4)
+        x, y = np.meshgrid((np.arange(width) + 0.5) / width * 2 - 1, 1 - (np.arange(height) + 0.5) / height * 2)
+        x, y = (x + projection[2, 0]) / projection[0, 0], (y + projection[2, 1]) / projection[1, 1]
+        rays = np.stack([x, y, np.full_like(x, -1)], axis=-1)
         rays /= np.linalg.norm(rays, axis=-1, keepdims=True)
         rays = rays @ world_from_usd[:3, :3].T
         expected = np.full(range_m.shape, np.inf)
@@ -236,8 +235,8 @@ def test_the_oak_sees_what_mujocos_rays_hit(workspace: Workspace, is_saved: bool
             expected[index] = distance if distance >= 0 else np.inf
         both = np.isfinite(expected) & np.isfinite(range_m)
         assert both.mean() > 0.5
-        off = np.abs(np.where(both, range_m - expected, 0)) > 2e-3
-        off |= np.isfinite(expected) != np.isfinite(range_m)
+        off = np.isfinite(expected) != np.isfinite(range_m)
+        off[both] = np.abs(range_m[both] - expected[both]) > 5e-4
         assert off.mean() < 0.01, (number, off.mean())
-        robot_is_seen = np.abs(expected[both]).min() < 1.2
-        assert robot_is_seen and math.isfinite(focal)
+        # The arm is nearer than the room.
+        assert (expected < 1.5).mean() > 0.02

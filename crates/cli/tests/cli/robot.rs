@@ -7,11 +7,11 @@ use crate::program::Program;
 const ROOM: &str = include_str!("fixtures/room.usda");
 const ARM: &str = include_str!("../../../../examples/robots/gripper.urdf");
 
-/// Two looks at the box, and one at the robot's own base.
-const POSES: &str = "shoulder,elbow,grip\n0.5,1.6,0.04\n0.2,1.2,0\n-0.3,2.6,0.04\n";
+/// Two looks at the box, and one past it.
+const POSES: &str = "shoulder,elbow,grip\n0.3,1.6,0.04\n-0.2,1.5,0\n-0.6,2.2,0.04\n";
 
 const COVERAGE: &str = "coverage room.usda --region /World/Box --robot arm.urdf --joints poses.csv \
-                        --robot-pose -0.9 0 0.2 0 0 0 1 --mount hand --model oak4-d --resolution 160x100 --samples 500 \
+                        --robot-pose -1.2 0 0.2 0 0 0 1 --mount hand --model oak-d-sr --resolution 160x100 --samples 500 \
                         --param confidenceThreshold=0 --pose 0.05 0 0.03 0 -0.7071067811865476 0 0.7071067811865476";
 
 fn program() -> Program {
@@ -95,11 +95,11 @@ fn mounts_are_ranked_over_the_motion() {
 #[test]
 fn a_frame_for_each_posture() {
     let program = program();
-    let render = "render room.usda --robot arm.urdf --robot-pose -0.9 0 0.2 0 0 0 1 --mount hand --model oak4-d \
+    let render = "render room.usda --robot arm.urdf --robot-pose -1.2 0 0.2 0 0 0 1 --mount hand --model oak-d-sr \
                   --pose 0.05 0 0.03 0 -0.7071067811865476 0 0.7071067811865476 --camera left --resolution 160x100 \
                   --annotators distance_to_image_plane,camera_params,instance_id_segmentation";
     program.good(&words(&format!("{render} --joints poses.csv -o all")));
-    program.put("last.csv", "elbow,grip,shoulder\n2.6,0.04,-0.3\n");
+    program.put("last.csv", "elbow,grip,shoulder\n2.2,0.04,-0.6\n");
     program.good(&words(&format!("{render} --joints last.csv -o last")));
     let read = |path: &str| std::fs::read(program.path(path)).unwrap();
     for file in ["distance_to_image_plane_NUMBER.npy", "camera_params_NUMBER.json"] {

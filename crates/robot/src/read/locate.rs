@@ -49,7 +49,8 @@ fn candidates<'a>(
 ) -> impl Iterator<Item = PathBuf> + 'a {
     let given = packages.iter().map(PathBuf::as_path);
     let is_package = move |root: &Path| root.file_name().is_some_and(|name| name == package);
-    let folder = std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned());
+    // The folder of a file without one is the current one.
+    let folder = std::path::absolute(Path::new(".").join(folder)).unwrap_or_else(|_| folder.to_owned());
     let around: Vec<PathBuf> = folder.ancestors().map(Path::to_owned).collect();
     given.map(Path::to_owned).chain(around).flat_map(move |root| {
         let own = is_package(&root).then(|| root.clone());

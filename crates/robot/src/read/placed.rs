@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use oaktwin_base::diagnostic::{Finding, message, nearest, opt, suggestion};
+use oaktwin_base::diagnostic::{Finding, add_new, message, nearest, opt, suggestion};
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
 use oaktwin_image::srgb;
@@ -32,14 +32,8 @@ struct Part {
     link_from_mesh: DAffine3,
 }
 
-/// What is added to the scene, by the file that it is read from or the shape.
-#[derive(Clone, Debug)]
-struct Loaded {
-    /// The meshes in the scene, with their transforms in the file's frame.
-    instances: Vec<(u32, DAffine3)>,
-    /// The first of the file's materials in the scene, if it has any.
-    materials: Option<u32>,
-}
+/// The meshes of a shape or a file in the scene, with their transforms in the file's frame.
+type Meshes = Vec<(u32, DAffine3)>;
 
 impl PlacedRobot {
     /// Adds a robot to a scene, at its [rest](Robot::rest), with its base at a pose; by default at the origin, upright. Its instances are at
@@ -184,7 +178,8 @@ fn free_path(scene: &Scene, name: &str) -> String {
 
 struct Builder<'a> {
     scene: &'a mut Scene,
-    files: HashMap<PathBuf, Loaded>,
+    /// What was read of each file, for each colour that its surfaces get.
+    files: HashMap<(PathBuf, u32), Meshes>,
     colors: HashMap<[u32; 3], u32>,
     findings: Vec<Finding>,
 }
@@ -194,19 +189,16 @@ impl Builder<'_> {
     fn add(&mut self, path: &str, visual: &LinkVisual) -> Result<Vec<DAffine3>, RobotFileError> {
         let pose = &visual.link_from_shape;
         let link_from_shape = DAffine3::from_mat3_translation(pose.rotation, pose.translation);
-        let (loaded, shape_from_file) = match &visual.shape {
+        let color = self.color(visual.color.unwrap_or([0.5; 3]));
+        let (meshes, shape_from_file) = match &visual.shape {
             Shape::Mesh {
                 file,
                 shape_from_file,
-            } => (self.file(file)?, *shape_from_file),
-            shape => self.solid(shape),
-        };
-        let offset = match loaded.materials {
-            Some(first) => first,
-            None => self.color(visual.color.unwrap_or([0.5; 3])),
+            } => (self.file(file, color)?, *shape_from_file),
+            shape => self.solid(shape, color),
         };
         let mut transforms = Vec::new();
-        for (number, &(mesh, file_from_mesh)) in loaded.instances.iter().enumerate() {
+        for (number, (mesh, file_from_mesh)) in meshes.into_iter().enumerate() {
             self.scene.instances.push(Instance {
                 mesh,
                 path: if number == 0 {
@@ -216,7 +208,7 @@ impl Builder<'_> {
                 },
                 world_from_mesh: DAffine3::IDENTITY,
                 labels: Vec::new(),
-                material_offset: offset,
+                material_offset: 0,
             });
             transforms.push(link_from_shape * shape_from_file * file_from_mesh);
         }
@@ -224,7 +216,7 @@ impl Builder<'_> {
     }
 
     /// Returns the mesh of a shape of a unit size, where one does for all sizes, and its size.
-    fn solid(&mut self, shape: &Shape) -> (Loaded, DAffine3) {
+    fn solid(&mut self, shape: &Shape, color: u32) -> (Meshes, DAffine3) {
         let (mesh, size) = match *shape {
             Shape::Box(size) => (shape::cube(1.0), size),
             Shape::Ellipsoid(radii) => (shape::sphere(1.0), radii),
@@ -233,51 +225,44 @@ impl Builder<'_> {
             Shape::Rectangle { width, length } => (shape::plane(width, length, Axis::Z), DVec3::ONE),
             Shape::Mesh { .. } => (Mesh::default(), DVec3::ONE),
         };
-        let instances = vec![(self.mesh(painted(mesh)), DAffine3::IDENTITY)];
-        let loaded = Loaded {
-            instances,
-            materials: None,
-        };
-        (loaded, DAffine3::from_scale(size))
+        self.scene.meshes.push(painted(mesh, color));
+        let mesh = count(self.scene.meshes.len() - 1);
+        (vec![(mesh, DAffine3::IDENTITY)], DAffine3::from_scale(size))
     }
 
-    /// Returns what a mesh file adds to the scene, which is added when it is first used.
-    fn file(&mut self, file: &Path) -> Result<Loaded, RobotFileError> {
-        if let Some(known) = self.files.get(file) {
+    /// Returns what a mesh file adds to the scene, which is added when it is first used. Surfaces without a material get the colour.
+    fn file(&mut self, file: &Path, color: u32) -> Result<Meshes, RobotFileError> {
+        let key = (file.to_owned(), color);
+        if let Some(known) = self.files.get(&key) {
             return Ok(known.clone());
         }
         let imported = import::open(file, &ImportOptions::default())
             .map_err(|error| RobotFileError::Option(error.to_string().into()))?;
-        self.findings.extend(imported.findings);
+        add_new(&mut self.findings, imported.findings);
         let own = imported.scene;
-        let materials = (!own.materials.is_empty()).then(|| count(self.scene.materials.len()));
+        let materials = count(self.scene.materials.len());
         let textures = count(self.scene.textures.len());
-        self.scene.textures.extend(own.textures);
-        let moved = own
-            .materials
-            .into_iter()
-            .map(|material| material.after_textures(textures));
-        self.scene.materials.extend(moved);
         let first = count(self.scene.meshes.len());
-        let meshes = own.meshes.into_iter();
-        self.scene.meshes.extend(meshes.map(|mesh| match materials {
-            Some(_) => mesh,
-            None => painted(mesh),
-        }));
+        self.scene.textures.extend(own.textures);
+        let moved = own.materials.into_iter();
+        self.scene
+            .materials
+            .extend(moved.map(|material| material.after_textures(textures)));
+        for mut mesh in own.meshes {
+            for span in &mut mesh.materials {
+                span.material = Some(span.material.map_or(color, |material| materials + material));
+            }
+            self.scene.meshes.push(match mesh.materials.is_empty() {
+                true => painted(mesh, color),
+                false => mesh,
+            });
+        }
         let instances = own.instances.iter();
-        let loaded = Loaded {
-            instances: instances
-                .map(|one| (first + one.mesh, one.world_from_mesh))
-                .collect(),
-            materials,
-        };
-        self.files.insert(file.to_owned(), loaded.clone());
-        Ok(loaded)
-    }
-
-    fn mesh(&mut self, mesh: Mesh) -> u32 {
-        self.scene.meshes.push(mesh);
-        count(self.scene.meshes.len() - 1)
+        let meshes: Meshes = instances
+            .map(|one| (first + one.mesh, one.world_from_mesh))
+            .collect();
+        self.files.insert(key, meshes.clone());
+        Ok(meshes)
     }
 
     /// Returns the material of a colour, sRGB.
@@ -295,12 +280,12 @@ impl Builder<'_> {
     }
 }
 
-/// A mesh whose triangles have the first material after an instance's offset, unless they have colours of their own.
-fn painted(mut mesh: Mesh) -> Mesh {
+/// A mesh whose triangles have a material, unless they have colours of their own.
+fn painted(mut mesh: Mesh, material: u32) -> Mesh {
     if mesh.colors.is_none() {
         mesh.materials = vec![MaterialSpan {
             end: count(mesh.triangles.len()),
-            material: Some(0),
+            material: Some(material),
         }];
     }
     mesh
