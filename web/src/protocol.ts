@@ -13,6 +13,7 @@
  * | `GET /api/scenes/{scene}/mesh?triangles=N` | a mesh, see {@link MeshHeader} |
  * | `GET /api/scenes/{scene}/textures` | textured surfaces, see {@link TexturedHeader} |
  * | `POST /api/scenes?name=room.glb`, the file as the body; of a mesh file also `scale=0.001`, metres per unit, and `up=z` | {@link SceneInfo}; 422 with {@link Failure} |
+ * | `POST /api/robots?name=arm.urdf&scene=ID`, a URDF or MJCF file as the body | {@link SceneInfo} of the scene with the robot; 422 with {@link Failure} |
  * | `POST /api/calibrations?name=unit.json`, the file as the body | {@link CalibrationInfo}; 422 with {@link Failure} |
  * | `POST /api/trajectories?name=path.txt`, the file as the body | {@link TrajectoryInfo}; 422 with {@link Failure} |
  * | `GET /api/trajectories/{id}` | {@link TrajectoryInfo} |
@@ -178,6 +179,8 @@ export interface SceneInfo {
   pose: Pose;
   /** Null if nothing in it moves. */
   animation: Animation | null;
+  /** The robot in the scene. The id of the scene in another posture is `ID~P1,P2,…`, with the position of each of the joints. */
+  robot: RobotInfo | null;
 }
 
 /** The time codes of an animated scene. */
@@ -212,6 +215,31 @@ export interface SessionInfo {
   scene: SceneInfo;
   calibrations: CalibrationInfo[];
   trajectory: TrajectoryInfo | null;
+}
+
+/** A robot, in the posture of its scene. */
+export interface RobotInfo {
+  name: string;
+  /** The joints that can be moved. */
+  joints: RobotJoint[];
+  links: RobotLink[];
+}
+
+export interface RobotJoint {
+  name: string;
+  /** Whether its positions are angles in radians; otherwise lengths in metres. */
+  isRevolute: boolean;
+  /** Null for a joint without limits. */
+  limits: [number, number] | null;
+  position: number;
+}
+
+export interface RobotLink {
+  name: string;
+  /** The path below which its objects are. */
+  path: string;
+  /** The pose of its frame in the world. */
+  pose: Pose;
 }
 
 export interface SceneObject {
@@ -475,6 +503,8 @@ export interface PoseCoverage {
   medianAbsoluteErrorM: number | null;
   /** The shares that are not measured, by the name of the reason. */
   lost: Record<string, number>;
+  /** The share of the pixels that show the robot of the scene; null without a robot, and for all OAKs together. */
+  ownRobot: number | null;
 }
 
 /** For each of the states, and for all of them together. */

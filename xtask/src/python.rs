@@ -49,7 +49,11 @@ pub(crate) const CURRENT: Environment = Environment {
 pub(crate) const ROBOT: Environment = Environment {
     name: "robot",
     versions: ((3, 11), Some((3, 13))),
-    tests: &["tests/oracles/test_heaps.py", "tests/oracles/test_robot.py"],
+    tests: &[
+        "tests/oracles/test_heaps.py",
+        "tests/oracles/test_robot.py",
+        "tests/oracles/test_robot_reading.py",
+    ],
 };
 
 /// The newest OpenUSD, the generation of Isaac Sim 5.1, and the readers of data sets and of robot descriptions.

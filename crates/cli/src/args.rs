@@ -24,6 +24,7 @@ mod pair;
 mod place;
 mod population;
 mod render;
+mod robot;
 mod scene;
 mod sense;
 mod sensor;
@@ -71,6 +72,9 @@ pub(crate) use pair::PairArgs;
 pub(crate) use place::PlaceArgs;
 pub(crate) use population::PopulationArgs;
 pub(crate) use render::RenderArgs;
+#[cfg(feature = "studio")]
+pub(crate) use robot::RobotPlaceArgs;
+pub(crate) use robot::{OpenedRobot, RobotArgs};
 pub(crate) use scene::{SceneArgs, checked_scale};
 pub(crate) use sense::SenseArgs;
 pub(crate) use sensor::{MatcherArgs, SensorArgs};

@@ -1,7 +1,9 @@
-//! Descriptions of an OAK for robots and simulators: URDF, SDF, MJCF, a Webots PROTO and a Blender script.
+//! Descriptions of an OAK for robots and simulators (URDF, SDF, MJCF, a Webots PROTO and a Blender script), and robots that carry one.
 //!
 //! A [`Description`] is what all formats share: the housing with its mass, and a frame for each camera, depth sensor and the
 //! inertial unit. A format is one module that turns it into files.
+//!
+//! A [`Robot`] is read from a URDF or MJCF file. As a [`PlacedRobot`], its shapes are instances of a scene, which joint positions move.
 
 mod blender;
 mod description;
@@ -10,6 +12,7 @@ mod frame;
 mod mesh;
 mod mjcf;
 mod mount;
+mod read;
 mod sdf;
 mod urdf;
 mod webots;
@@ -27,6 +30,9 @@ pub use error::RobotError;
 pub use frame::Frame;
 pub use mesh::Mesh;
 pub use mount::{Attachment, Mount};
+pub use read::{
+    Joint, JointKind, JointPositions, Link, LinkVisual, Mimic, PlacedRobot, Robot, RobotFileError, Shape,
+};
 
 choice! {
     /// A format of robots and simulators.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use oaktwin::camera::math::DVec3;
 use oaktwin::coverage::{
-    self, Candidate, CoverageError, MeasuringRig, Options, PATCHES, Patches, Region, Shares,
+    self, Candidate, Carrier, CoverageError, MeasuringRig, Options, PATCHES, Patches, Region, Shares,
 };
 use oaktwin::scene::Bounds;
 use oaktwin::sensor::EngineInput;
@@ -53,6 +53,8 @@ struct PoseCoverage {
     measured: f64,
     median_absolute_error_m: Option<f64>,
     lost: BTreeMap<&'static str, f64>,
+    /// The share of the pixels that show the robot of the scene.
+    own_robot: Option<f64>,
 }
 
 impl RegionRequest {
@@ -60,14 +62,14 @@ impl RegionRequest {
         match self {
             Self::Object { object } => Region {
                 objects: vec![object.clone()],
-                within: None,
+                ..Region::default()
             },
             Self::Box { minimum, maximum } => Region {
-                objects: Vec::new(),
                 within: Some(Bounds {
                     min: DVec3::from(*minimum),
                     max: DVec3::from(*maximum),
                 }),
+                ..Region::default()
             },
         }
     }
@@ -97,7 +99,11 @@ pub(crate) fn surface(studio: &Studio, request: &SurfaceRequest) -> Result<Vec<u
 /// Returns the region, unless it has too many triangles for an answer in time.
 fn within_budget(scene: &LoadedScene, request: &RegionRequest) -> Result<Region, Failure> {
     let failed = |error: CoverageError| Failure::of("region", &error);
-    let region = request.region();
+    let mut region = request.region();
+    let robot = scene.robot.iter();
+    region
+        .without
+        .extend(robot.map(|robot| robot.placed.path().to_owned()));
     match region.triangles(scene.renderer.scene()).map_err(failed)? {
         count if count > MAX_TRIANGLES => {
             let error = format!("the region has {count} triangles; choose one with at most {MAX_TRIANGLES}");
@@ -180,10 +186,19 @@ pub(crate) fn coverage(
         &|_| job.watch(),
     )
     .map_err(failed)?;
-    let poses = found
-        .candidates
-        .into_iter()
-        .map(|candidate| candidate.shares.into());
+    let own_robot = |candidate: &Candidate<'_>| {
+        let robot = scene.robot.as_ref()?;
+        let carrier = Carrier {
+            robot: &robot.placed,
+            link: None,
+            postures: &[],
+        };
+        Some(carrier.own_robot(&scene.renderer, candidate).share)
+    };
+    let poses = (found.candidates.into_iter().zip(&candidates)).map(|(found, candidate)| PoseCoverage {
+        own_robot: own_robot(candidate),
+        ..found.shares.into()
+    });
     Ok(CoverageAnswer {
         poses: poses.collect(),
         together: found.together.into(),
@@ -197,6 +212,7 @@ impl From<Shares> for PoseCoverage {
             measured: shares.measured,
             median_absolute_error_m: shares.median_absolute_error_mm.map(|error| error * 1e-3),
             lost: shares.lost,
+            own_robot: None,
         }
     }
 }

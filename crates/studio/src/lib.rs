@@ -24,6 +24,7 @@ mod pose;
 mod probe;
 mod protocol;
 mod reasons;
+mod robot;
 mod scene;
 mod server;
 mod session;
@@ -50,6 +51,7 @@ use oaktwin::render::OpenOptions;
 
 use guard::Guard;
 pub use offline::Offline;
+pub use robot::RobotFile;
 use scene::{LoadedScene, Scenes};
 use studio::Studio;
 
@@ -73,6 +75,8 @@ pub struct FirstScene {
     pub made_by: Option<String>,
     /// The pose of the body from which it is shown; by default an overview.
     pub world_from_body: Option<RigidTransform>,
+    /// The robot in it.
+    pub robot: Option<RobotFile>,
 }
 
 /// The options of a server.
@@ -142,6 +146,10 @@ pub fn serve(
             &first.options,
             ("first", &first.name, &first.argument),
         );
+        let scene = scene.and_then(|scene| match &first.robot {
+            Some(robot) => scene.with_robot(robot, "first", &robot.path.display().to_string()),
+            None => Ok(scene),
+        });
         let scene = scene.map_err(|failure| StudioError::Scene(failure.error))?;
         let scene = match first.world_from_body {
             Some(world_from_body) => scene.shown_from(pose::pose_of(&world_from_body)),

@@ -241,6 +241,7 @@ pub(crate) struct SceneInfo {
     pub(crate) findings: Vec<Finding>,
     pub(crate) pose: Pose,
     pub(crate) animation: Option<AnimationInfo>,
+    pub(crate) robot: Option<RobotInfo>,
 }
 
 /// The times of an animated scene.
@@ -252,6 +253,29 @@ pub(crate) struct AnimationInfo {
     pub(crate) codes_per_second: f64,
     /// The time codes from frame to frame.
     pub(crate) step: f64,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct RobotInfo {
+    pub(crate) name: String,
+    pub(crate) joints: Vec<RobotJoint>,
+    pub(crate) links: Vec<RobotLink>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct RobotJoint {
+    pub(crate) name: String,
+    pub(crate) is_revolute: bool,
+    pub(crate) limits: Option<[f64; 2]>,
+    pub(crate) position: f64,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct RobotLink {
+    pub(crate) name: String,
+    pub(crate) path: String,
+    pub(crate) pose: Pose,
 }
 
 #[derive(Clone, Debug, Serialize)]

@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use axum::body::Bytes;
 use oaktwin::camera::RigidTransform;
-use oaktwin::diagnostic::Finding;
+use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::render::{OpenOptions, Renderer, SceneFile, look_at, overview};
 use oaktwin::scene::{Bounds, Scene, Up};
 use tempfile::TempDir;
@@ -16,6 +16,7 @@ use tempfile::TempDir;
 use crate::mesh;
 use crate::pose::pose_of;
 use crate::protocol::{Failure, Pose, SceneInfo, SceneObject};
+use crate::robot::{self, Postures, RobotFile, SceneRobot};
 use crate::task::Job;
 use crate::upload;
 use moving::Moving;
@@ -53,6 +54,7 @@ pub(crate) struct LoadedScene {
     /// The path on this machine, which the page does not know.
     path: PathBuf,
     moving: Option<Moving>,
+    pub(crate) robot: Option<SceneRobot>,
     meshes: Mutex<BTreeMap<usize, Bytes>>,
 }
 
@@ -101,6 +103,7 @@ impl LoadedScene {
             findings: local_findings(file.findings, path, name),
             pose: initial_pose(&scene),
             animation,
+            robot: None,
         };
         Ok(Self {
             info,
@@ -113,6 +116,7 @@ impl LoadedScene {
             kept: None,
             path: path.to_owned(),
             moving,
+            robot: None,
             meshes: Mutex::default(),
         })
     }
@@ -169,6 +173,7 @@ impl LoadedScene {
             kept: None,
             path: self.path.clone(),
             moving: None,
+            robot: None,
             meshes: Mutex::default(),
         }
     }
@@ -192,6 +197,100 @@ impl LoadedScene {
                 "{name}: has {triangles} triangles with all instances, more than {MAX_TRIANGLES}; drop a smaller scene, or use the command line"
             ))),
         }
+    }
+
+    /// Returns a copy of the scene, with an empty cache.
+    pub(crate) fn copied(&self) -> Self {
+        Self {
+            info: self.info.clone(),
+            renderer: Renderer::new(self.renderer.scene().clone()),
+            argument: self.argument.clone(),
+            made_by: self.made_by.clone(),
+            given: self.given,
+            time: self.time,
+            is_moved: false,
+            kept: None,
+            path: self.path.clone(),
+            moving: None,
+            robot: self.robot.clone(),
+            meshes: Mutex::default(),
+        }
+    }
+
+    /// Returns the scene with a robot in it, under another id.
+    pub(crate) fn with_robot(&self, file: &RobotFile, id: &str, name: &str) -> Result<Self, Failure> {
+        if let Some(robot) = &self.robot {
+            let error = format!(
+                "the scene has a robot already, {}; open a scene without one first",
+                robot.placed.robot().name
+            );
+            return Err(Failure::of("robot", &error));
+        }
+        let mut scene = self.renderer.scene().clone();
+        let opened = SceneRobot::open(file, &mut scene);
+        let (robot, findings) = opened.map_err(|failure| Failure {
+            error: local(&failure.error, &file.path, name),
+            ..failure
+        })?;
+        let mut info = SceneInfo {
+            id: id.to_owned(),
+            triangles: mesh::triangles(&scene),
+            objects: objects(&scene),
+            robot: Some(robot.info()),
+            animation: None,
+            ..self.info.clone()
+        };
+        info.findings.extend(findings.into_iter().take(MAX_FINDINGS));
+        if self.info.animation.is_some() {
+            let what = "the page does not play its animation beside a robot";
+            info.findings.push(Finding::new("animation-stopped", Level::Note, &info.name, what, ""));
+        }
+        if let Some(bounds) = scene.bounds() {
+            info.bounds = corners(bounds);
+        }
+        Ok(Self {
+            info,
+            renderer: Renderer::new(scene),
+            robot: Some(robot),
+            argument: self.argument.clone(),
+            made_by: self.made_by.clone(),
+            given: self.given,
+            time: self.time,
+            is_moved: false,
+            kept: None,
+            path: self.path.clone(),
+            moving: None,
+            meshes: Mutex::default(),
+        })
+    }
+
+    /// Moves the robot to a posture, under another id.
+    pub(crate) fn pose(&mut self, id: &str, positions: Vec<f64>) {
+        let Some(robot) = &mut self.robot else { return };
+        robot.positions = positions;
+        let links = robot.placed.world_from_links(&robot.positions);
+        self.renderer.set_poses(robot.placed.poses(&links));
+        let scene = self.renderer.scene();
+        for (instance, world_from_mesh) in robot.placed.poses(&links) {
+            let instance = &scene.instances[instance];
+            let bounds = scene
+                .meshes
+                .get(instance.mesh as usize)
+                .and_then(oaktwin::scene::Mesh::bounds);
+            let place = self
+                .info
+                .objects
+                .binary_search_by(|object| object.path.cmp(&instance.path));
+            if let (Some(bounds), Ok(place)) = (bounds, place) {
+                self.info.objects[place].bounds = corners(bounds.transformed(world_from_mesh));
+            }
+        }
+        self.info.robot = Some(robot.info());
+        id.clone_into(&mut self.info.id);
+        self.meshes
+            .get_mut()
+            .unwrap_or_else(PoisonError::into_inner)
+            .clear();
     }
 
     /// Sets the pose from which the page first shows the scene.
@@ -300,6 +399,7 @@ pub(crate) struct Scenes {
     first: Arc<LoadedScene>,
     /// The one that was used last is the last.
     dropped: Mutex<VecDeque<Arc<LoadedScene>>>,
+    postures: Mutex<Postures>,
 }
 
 impl Scenes {
@@ -307,6 +407,7 @@ impl Scenes {
         Self {
             first: Arc::new(first),
             dropped: Mutex::default(),
+            postures: Mutex::default(),
         }
     }
 
@@ -315,8 +416,13 @@ impl Scenes {
         &self.first
     }
 
-    /// Returns a scene, by its id, or at a time code, by `ID@CODE`.
+    /// Returns a scene, by its id; at a time code, by `ID@CODE`, or in a posture of its robot, by `ID~POSITIONS`.
     pub(crate) fn get(&self, id: &str) -> Result<Arc<LoadedScene>, Failure> {
+        if let Some((own, posture)) = robot::split(id) {
+            let scene = self.as_opened(own)?;
+            let mut postures = self.postures.lock().unwrap_or_else(PoisonError::into_inner);
+            return postures.get(id, &scene, posture);
+        }
         let Some((base, code)) = id.rsplit_once('@') else {
             return self.as_opened(id);
         };

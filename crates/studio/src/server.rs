@@ -24,11 +24,13 @@ use crate::scene::LoadedScene;
 use crate::session::{SaveRequest, SessionInfo};
 use crate::studio::Studio;
 use crate::{
-    accuracy, calibration, coverage, export, guard, job, live, mesh, page, session, trajectory, upload,
+    accuracy, calibration, coverage, export, guard, job, live, mesh, page, robot, session, trajectory, upload,
 };
 
 /// The maximum length of a request's JSON, and of a calibration, bytes.
 const MAX_JSON_BYTES: usize = 1 << 20;
+/// The maximum size of a dropped robot, bytes; its meshes are in files of their own.
+const MAX_ROBOT_BYTES: usize = 16 << 20;
 /// How long the JSON of a request, or a calibration, may take to arrive.
 const JSON_TIME: Duration = Duration::from_secs(60);
 /// The maximum number of triangles in a mesh of the page: its full detail.
@@ -47,6 +49,7 @@ pub(crate) fn router(studio: &Arc<Studio>) -> Router {
         .route("/licenses.txt", get(page::licenses))
         .route("/api/catalog", get(catalog))
         .route("/api/scenes", post(drop_scene))
+        .route("/api/robots", post(drop_robot))
         .route("/api/scenes/{id}", get(scene))
         .route("/api/scenes/{id}/mesh", get(scene_mesh))
         .route("/api/scenes/{id}/textures", get(scene_textures))
@@ -124,7 +127,7 @@ async fn scene_mesh(
 async fn scene_textures(State(studio): Server, Path(id): Path<String>) -> Response {
     let made = move |studio: &Studio, job: &job::Job| {
         let scene = studio.scenes.get(&id)?;
-        mesh::of_textures(scene.renderer.scene(), job)
+        mesh::of_textures(&scene, job)
     };
     match job::run(&studio, job::VIEW, made).await {
         Ok(bytes) => binary(bytes),
@@ -204,6 +207,28 @@ async fn dropped_scene(
         Ok(studio.scenes.add(scene.keeping(folder)?).info.clone())
     })
     .await
+}
+
+#[derive(Deserialize)]
+struct RobotQuery {
+    name: String,
+    /// The scene that the robot is put into.
+    scene: String,
+}
+
+/// Puts a dropped robot into a scene, which becomes another one.
+async fn drop_robot(State(studio): Server, Query(query): Query<RobotQuery>, body: Body) -> Response {
+    let Ok(Ok(bytes)) = timeout(JSON_TIME, axum::body::to_bytes(body, MAX_ROBOT_BYTES)).await else {
+        let error = "the dropped file is too large for a robot, or did not arrive; drop a URDF or MJCF file";
+        return failure(StatusCode::PAYLOAD_TOO_LARGE, Failure::from(error.to_owned()));
+    };
+    json_or_failure(
+        job::run(&studio, job::FILE, move |studio, _| {
+            let name = upload::file_name(&query.name)?;
+            robot::dropped(studio, &query.scene, &name, &bytes)
+        })
+        .await,
+    )
 }
 
 async fn drop_calibration(State(studio): Server, Query(query): Query<DropQuery>, body: Body) -> Response {

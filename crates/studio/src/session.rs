@@ -93,7 +93,14 @@ pub(crate) fn save(studio: &Studio, request: SaveRequest) -> Result<File, Failur
     if request.calibrations.len() > MAX_CALIBRATIONS {
         return Err(Failure::of("calibrations", "are too many; load the page again"));
     }
-    let scene = studio.scenes.as_opened(&request.scene)?;
+    let scene = studio.scenes.get(&request.scene)?;
+    if let Some(robot) = &scene.info.robot {
+        let error = format!(
+            "a session does not keep a robot, such as {}; save it without, and drop the robot again",
+            robot.name
+        );
+        return Err(Failure::of("scene", &error));
+    }
     let mut files = Vec::new();
     let (up, scale) = scene.given;
     let mut entry = SceneEntry {

@@ -7,12 +7,15 @@ use oaktwin::camera::RigidTransform;
 use oaktwin::sensor::EngineInput;
 
 use crate::protocol::{ExportRequest, Failure, OakState};
+use crate::robot::SceneRobot;
 use crate::size::image_size;
 use crate::studio::Studio;
 use crate::trajectory::Dropped;
 
 /// The folder of the calibrations of units that a command draws.
 const UNITS: &str = "units";
+/// The file of a robot's posture.
+const POSTURE: &str = "posture.csv";
 
 /// Returns the changed parameters as a file for `--params`.
 pub(crate) fn toml(state: &OakState) -> Result<String, Failure> {
@@ -68,6 +71,15 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
     if let Some(scale) = scale {
         option("scale", &format!("{scale:?}"));
     }
+    if let Some(robot) = &scene.robot {
+        let (table, arguments) = posture(robot);
+        out += &table;
+        words.extend(arguments.iter().map(|word| shell(word)));
+    }
+    let mut option = |name: &str, value: &str| match value.starts_with('-') {
+        true => words.push(shell(&format!("--{name}={value}"))),
+        false => words.extend([format!("--{name}"), shell(value)]),
+    };
     let path = along(studio, request)?;
     match (&path, scene.time) {
         (None, Some(time)) => option("time", &format!("{time:?}")),
@@ -168,6 +180,26 @@ impl Along {
         };
         let count = self.0.info.poses.len().saturating_sub(1);
         Ok(format!("{first:?}:{:?}:{step:?}", first + count as f64 * step))
+/// Returns a command that writes the joint positions of a robot's posture, and the options that put the robot into the scene.
+fn posture(robot: &SceneRobot) -> (String, Vec<String>) {
+    let joints: Vec<usize> = robot.placed.robot().free_joints().collect();
+    let has_joints = !joints.is_empty();
+    let names = joints
+        .iter()
+        .map(|&joint| robot.placed.robot().joints[joint].name.clone());
+    let positions = joints
+        .iter()
+        .map(|&joint| format!("{:?}", robot.positions[joint]));
+    let line = |words: Vec<String>| shell(&words.join(","));
+    let table = format!(
+        "printf '%s\\n' {} {} > {POSTURE}\n",
+        line(names.collect()),
+        line(positions.collect())
+    );
+    let joints = ["--joints".to_owned(), POSTURE.to_owned()];
+    match has_joints {
+        true => (table, robot.arguments.iter().cloned().chain(joints).collect()),
+        false => (String::new(), robot.arguments.clone()),
     }
 }
 
@@ -175,6 +207,10 @@ impl Along {
 pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String, Failure> {
     let state = &request.state;
     let scene = studio.scenes.get(&request.scene)?;
+    if scene.robot.is_some() {
+        let error = "robots are not available in Python; take the command";
+        return Err(Failure::of("scene", error));
+    }
     let device = device(studio, state)?;
     let world_from_body = matrix(&state.pose.transform()?);
     let size = image_size(request.size)?;

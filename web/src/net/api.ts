@@ -85,6 +85,9 @@ export const api = {
     return json<SceneInfo>(`/api/scenes?${query}`, { method: "POST", body: file });
   },
 
+  openRobot: (file: File, scene: string) =>
+    json<SceneInfo>(`/api/robots?${new URLSearchParams({ name: file.name, scene })}`, { method: "POST", body: file }),
+
   openCalibration: (file: File) =>
     json<CalibrationInfo>(`/api/calibrations?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file }),
 

@@ -7,6 +7,8 @@ export interface Oak {
   /** Whether it is neither drawn nor measured. */
   isHidden: boolean;
   state: OakState;
+  /** The link of the scene's robot that carries it. */
+  mount?: string | null;
 }
 
 /** A rectangle as fractions of the image: left, top, right, bottom. */

@@ -97,7 +97,8 @@ function targetFrom(json: unknown): Target | null {
 function oakFrom(json: unknown): Oak | null {
   if (!isObject(json) || typeof json.key !== "string") return null;
   const state = stateFrom(json.state);
-  return state && { key: json.key, isHidden: json.isHidden === true, state };
+  const mount = typeof json.mount === "string" ? { mount: json.mount } : {};
+  return state && { key: json.key, isHidden: json.isHidden === true, state, ...mount };
 }
 
 /** Reads the state of an OAK; whether its names and numbers make sense is for the server to decide. */

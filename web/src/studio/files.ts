@@ -18,6 +18,7 @@ export async function openFiles(studio: Studio, files: Iterable<File>): Promise<
       if (/\.oaktwin$/i.test(file.name)) await openSession(studio, file);
       else if (await isTrajectory(file)) useTrajectory(studio, await api.openTrajectory(file));
       else if (isCalibration(file)) useCalibration(studio, await api.openCalibration(file));
+      else if (isRobot(file)) useRobot(studio, await api.openRobot(file, studio.document.get().scene));
       else await readScene(studio, file);
     } catch (error) {
       studio.report("Not opened", error);
@@ -38,6 +39,17 @@ function useTrajectory(studio: Studio, info: TrajectoryInfo): void {
   studio.timeline.use(info);
   const duration = (info.timesS.at(-1) ?? 0).toFixed(1);
   studio.notify("note", `${info.name}: ${info.poses.length.toLocaleString("en")} poses in ${duration} s. The timeline below the 3D view moves the OAK along them.`);
+}
+
+function isRobot(file: File): boolean {
+  return /\.(urdf|xml|mjcf)$/i.test(file.name);
+}
+
+/** Shows the scene with a dropped robot in it; the OAKs stay where they are. */
+function useRobot(studio: Studio, info: SceneInfo): void {
+  studio.document.commit("robot", (document): StudioDocument => ({ ...document, scene: info.id }));
+  const worst = info.findings.some(({ level }) => level !== "note") ? "warning" : "note";
+  studio.notify(worst, `${info.robot?.name ?? "The robot"} is in the scene, with ${info.robot?.joints.length ?? 0} joints.`, info.findings);
 }
 
 /** A dropped mesh file whose unit nobody knows. */

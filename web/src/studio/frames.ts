@@ -72,7 +72,7 @@ export class FrameLoop {
 
   /** Whether every frame is there and no change waits for one. */
   get isIdle(): boolean {
-    return this.timer === 0 && this.scheduler.isIdle && this.probes.isIdle && !this.studio.timeline.isPlaying.get();
+    return this.timer === 0 && this.studio.robot.isIdle && this.scheduler.isIdle && this.probes.isIdle && !this.studio.timeline.isPlaying.get();
   }
 
   private connected(isOpen: boolean): void {
@@ -107,6 +107,7 @@ export class FrameLoop {
       if (before && before.length === key.length && before.every((part, i) => part === key[i])) continue;
       this.requested.set(oak.key, key);
       // A new parameter needs no new rendering, unless the size changes.
+      // The scene is another one at another time, and in another posture of its robot.
       const isMoved = before?.[0] !== key[0] || (before?.[1] as OakState | undefined)?.pose !== oak.state.pose;
       const wanted = this.request(oak, COARSE[isMoved ? this.coarseness : 0] ?? null, images, isMoved ? COLOR_STEP : 1);
       if (isMoved) this.moving.add(wanted);

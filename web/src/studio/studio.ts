@@ -7,6 +7,7 @@ import { changeOak, findModel, newDocument, type StudioDocument, withScene } fro
 import { History } from "../state/history";
 import { fromFragment, toFragment } from "../state/link";
 import type { Asked } from "./files";
+import { RobotMover } from "./robot";
 import { Timeline } from "./timeline";
 import { Store } from "../util/store";
 import { NO_ZOOM, type Zoom } from "../util/zoom";
@@ -66,6 +67,7 @@ export class Studio {
   readonly notices = new Store<readonly Notice[]>([]);
   readonly timeline: Timeline;
   readonly calibrations = new Store<ReadonlyMap<string, CalibrationInfo>>(new Map());
+  readonly robot = new RobotMover(this);
   private lastNotice = 0;
   private loading = "";
 

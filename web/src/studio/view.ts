@@ -14,6 +14,7 @@ import { makeOak, matrix, place } from "../view3d/oakobject";
 import { type Hit, isDrawnBySoftware, Viewer } from "../view3d/viewer";
 import { Painting } from "./painting";
 import { visiblePixel } from "./project";
+import { unposed } from "./robot";
 import type { Shown, Studio } from "./studio";
 
 /** How many triangles of a scene are loaded: what can be turned without a GPU at 10 images per second. */
@@ -142,14 +143,18 @@ export class SceneView {
     if (!info || info.id !== this.studio.document.get().scene) return;
     const scene = sceneAt(this.studio.document.get());
     if (scene === this.loaded) return;
-    const isFirst = this.isNew("place", info.id, ...info.bounds.flat());
+    const isPosture = info.robot !== null && unposed(scene) === unposed(this.loaded);
     this.loaded = scene;
+    if (isPosture) return this.viewer.moveRobot(info);
+    const isFirst = this.isNew("place", unposed(info.id), ...info.bounds.flat());
     this.isLoading = true;
     try {
       const mesh = await api.sceneMesh(scene, this.wantsDetail ? FULL_DETAIL : TRIANGLES);
       this.wantsDetail = false;
-      if (this.studio.scene.get()?.id !== info.id) return;
+      const now = this.studio.scene.get();
+      if (!now || unposed(now.id) !== unposed(info.id)) return;
       this.viewer.setScene(info, mesh, false);
+      this.viewer.moveRobot(now);
       this.mesh = mesh;
       this.detail.set({ shown: mesh.header.triangles, of: mesh.header.ofTriangles });
       if (isFirst) this.roof = this.viewer.roofAbove(info, info.pose.position);

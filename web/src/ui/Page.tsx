@@ -10,6 +10,7 @@ import { Notices } from "./Notices";
 import { OakList } from "./OakList";
 import { Place } from "./Place";
 import { PoseFields } from "./PoseFields";
+import { Robot } from "./Robot";
 import { listenForKeys } from "./shortcuts";
 import { TimelineBar } from "./TimelineBar";
 import { Tooltip } from "./Tooltip";
@@ -39,6 +40,7 @@ export function Page() {
         <aside class="side left" aria-label="Controls">
           <OakList />
           <PoseFields />
+          <Robot />
           <Tune />
         </aside>
       )}
@@ -193,5 +195,5 @@ function DropTarget() {
     };
   }, [studio]);
   if (!isOver) return null;
-  return <div class="drop"><p>Drop a scene, a calibration, a trajectory or a session</p><span>It stays on this computer, and is forgotten when the server ends.</span></div>;
+  return <div class="drop"><p>Drop a scene, a robot, a calibration, a trajectory or a session</p><span>It stays on this computer, and is forgotten when the server ends.</span></div>;
 }

@@ -212,6 +212,9 @@ function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer:
           <tr><th scope="row"><span class="swatch" style={{ background: css(outcomeColor(0)) }} />Measured, %</th>{columns.map(({ key, pose }) => <td key={key}><b>{bareShare(pose.measured)}</b></td>)}</tr>
           <tr><th scope="row" data-tip="The share of what the camera sees that it measures">Measured of visible, %</th>{columns.map(({ key, pose }) => <td key={key}>{pose.seen > 0 ? bareShare(pose.measured / pose.seen) : NONE}</td>)}</tr>
           <tr><th scope="row">Median |error|, mm</th>{columns.map(({ key, pose }) => <td key={key}>{bareMillimetres(pose.medianAbsoluteErrorM)}</td>)}</tr>
+          {own.some(({ pose }) => pose.ownRobot !== null) && (
+            <tr data-testid="own-robot"><th scope="row" data-tip="The share of the pixels that show the robot itself">Own robot, % of pixels</th>{columns.map(({ key, pose }) => <td key={key}>{pose.ownRobot === null ? NONE : bareShare(pose.ownRobot)}</td>)}</tr>
+          )}
           {lost.map(({ name, outcome }) => (
             <tr key={name}>
               <th scope="row" data-tip={outcome?.documentation}>

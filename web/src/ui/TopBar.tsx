@@ -1,6 +1,7 @@
 import { useRef } from "preact/hooks";
 import { withScene } from "../state/document";
 import { openFiles } from "../studio/files";
+import { unposed } from "../studio/robot";
 import { copyText } from "../util/away";
 import { useStore } from "../util/store";
 import { Button } from "./controls";
@@ -42,7 +43,7 @@ export function TopBar({ onHelp }: { onHelp: () => void }) {
           event.currentTarget.value = "";
         }}
       />
-      {scene && scene.id !== catalog.scene && <Button label="First scene" class="text" onClick={toFirst} />}
+      {scene && unposed(scene.id) !== catalog.scene && <Button label="First scene" class="text" onClick={toFirst} />}
       <span class="spring" />
       <ConnectionState />
       <Button icon="undo" label="Undo (Ctrl+Z)" isDisabled={!studio.document.canUndo} onClick={() => studio.document.undo()} testId="undo" />

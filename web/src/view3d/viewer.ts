@@ -11,6 +11,7 @@ import { type Box, BoxHandles } from "./boxhandles";
 import { makeMesh, makePainting } from "./meshes";
 import { Navigation } from "./navigation";
 import { dispose } from "./oakobject";
+import { RobotParts } from "./robotparts";
 import { RulerLine } from "./ruler";
 import { clipTextured, forgetTextures, makeTextured } from "./textured";
 import type { Textured } from "../net/textured";
@@ -79,6 +80,7 @@ export class Viewer {
   private readonly ruler: RulerLine;
   private readonly textured = new Group();
   private objects: Uint32Array | null = null;
+  private parts: RobotParts | null = null;
   private isWaiting = false;
   private lastDraw = 0;
 
@@ -159,6 +161,7 @@ export class Viewer {
     }
     this.mesh = makeMesh(mesh, isTwoSided);
     this.objects = mesh.objects;
+    this.parts = info.robot ? new RobotParts(this.mesh.geometry, mesh.objects, info, info.robot) : null;
     this.scene.add(this.mesh);
     this.setTextured(null);
     const size = new Vector3(...info.bounds[1]).distanceTo(new Vector3(...info.bounds[0]));
@@ -177,6 +180,12 @@ export class Viewer {
       this.textured.add(...makeTextured(surfaces).children);
       clipTextured(this.textured, this.mesh.material.clippingPlanes);
     }
+    this.invalidate();
+  }
+
+  /** Moves the robot of the scene to its posture. */
+  moveRobot(info: SceneInfo): void {
+    if (info.robot && this.parts?.isOf(info)) this.parts.move(info.robot);
     this.invalidate();
   }
 

@@ -3,7 +3,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueHint};
 use oaktwin::coverage::{SAMPLES, reasons};
 
-use super::{PairArgs, PlaceArgs, SceneArgs, SensorArgs, ThreadArgs, UnitArgs};
+use super::{PairArgs, PlaceArgs, RobotArgs, SceneArgs, SensorArgs, ThreadArgs, UnitArgs};
 
 fn after_help() -> String {
     let reasons: String = reasons()[1..]
@@ -17,6 +17,8 @@ fn after_help() -> String {
         Poses describe the body (x forward, y left, z up), in metres. A file of poses is a trajectory as for `oaktwin render`. \
         A list is comma-separated numbers and ranges FROM:TO:STEP. Every model is placed at every pose, height and tilt; without \
         --model, the depth sensors of the scene are compared.\n\n\
+        With --robot, each candidate is measured in each posture of --joints, and ranked by what it measures over the whole motion. The \
+        robot does not belong to the region. Own robot is the share of the pixels that show the robot itself.\n\n\
         Candidates are ranked by the share of points that they measure, then by their median absolute error.\n\n\
         Reasons why a point is not measured:{reasons}"
     )
@@ -67,7 +69,7 @@ pub(crate) struct CoverageArgs {
         value_name = "DIR",
         value_hint = ValueHint::DirPath,
         requires = "model",
-        conflicts_with_all = ["output", "ambient", "json"]
+        conflicts_with_all = ["output", "ambient", "json", "robot"]
     )]
     pub(crate) report: Option<PathBuf>,
 
@@ -119,6 +121,18 @@ pub(crate) struct CoverageArgs {
         help_heading = "OAK"
     )]
     pub(crate) tilt: Option<String>,
+
+    #[command(flatten, next_help_heading = "Robot")]
+    pub(crate) robot: RobotArgs,
+
+    /// Mount the OAK on this link of the robot: poses are relative to it, and follow it
+    #[arg(
+        long,
+        value_name = "LINK",
+        requires_all = ["robot", "model"],
+        help_heading = "Robot"
+    )]
+    pub(crate) mount: Option<String>,
 
     #[command(flatten)]
     pub(crate) engine: SensorArgs,

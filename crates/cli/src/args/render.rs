@@ -9,7 +9,8 @@ use oaktwin::usd::optics::Projection;
 use super::annotators::annotators;
 use super::choice::parser;
 use super::{
-    ImuArgs, OutputArgs, PairArgs, PlaceArgs, SceneArgs, SensorArgs, ShutterArgs, ThreadArgs, UnitArgs,
+    ImuArgs, OutputArgs, PairArgs, PlaceArgs, RobotArgs, SceneArgs, SensorArgs, ShutterArgs, ThreadArgs,
+    UnitArgs,
 };
 
 fn after_help() -> String {
@@ -141,9 +142,12 @@ pub(crate) struct RenderArgs {
     )]
     pub(crate) fps: Option<f64>,
 
-    /// Mount the OAK on this prim of the stage: poses are relative to it, and follow it
-    #[arg(long, value_name = "PRIM", requires = "model", help_heading = "OAK")]
+    /// Mount the OAK on this prim of the stage, or link of the robot: poses are relative to it, and follow it
+    #[arg(long, value_name = "PRIM|LINK", requires = "model", help_heading = "OAK")]
     pub(crate) mount: Option<String>,
+
+    #[command(flatten, next_help_heading = "Robot")]
+    pub(crate) robot: RobotArgs,
 
     #[command(flatten)]
     pub(crate) shutter: ShutterArgs,

@@ -6,7 +6,7 @@ use oaktwin::scene::Up;
 use oaktwin::usd::stage::SceneLimit;
 
 use super::choice::parser;
-use super::{ThreadArgs, limit};
+use super::{RobotPlaceArgs, ThreadArgs, limit};
 
 #[derive(Args, Debug)]
 pub(crate) struct StudioArgs {
@@ -50,6 +50,9 @@ pub(crate) struct StudioArgs {
         help = limit::HELP
     )]
     pub(crate) scene_limit: SceneLimit,
+
+    #[command(flatten)]
+    pub(crate) robot: RobotPlaceArgs,
 
     #[command(flatten)]
     pub(crate) threads: ThreadArgs,

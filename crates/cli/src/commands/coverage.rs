@@ -1,5 +1,6 @@
 mod asked;
 mod lights;
+mod motion;
 mod text;
 
 use std::path::Path;
@@ -30,6 +31,9 @@ pub(crate) fn run(context: &Context, args: &CoverageArgs) -> Result<Exit> {
     args.threads.apply();
     if let Some(folder) = &args.report {
         return lights::run(context, args, &region, &sweep, folder);
+    }
+    if args.robot.robot().is_some() {
+        return motion::run(context, args, &region, &sweep);
     }
     let models = asked::models(context, args, None)?;
     let mut scene = asked::scene(args)?;

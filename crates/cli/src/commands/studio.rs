@@ -25,13 +25,14 @@ pub(crate) fn run(context: &Context, args: &StudioArgs) -> Result<Exit> {
     args.threads.apply();
     let model = context.device(&args.model)?.name.clone();
     // The room's textures are read when they are first seen.
-    let (scene, _folder) = match &args.scene {
+    let (mut scene, _folder) = match &args.scene {
         Some(path) => (named(path, args)?, None),
         None => {
             let (scene, folder) = room()?;
             (scene, Some(folder))
         }
     };
+    scene.robot = args.robot.file()?;
     let options = Options {
         catalog: context.catalog.clone(),
         model,
@@ -90,6 +91,7 @@ fn named(path: &Path, args: &StudioArgs) -> Result<FirstScene> {
         },
         name,
         world_from_body: None,
+        robot: None,
     })
 }
 
@@ -106,6 +108,7 @@ fn room() -> Result<(FirstScene, TempDir)> {
         argument: ROOM.to_owned(),
         made_by: Some(MADE_BY.to_owned()),
         world_from_body: Some(demo_room::world_from_body()),
+        robot: None,
     };
     Ok((scene, folder))
 }

@@ -31,6 +31,7 @@ mod render_record;
 mod render_sensor;
 mod render_sensor_frames;
 mod render_shutter;
+mod robot;
 mod scene_limit;
 mod sense;
 mod sense_bad_input;

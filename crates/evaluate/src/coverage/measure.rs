@@ -6,7 +6,9 @@ use oaktwin_pipeline::render::Renderer;
 use oaktwin_scene::Scene;
 
 use super::look::{Look, look};
-use super::report::{CandidateCoverage, Coverage, Occluder, PointOutcomes, SampledRegion, Selected, Shares};
+use super::report::{
+    CandidateCoverage, Coverage, Occluder, OwnRobot, PointOutcomes, SampledRegion, Selected, Shares,
+};
 use super::{Candidate, CoverageError, Outcome, Region, Samples};
 
 /// The default number of points: the standard error of a share is at most 0.5 %.
@@ -49,7 +51,7 @@ impl Default for Options {
 }
 
 impl Options {
-    fn check(&self, candidates: usize) -> Result<(), CoverageError> {
+    pub(super) fn check(&self, candidates: usize) -> Result<(), CoverageError> {
         let wrong = |option, what: String| Err(message![opt(option), format!(": {what}")].into());
         if self.samples == 0 || self.samples > MAX_SAMPLES {
             let what = format!(
@@ -117,7 +119,7 @@ pub fn measure(
         if let Some(tolerance) = options.tolerance_mm {
             seen.reject_errors_above(tolerance * 1e-3);
         }
-        tally.add(renderer.scene(), candidate, seen);
+        tally.add(renderer.scene(), candidate, seen, None);
     }
     if !is_interrupted {
         // Nothing is left to be interrupted.
@@ -127,7 +129,7 @@ pub fn measure(
 }
 
 /// The results so far.
-struct Tally {
+pub(super) struct Tally {
     candidates: Vec<CandidateCoverage>,
     /// The best outcome at each point, and the sum and number of the errors.
     best: Vec<Outcome>,
@@ -141,7 +143,7 @@ struct Tally {
 }
 
 impl Tally {
-    fn new(points: usize, keeps_points: bool) -> Self {
+    pub(super) fn new(points: usize, keeps_points: bool) -> Self {
         Self {
             candidates: Vec::new(),
             best: vec![Outcome::OUTSIDE_VIEW; points],
@@ -154,7 +156,13 @@ impl Tally {
         }
     }
 
-    fn add(&mut self, scene: &Scene, candidate: &Candidate<'_>, look: Look) {
+    pub(super) fn add(
+        &mut self,
+        scene: &Scene,
+        candidate: &Candidate<'_>,
+        look: Look,
+        own_robot: Option<OwnRobot>,
+    ) {
         for (best, outcome) in self.best.iter_mut().zip(&look.outcomes) {
             *best = (*best).min(*outcome);
         }
@@ -177,6 +185,7 @@ impl Tally {
             tilt_deg: (-axis.dot(up)).clamp(-1.0, 1.0).asin().to_degrees(),
             shares: Shares::new(&look.outcomes, look.errors_m.iter().copied().map(f64::from)),
             occluders: occluders(scene, &look.occluders, look.outcomes.len()),
+            own_robot,
         });
         self.measured.push(Bits::new(&look.outcomes));
         add_new(&mut self.findings, look.findings);
@@ -186,7 +195,7 @@ impl Tally {
         }
     }
 
-    fn finish(self, region: &Region, samples: Samples, is_interrupted: bool) -> Coverage {
+    pub(super) fn finish(self, region: &Region, samples: Samples, is_interrupted: bool) -> Coverage {
         let count = u32::try_from(samples.points.len()).unwrap_or(u32::MAX);
         let mean = |&(sum, number): &(f64, u32)| {
             if number > 0 {
@@ -204,7 +213,7 @@ impl Tally {
                 samples: count,
                 standard_error: 0.5 / f64::from(count.max(1)).sqrt(),
             },
-            ranking: ranking(&self.candidates),
+            ranking: ranking(self.candidates.len(), |index| &self.candidates[index].shares),
             together: Shares::new(&self.best, self.errors.iter().map(mean)),
             selection: selection(&self.measured, count),
             candidates: self.candidates,
@@ -238,14 +247,12 @@ fn occluders(scene: &Scene, counts: &BTreeMap<u32, u32>, points: usize) -> Vec<O
         .collect()
 }
 
-fn ranking(candidates: &[CandidateCoverage]) -> Vec<usize> {
-    let mut ranking: Vec<usize> = (0..candidates.len()).collect();
-    let error = |index: usize| {
-        let error = candidates[index].shares.median_absolute_error_mm;
-        error.unwrap_or(f64::INFINITY)
-    };
+/// Sorts what has these shares by what it measures, best first, then by its errors.
+pub(super) fn ranking<'a>(count: usize, shares: impl Fn(usize) -> &'a Shares) -> Vec<usize> {
+    let mut ranking: Vec<usize> = (0..count).collect();
+    let error = |index: usize| shares(index).median_absolute_error_mm.unwrap_or(f64::INFINITY);
     ranking.sort_by(|&a, &b| {
-        let measured = |index: usize| candidates[index].shares.measured;
+        let measured = |index: usize| shares(index).measured;
         measured(b)
             .total_cmp(&measured(a))
             .then(error(a).total_cmp(&error(b)))

@@ -43,6 +43,9 @@ mod error;
 mod lights;
 mod look;
 mod measure;
+mod motion;
+mod motion_picture;
+mod motion_table;
 mod outcome;
 mod patches;
 mod picture;
@@ -60,11 +63,14 @@ mod vantage;
 pub use error::CoverageError;
 pub use lights::{InLight, InLights, LIGHTS};
 pub use measure::{MAX_CANDIDATES, MAX_SAMPLES, Options, SAMPLES, measure};
+pub use motion::{Carrier, MotionCoverage, MountCoverage, measure_motion};
 pub use outcome::{Outcome, Reason, reasons};
 pub use patches::{MAX_TRIANGLES, PATCHES, Patches};
 pub use picture::picture;
 pub use placement::{Base, Placement, Sweep};
 pub use region::Region;
-pub use report::{CandidateCoverage, Coverage, Occluder, PointOutcomes, SampledRegion, Selected, Shares};
+pub use report::{
+    CandidateCoverage, Coverage, Occluder, OwnRobot, PointOutcomes, SampledRegion, Selected, Shares,
+};
 pub use rig::{Candidate, MeasuringRig, candidates};
 pub use surface::{Samples, SurfacePoint};

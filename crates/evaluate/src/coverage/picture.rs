@@ -49,13 +49,7 @@ pub fn picture(
 ) -> Result<Image<[u8; 3]>, CoverageError> {
     let samples = Samples::new(renderer.scene(), region, VIEW_SAMPLES)?;
     let members = region.instances(renderer.scene())?;
-    let own = candidate.view();
-    let size = own.camera.intrinsics.size.scaled_to_height(HEIGHT);
-    let size = size.unwrap_or(ImageSize::new(WIDTH, HEIGHT));
-    let own = View {
-        camera: Camera::new(own.camera.intrinsics.resized(size, false), own.camera.lens),
-        ..own
-    };
+    let own = own_view(candidate);
     let outcomes = look(renderer, candidate, &samples.points)?.outcomes;
     let outside = vantage(
         renderer,
@@ -80,6 +74,17 @@ pub fn picture(
         .collect::<Result<_, CoverageError>>()?;
     let legend = legend(shares, &palette);
     Ok(sheet(&heading(candidate, shares), &titled, &legend))
+}
+
+/// The view of a candidate, at the size of a panel.
+pub(super) fn own_view(candidate: &Candidate<'_>) -> View {
+    let own = candidate.view();
+    let size = own.camera.intrinsics.size.scaled_to_height(HEIGHT);
+    let size = size.unwrap_or(ImageSize::new(WIDTH, HEIGHT));
+    View {
+        camera: Camera::new(own.camera.intrinsics.resized(size, false), own.camera.lens),
+        ..own
+    }
 }
 
 /// The scene in a view, with the outcome at each pixel of the region.
@@ -274,7 +279,11 @@ fn is_of_engine(name: &str) -> bool {
 }
 
 /// Arranges the panels in a row, with the heading above and the legend below.
-fn sheet(heading: &str, panels: &[(&str, Image<[u8; 3]>)], legend: &[(String, [u8; 3])]) -> Image<[u8; 3]> {
+pub(super) fn sheet(
+    heading: &str,
+    panels: &[(&str, Image<[u8; 3]>)],
+    legend: &[(String, [u8; 3])],
+) -> Image<[u8; 3]> {
     let width = panels.iter().map(|(_, panel)| panel.width() + GAP).sum::<u32>() + GAP;
     let line = TEXT + GAP;
     let first = GAP + 2 * line;
@@ -308,7 +317,7 @@ fn sheet(heading: &str, panels: &[(&str, Image<[u8; 3]>)], legend: &[(String, [u
 }
 
 /// A pixel's luma, scaled.
-fn grey([r, g, b, _]: [u8; 4], scale: f32) -> u8 {
+pub(super) fn grey([r, g, b, _]: [u8; 4], scale: f32) -> u8 {
     byte((0.2126 * f32::from(r) + 0.7152 * f32::from(g) + 0.0722 * f32::from(b)) * scale)
 }
 

@@ -10,6 +10,8 @@ use super::CoverageError;
 pub struct Region {
     /// The paths of prims: the meshes at and below these paths belong to the region. If empty, all meshes.
     pub objects: Vec<String>,
+    /// The paths of prims that do not belong to the region, such as a robot that moves.
+    pub without: Vec<String>,
     /// A box in the world, in metres: surface outside it does not belong to the region.
     pub within: Option<Bounds>,
 }
@@ -38,7 +40,23 @@ impl Region {
         if self.objects.is_empty() {
             chosen.extend(0..scene.instances.len());
         }
-        Ok(chosen.into_iter().collect())
+        let is_left_out = |index: &usize| {
+            let instance = &scene.instances[*index];
+            self.without.iter().any(|prim| instance.is_below(prim))
+        };
+        let left: Vec<usize> = chosen
+            .iter()
+            .copied()
+            .filter(|index| !is_left_out(index))
+            .collect();
+        if left.is_empty() && !chosen.is_empty() {
+            let what = format!(
+                ": there is nothing but {}, which moves; choose other objects",
+                self.without.join(", ")
+            );
+            return Err(message![opt("region"), what].into());
+        }
+        Ok(left)
     }
 
     /// Returns the number of triangles of the instances that may belong to the region: the bounds of each meet its box.

@@ -34,7 +34,7 @@ pub struct Coverage {
 }
 
 /// The surface that is measured.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct SampledRegion {
     /// The paths of its prims; empty for everything.
     pub objects: Vec<String>,
@@ -72,6 +72,18 @@ pub struct CandidateCoverage {
     pub shares: Shares,
     /// The objects that hide the largest shares of the surface, at most five.
     pub occluders: Vec<Occluder>,
+    /// What the image shows of the robot that carries the OAK, if there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub own_robot: Option<OwnRobot>,
+}
+
+/// What the image of a depth sensor shows of the robot that carries it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct OwnRobot {
+    /// The share of the pixels that show the robot.
+    pub share: f64,
+    /// The share of each link that is in the image, the largest first.
+    pub links: Vec<(String, f64)>,
 }
 
 /// Shares of the surface from 0 to 1, and errors.

@@ -1,6 +1,8 @@
 //! The results as a table.
 
-use super::{CandidateCoverage, Coverage, reasons};
+use std::collections::BTreeSet;
+
+use super::{CandidateCoverage, Coverage, Shares, reasons};
 
 const COLUMNS: [&str; 17] = [
     "rank",
@@ -33,12 +35,8 @@ impl Coverage {
 
 /// Returns a table in CSV of the candidates of each coverage, best first, after columns that are the same for all of its rows.
 pub(super) fn table(common: &[&str], parts: &[(&[String], &Coverage)]) -> String {
-    let occurs = |name: &&str| {
-        let mut candidates = parts.iter().flat_map(|(_, coverage)| &coverage.candidates);
-        candidates.any(|candidate| candidate.shares.lost.contains_key(name))
-    };
-    let reasons = reasons().iter().map(|reason| reason.name.as_str());
-    let reasons: Vec<&str> = reasons.filter(occurs).collect();
+    let candidates = parts.iter().flat_map(|(_, coverage)| &coverage.candidates);
+    let reasons = lost_columns(candidates.map(|candidate| &candidate.shares));
     let mut table = csv::Writer::from_writer(Vec::new());
     // Writing to memory does not fail.
     let _ = table.write_record(common.iter().chain(&COLUMNS).chain(&reasons));
@@ -50,6 +48,13 @@ pub(super) fn table(common: &[&str], parts: &[(&[String], &Coverage)]) -> String
     }
     let bytes = table.into_inner().unwrap_or_default();
     String::from_utf8_lossy(&bytes).into_owned()
+}
+
+/// Returns the names of the reasons for which something is lost.
+pub(super) fn lost_columns<'a>(shares: impl Iterator<Item = &'a Shares>) -> Vec<&'static str> {
+    let lost: BTreeSet<&str> = shares.flat_map(|shares| shares.lost.keys().copied()).collect();
+    let reasons = reasons().iter().map(|reason| reason.name.as_str());
+    reasons.filter(|name| lost.contains(name)).collect()
 }
 
 fn row(rank: usize, candidate: &CandidateCoverage, reasons: &[&str]) -> Vec<String> {

@@ -39,6 +39,7 @@ mod animation;
 mod annotators;
 mod around;
 mod camera;
+mod carried;
 mod depth_sensor;
 mod frames;
 mod names;
@@ -59,6 +60,7 @@ pub use animation::{Animation, MAX_FRAMES, TimeCodes, write_animation};
 pub use annotators::{DEFAULT_ANNOTATORS, UnknownAnnotator, annotator};
 pub use around::overview;
 pub use camera::{CameraAttributes, CameraError, DepthSensorSource, PlacedCamera};
+pub use carried::{Carried, write_carried};
 pub use depth_sensor::{
     DepthSensorError, DepthSensorOptions, depth_sensors, scene_annotators, sense_frame, sensor_input,
 };

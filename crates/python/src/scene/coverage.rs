@@ -182,6 +182,7 @@ fn region(objects: Option<&Bound<'_, PyAny>>, corners: Option<&Bound<'_, PyAny>>
     Ok(Region {
         objects,
         within: within.transpose()?,
+        ..Region::default()
     })
 }
 

@@ -9,6 +9,7 @@ use oaktwin::scene::{Material, Mesh, Scene, TextureUse, Wrap};
 use serde::Serialize;
 
 use crate::protocol::Failure;
+use crate::scene::LoadedScene;
 use crate::task::Job;
 use crate::wire;
 
@@ -49,10 +50,16 @@ struct Corners {
 }
 
 /// Encodes the textured surfaces: none of a scene with too many.
-pub(crate) fn of_textures(scene: &Scene, job: &Job) -> Result<Vec<u8>, Failure> {
+pub(crate) fn of_textures(loaded: &LoadedScene, job: &Job) -> Result<Vec<u8>, Failure> {
+    let scene = loaded.renderer.scene();
+    let robot = loaded.robot.as_ref().map(|robot| &robot.placed);
     let mut groups: BTreeMap<u32, Corners> = BTreeMap::new();
-    for instance in &scene.instances {
+    for (index, instance) in scene.instances.iter().enumerate() {
         job.check()?;
+        // The page moves the robot without its textures.
+        if robot.is_some_and(|robot| robot.has(index)) {
+            continue;
+        }
         let Some(mesh) = scene.meshes.get(instance.mesh as usize) else {
             continue;
         };

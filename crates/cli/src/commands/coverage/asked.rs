@@ -36,6 +36,7 @@ pub(super) fn region(args: &CoverageArgs) -> Result<Region> {
     Ok(Region {
         objects: args.region.clone(),
         within: within.transpose()?,
+        ..Region::default()
     })
 }
 
@@ -52,8 +53,10 @@ pub(super) fn check(args: &CoverageArgs) -> Result<()> {
     if args.unit.calibration.is_some() && args.model.len() > 1 {
         return Err("--calibration: one unit has one model; give one --model".into());
     }
-    if args.place.is_none() && args.poses.is_none() {
-        return Err("--model requires a pose: --look-at EYE TARGET, --pose or --poses FILE".into());
+    if args.place.is_none() && args.poses.is_none() && args.mount.is_none() {
+        return Err(
+            "--model requires a pose: --look-at EYE TARGET, --pose, --poses FILE or --mount LINK".into(),
+        );
     }
     Ok(())
 }
@@ -74,14 +77,18 @@ pub(super) fn measure(
     region: &Region,
     candidates: &[Candidate<'_>],
 ) -> Result<Coverage> {
-    let options = Options {
-        samples: args.samples,
-        tolerance_mm: args.tolerance,
-        ..Options::default()
-    };
+    let options = options(args);
     Ok(progress::watched(|watch| {
         coverage::measure(renderer, region, candidates, &options, watch)
     })?)
+}
+
+pub(super) fn options(args: &CoverageArgs) -> Options {
+    Options {
+        samples: args.samples,
+        tolerance_mm: args.tolerance,
+        ..Options::default()
+    }
 }
 
 /// Creates the rigs of the models. In a light, which is a factor on the scene's, stereo pairs are matched by default.

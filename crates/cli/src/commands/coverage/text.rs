@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use oaktwin::catalog::Table;
-use oaktwin::coverage::{CandidateCoverage, Coverage, Shares};
+use oaktwin::coverage::{CandidateCoverage, Coverage, SampledRegion, Shares};
 use oaktwin::files::WrittenFile;
 
 use crate::output;
@@ -15,7 +15,7 @@ const MAX_ROWS: usize = 20;
 const MAX_REASONS: usize = 3;
 
 pub(super) fn report(coverage: &Coverage, files: &[WrittenFile]) -> String {
-    let mut text = region(coverage);
+    let mut text = region(&coverage.region);
     if !coverage.candidates.is_empty() {
         text += &output::number_table(&table(coverage));
         text += &remarks(coverage);
@@ -26,8 +26,7 @@ pub(super) fn report(coverage: &Coverage, files: &[WrittenFile]) -> String {
     text
 }
 
-fn region(coverage: &Coverage) -> String {
-    let region = &coverage.region;
+pub(super) fn region(region: &SampledRegion) -> String {
     let mut places = region.objects.clone();
     if places.is_empty() {
         places.push("the whole scene".to_owned());
@@ -130,7 +129,7 @@ fn remarks(coverage: &Coverage) -> String {
     text
 }
 
-fn losses(shares: &Shares) -> String {
+pub(super) fn losses(shares: &Shares) -> String {
     let losses = shares.losses();
     let losses = losses.iter().take(MAX_REASONS);
     let losses: Vec<String> = losses
@@ -139,10 +138,10 @@ fn losses(shares: &Shares) -> String {
     losses.join(", ")
 }
 
-fn percent(share: f64) -> String {
+pub(super) fn percent(share: f64) -> String {
     format!("{:.1} %", share * 100.0)
 }
 
-fn millimetres(value: Option<f64>) -> String {
+pub(super) fn millimetres(value: Option<f64>) -> String {
     value.map_or_else(|| "-".to_owned(), |value| format!("{value:.1} mm"))
 }

@@ -1,16 +1,16 @@
 //! The scene of the command, still or animated.
 
 use oaktwin::camera::RigidTransform;
-use oaktwin::diagnostic::Finding;
+use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::render::trajectory::{self, TimedPose};
 use oaktwin::render::{
-    AnimatedScene, Animation, OpenOptions, Outputs, Renderer, Rig, RigSpec, SceneFile, TimeCodes, Written,
-    write_animation, write_frames,
+    AnimatedScene, Animation, Carried, OpenOptions, Outputs, Renderer, Rig, RigSpec, SceneFile, TimeCodes,
+    Written, write_animation, write_carried, write_frames,
 };
 
-use crate::args::RenderArgs;
+use crate::args::{OpenedRobot, RenderArgs};
 use crate::context::Result;
-use crate::progress;
+use crate::{output, progress};
 
 /// A scene that was read at its first time.
 pub(super) struct Opened {
@@ -20,17 +20,23 @@ pub(super) struct Opened {
     /// The stage, if it has a mount or is animated.
     animated: Option<AnimatedScene>,
     times: Option<TimeCodes>,
+    /// The robot in the scene.
+    robot: Option<OpenedRobot>,
 }
 
 impl Opened {
     pub(super) fn new(args: &RenderArgs) -> Result<Self> {
         let options = args.scene_options.open_options()?;
+        if args.robot.robot().is_some() {
+            return Self::with_robot(args, &options);
+        }
         if args.frames.is_none() && args.mount.is_none() {
             return Ok(Self {
                 scene: SceneFile::open(&args.scene, &options)?,
                 finding: None,
                 animated: None,
                 times: None,
+                robot: None,
             });
         }
         if args.imu.imu.is_some() {
@@ -58,6 +64,40 @@ impl Opened {
                 .flatten(),
             animated: Some(animated),
             times,
+            robot: None,
+        })
+    }
+
+    /// Opens a scene, and puts the robot into it.
+    fn with_robot(args: &RenderArgs, options: &OpenOptions) -> Result<Self> {
+        let others = [
+            ("--frames", args.frames.is_some()),
+            ("--trajectory", args.trajectory.is_some()),
+            ("--imu", args.imu.imu.is_some()),
+        ];
+        if let Some((option, _)) = others.into_iter().find(|(_, is_given)| *is_given) {
+            return Err(
+                format!("{option}: the frames are the postures of the robot; remove it, or --robot").into(),
+            );
+        }
+        let mut scene = SceneFile::open(&args.scene, options)?;
+        let robot = args.robot.open(&mut scene.scene, args.mount.as_deref())?;
+        if let (Some(file), Some(robot)) = (args.robot.robot(), &robot) {
+            output::say_findings(file, &robot.findings);
+            let warning = robot
+                .findings
+                .iter()
+                .find(|finding| finding.level >= Level::Warning);
+            if let Some(warning) = warning.filter(|_| args.strict) {
+                return Err(format!("{}: {warning}", file.display()).into());
+            }
+        }
+        Ok(Self {
+            scene,
+            finding: None,
+            animated: None,
+            times: None,
+            robot,
         })
     }
 
@@ -83,6 +123,9 @@ impl Opened {
 
     /// Returns the time of each frame, s.
     pub(super) fn times_s(&self, args: &RenderArgs, path: &[TimedPose]) -> Vec<Option<f64>> {
+        if let Some(robot) = &self.robot {
+            return robot.positions.times_s.clone();
+        }
         match (&self.animated, &self.times) {
             (Some(scene), Some(times)) => times.times_s(scene.timing(), args.fps),
             _ => trajectory::times_s(path),
@@ -97,6 +140,15 @@ impl Opened {
         path: &[TimedPose],
         outputs: Outputs<'_>,
     ) -> Result<Written> {
+        if let Some(robot) = &self.robot {
+            let renderer = Renderer::new(self.scene.scene);
+            let own_pose = rig.cameras().first().map(|camera| camera.world_from_mount);
+            let mount = robot.link.zip(own_pose);
+            let mut carried = Carried::new(renderer, &robot.placed, &robot.positions, mount);
+            let written =
+                progress::watched(|watch| write_carried(&mut carried, rig, args.strict, outputs, watch))?;
+            return Ok(written);
+        }
         let (Some(mut scene), Some(times)) = (self.animated, self.times) else {
             let renderer = Renderer::new(self.scene.scene);
             let written =

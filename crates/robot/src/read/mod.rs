@@ -1,0 +1,40 @@
+//! Reads the robots of users from URDF and MJCF, and puts them into scenes.
+
+mod document;
+mod error;
+mod locate;
+mod mjcf;
+mod placed;
+mod positions;
+mod robot;
+#[cfg(test)]
+mod tests;
+mod turn;
+mod urdf;
+
+use std::path::{Path, PathBuf};
+
+use document::Element;
+pub use error::RobotFileError;
+pub use placed::PlacedRobot;
+pub use positions::JointPositions;
+pub use robot::{Joint, JointKind, Link, LinkVisual, Mimic, Robot, Shape};
+
+impl Robot {
+    /// Opens a URDF file, or an MJCF file as `MuJoCo` saves it or as people write it. Packages that `package://` names are looked for in
+    /// `package_folders`, and around the file.
+    ///
+    /// # Errors
+    /// Returns an error if the file cannot be read or contradicts itself. What is not supported is a finding.
+    pub fn open(path: &Path, package_folders: &[PathBuf]) -> Result<Self, RobotFileError> {
+        let root = Element::open(path)?;
+        match root.tag.as_str() {
+            "robot" => urdf::read(&root, package_folders),
+            "mujoco" => mjcf::read(root),
+            tag => Err(root.wrong(
+                format!("a robot begins with <robot> or <mujoco>, not with <{tag}>"),
+                "give a URDF or an MJCF file",
+            )),
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! The robot of a scene, and the scene in other postures of it.
+//!
+//! The id of such a scene is the scene's own with the positions of the joints: `first~0.5,1.2`. So everything that names a scene, such as a
+//! request for images, a link or an export, names a posture, too.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use oaktwin::camera::RigidTransform;
+use oaktwin::diagnostic::Finding;
+use oaktwin::render::OpenOptions;
+use oaktwin::robot::{JointKind, PlacedRobot, Robot};
+use oaktwin::scene::Scene;
+
+use crate::pose::pose_of;
+use crate::protocol::{Failure, RobotInfo, RobotJoint, RobotLink, SceneInfo};
+use crate::scene::LoadedScene;
+use crate::studio::Studio;
+use crate::upload;
+
+/// What separates the id of a scene from the positions of joints.
+const POSTURE: char = '~';
+
+/// A robot's file, which is put into a scene.
+#[derive(Clone, Debug)]
+pub struct RobotFile {
+    /// The file.
+    pub path: PathBuf,
+    /// The folders of the packages that it names.
+    pub packages: Vec<PathBuf>,
+    /// The pose of its base; by default upright at the origin.
+    pub world_from_base: Option<RigidTransform>,
+    /// The options that put it into a scene on a command line.
+    pub arguments: Vec<String>,
+}
+
+/// A robot in a scene of the page.
+#[derive(Clone, Debug)]
+pub(crate) struct SceneRobot {
+    pub(crate) placed: PlacedRobot,
+    pub(crate) arguments: Vec<String>,
+    /// The position of each joint.
+    pub(crate) positions: Vec<f64>,
+}
+
+impl SceneRobot {
+    /// Reads a robot and puts it into a scene.
+    pub(crate) fn open(file: &RobotFile, scene: &mut Scene) -> Result<(Self, Vec<Finding>), Failure> {
+        let failed = |error: oaktwin::robot::RobotFileError| Failure::of("robot", &error);
+        let mut robot = Robot::open(&file.path, &file.packages).map_err(failed)?;
+        let mut findings = std::mem::take(&mut robot.findings);
+        let positions = robot.rest();
+        let (placed, more) = PlacedRobot::new(robot, scene, file.world_from_base).map_err(failed)?;
+        findings.extend(more);
+        let robot = Self {
+            placed,
+            arguments: file.arguments.clone(),
+            positions,
+        };
+        Ok((robot, findings))
+    }
+
+    /// What the page knows about the robot.
+    pub(crate) fn info(&self) -> RobotInfo {
+        let robot = self.placed.robot();
+        let links = self.placed.world_from_links(&self.positions);
+        RobotInfo {
+            name: robot.name.clone(),
+            joints: robot
+                .free_joints()
+                .map(|index| {
+                    let joint = &robot.joints[index];
+                    RobotJoint {
+                        name: joint.name.clone(),
+                        is_revolute: joint.kind == JointKind::Revolute,
+                        limits: joint.limits,
+                        position: self.positions[index],
+                    }
+                })
+                .collect(),
+            links: (robot.links.iter().zip(&links).enumerate())
+                .map(|(index, (link, pose))| RobotLink {
+                    name: link.name.clone(),
+                    path: self.placed.link_path(index),
+                    pose: pose_of(pose),
+                })
+                .collect(),
+        }
+    }
+
+    /// Reads the positions of a posture.
+    fn parse(&self, text: &str) -> Result<Vec<f64>, Failure> {
+        let robot = self.placed.robot();
+        let free: Vec<usize> = robot.free_joints().collect();
+        let numbers: Option<Vec<f64>> = (text.split(','))
+            .map(|word| word.parse().ok().filter(|number: &f64| number.is_finite()))
+            .collect();
+        let numbers = numbers
+            .filter(|numbers| numbers.len() == free.len())
+            .ok_or_else(|| {
+                let error = format!(
+                    "a posture of {} has {} numbers; open the page without its link",
+                    robot.name,
+                    free.len()
+                );
+                Failure::of("scene", &error)
+            })?;
+        let mut positions = self.positions.clone();
+        for (&joint, &position) in free.iter().zip(&numbers) {
+            robot
+                .check(joint, position)
+                .map_err(|(what, remedy)| Failure::of("scene", &format!("{what}; {remedy}")))?;
+            positions[joint] = position;
+        }
+        Ok(robot.followed(positions))
+    }
+}
+
+/// Separates the id of a scene in a posture from the posture.
+pub(crate) fn split(id: &str) -> Option<(&str, &str)> {
+    id.split_once(POSTURE)
+}
+
+/// Scenes in postures. The one that was used last is the last.
+#[derive(Debug, Default)]
+pub(crate) struct Postures(Vec<Arc<LoadedScene>>);
+
+impl Postures {
+    /// The number of copies of scenes that are kept.
+    const KEPT: usize = 6;
+
+    /// Returns a scene in a posture: a copy that nobody uses any more is moved, which is faster than another copy.
+    pub(crate) fn get(
+        &mut self,
+        id: &str,
+        scene: &LoadedScene,
+        posture: &str,
+    ) -> Result<Arc<LoadedScene>, Failure> {
+        if let Some(place) = self.0.iter().position(|one| one.info.id == id) {
+            let found = self.0.remove(place);
+            self.0.push(Arc::clone(&found));
+            return Ok(found);
+        }
+        let Some(robot) = &scene.robot else {
+            let error = format!(
+                "the scene {} has no robot; open the page without its link",
+                scene.info.name
+            );
+            return Err(Failure::of("scene", &error));
+        };
+        let positions = robot.parse(posture)?;
+        let is_free = |one: &Arc<LoadedScene>| {
+            split(&one.info.id).is_some_and(|(own, _)| own == scene.info.id) && Arc::strong_count(one) == 1
+        };
+        let spare = self.0.iter().position(is_free).map(|place| self.0.remove(place));
+        let mut moved = match spare.map(Arc::try_unwrap) {
+            Some(Ok(spare)) => spare,
+            Some(Err(_)) | None => scene.copied(),
+        };
+        moved.pose(id, positions);
+        let moved = Arc::new(moved);
+        self.0.push(Arc::clone(&moved));
+        if self.0.len() > Self::KEPT {
+            self.0.remove(0);
+        }
+        Ok(moved)
+    }
+}
+
+/// Puts a dropped robot into a scene, and returns what the page knows about the new scene.
+pub(crate) fn dropped(studio: &Studio, scene: &str, name: &str, bytes: &[u8]) -> Result<SceneInfo, Failure> {
+    // In any posture, at any time.
+    let opened = scene.split([POSTURE, '@']).next().unwrap_or(scene);
+    let base = studio.scenes.as_opened(opened)?;
+    let folder = tempfile::tempdir_in(&studio.uploads).map_err(|error| {
+        Failure::from(format!(
+            "no temporary folder can be created ({error}); free space on the disk"
+        ))
+    })?;
+    let path = folder.path().join(name);
+    std::fs::write(&path, bytes)
+        .map_err(|error| Failure::from(format!("the dropped file cannot be kept: {error}; drop it again")))?;
+    let file = RobotFile {
+        packages: Vec::new(),
+        world_from_base: None,
+        arguments: vec!["--robot".to_owned(), name.to_owned()],
+        path,
+    };
+    let id = upload::content_id(name, &OpenOptions::default(), &file.path)?;
+    let id = format!("{id}-{}", base.info.id);
+    if let Some(known) = studio.scenes.dropped(&id) {
+        return Ok(known.info.clone());
+    }
+    let made = base.with_robot(&file, &id, name).map_err(|failure| Failure {
+        error: format!(
+            "{}. A robot with meshes is opened from the command line: oaktwin studio SCENE --robot FILE",
+            failure.error
+        ),
+        ..failure
+    })?;
+    made.check_triangles()?;
+    Ok(studio.scenes.add(made).info.clone())
+}

@@ -1,0 +1,84 @@
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after as afterAll, before, test } from "node:test";
+import { difference, read } from "./image.mjs";
+import { after, launch, open, pixels, rest, skip } from "./page.mjs";
+
+const ROBOT = new URL("../../examples/robots/gripper.urdf", import.meta.url);
+
+let browser;
+before(async () => {
+  if (!skip) browser = await launch();
+});
+afterAll(() => browser?.close());
+
+/** Opens the page and drops the robot onto it. */
+async function openRobot() {
+  const opened = await open(browser, { viewport: { width: 1440, height: 900 } });
+  const text = await readFile(ROBOT, "utf8");
+  await after(opened.page, () => opened.page.evaluate((text) => {
+    const data = new DataTransfer();
+    data.items.add(new File([text], "gripper.urdf"));
+    dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
+  }, text));
+  await opened.page.getByTestId("robot").waitFor();
+  return opened;
+}
+
+/** The position and the angles of the selected OAK. */
+const pose = (page) => page.locator('.section:has([data-testid="position-x"]) input').evaluateAll((inputs) => inputs.map(({ value }) => Number(value.replace("−", "-"))));
+
+test("an OAK on a link follows the joints, and sees the robot", { skip }, async () => {
+  const { page, context, errors } = await openRobot();
+  await page.getByTestId("mount").selectOption("hand");
+  await after(page, () => page.getByTestId("to-link").click());
+  const [start, seen] = [await pose(page), await pixels(page, "color")];
+  await after(page, () => page.getByTestId("joint-shoulder").fill("40"));
+  const bent = await pose(page);
+  // 0.3 m of upper arm and 0.35 m of forearm, 80.2 degrees further, about a shoulder 0.2 m above the floor.
+  const reach = Math.hypot(bent[0], bent[2] - 0.2);
+  assert.ok(Math.abs(reach - Math.hypot(start[0], start[2] - 0.2)) < 2e-3, "the hand turns about the shoulder");
+  assert.ok(Math.abs(start[4] + 40 - bent[4]) < 0.1 || Math.abs(bent[0] - start[0]) > 0.05, "and so does the OAK");
+  assert.notEqual(await pixels(page, "color"), seen);
+  // Released, it stays where it is.
+  await page.getByTestId("mount").selectOption("");
+  await after(page, () => page.getByTestId("joint-shoulder").fill("0"));
+  assert.deepEqual(await pose(page), bent);
+  // Undo restores posture and pose.
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("the 3D view and the coverage have the robot", { skip }, async () => {
+  const { page, context, errors } = await openRobot();
+  const view = async () => {
+    await rest(page);
+    return read(page, await page.getByTestId("view").screenshot());
+  };
+  const upright = await view();
+  await after(page, () => page.getByTestId("slide-shoulder").evaluate((slider) => {
+    slider.value = "60";
+    slider.dispatchEvent(new Event("input", { bubbles: true }));
+  }));
+  assert.ok(difference(upright, await view(), 20).share > 0.0005, "the arm moves in the 3D view");
+  await page.getByTestId("mount").selectOption("fore");
+  await after(page, () => page.getByTestId("to-link").click());
+  await page.getByTestId("tab-place").click();
+  await page.getByTestId("target").selectOption("/Room/Shell/Floor");
+  const own = page.getByTestId("own-robot").locator("td").first();
+  await own.waitFor();
+  assert.ok(Number.parseFloat(await own.textContent()) >= 0);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("what is wrong with a robot is said", { skip }, async () => {
+  const { page, context } = await open(browser);
+  await page.evaluate(() => {
+    const data = new DataTransfer();
+    data.items.add(new File(["<robot><link name='a'/><link name='b'/></robot>"], "two.urdf"));
+    dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
+  });
+  await page.getByText("is a second base").waitFor();
+  await context.close();
+});
