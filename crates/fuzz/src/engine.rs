@@ -38,7 +38,7 @@ pub(crate) fn depth(bytes: &[u8]) {
             .unwrap_or_else(|error| panic!("{error}"));
     }
     shot.frame = u64::from(random.byte());
-    measure(&engine, &filters, shot.into());
+    measure(&engine, &filters, shot.into(), is_repeated(bytes));
 }
 
 pub(crate) fn stereo(bytes: &[u8]) {
@@ -70,6 +70,7 @@ pub(crate) fn stereo(bytes: &[u8]) {
         &engine,
         &filters,
         pair.unwrap_or_else(|error| panic!("{error}")).into(),
+        is_repeated(bytes),
     );
 }
 
@@ -110,8 +111,13 @@ fn filters(random: &mut Random<'_>) -> Chain {
     )
 }
 
-/// Measures twice, and checks the result.
-fn measure(engine: &Arc<dyn Engine>, filters: &Chain, input: Input<'_>) {
+/// Whether to measure twice: one input in four, since that takes twice the time.
+fn is_repeated(bytes: &[u8]) -> bool {
+    bytes.len().is_multiple_of(4)
+}
+
+/// Measures, and checks the result.
+fn measure(engine: &Arc<dyn Engine>, filters: &Chain, input: Input<'_>, is_repeated: bool) {
     let outputs = engine.outputs().to_vec();
     let (width, height) = match &input {
         Input::Depth(shot) => (shot.depth().width(), shot.depth().height()),
@@ -120,12 +126,14 @@ fn measure(engine: &Arc<dyn Engine>, filters: &Chain, input: Input<'_>) {
     let _ = engine.inspect(&input);
     let mut once = Sensor::new(Arc::clone(engine), filters.clone(), Stream::new(3, "/Camera"));
     let mut again = once.clone();
-    let captures = [once.capture(input, &outputs), again.capture(input, &outputs)];
-    let [Ok(first), Ok(second)] = captures else { return };
-    assert!(
-        bits(&first) == bits(&second),
-        "{engine:?}: other bytes the second time"
-    );
+    let Ok(first) = once.capture(input, &outputs) else {
+        return;
+    };
+    if is_repeated {
+        let second = again.capture(input, &outputs);
+        let is_same = second.is_ok_and(|second| bits(&first) == bits(&second));
+        assert!(is_same, "{engine:?}: other bytes the second time");
+    }
     let image = &first.distance.0;
     assert_eq!((image.width(), image.height()), filters.size(width, height));
     let strange = image.pixels().iter().find(|z| !(z.is_finite() && **z >= 0.0));
@@ -152,7 +160,11 @@ fn bits(capture: &Capture) -> Vec<u32> {
             }
             Layer::Points(image) => bits.extend(image.pixels().iter().flatten().map(|value| value.to_bits())),
             Layer::Reasons(codes) => bits.extend(codes.0.pixels().iter().map(|&code| u32::from(code))),
-            Layer::Disparity(fixed) => bits.extend(format!("{fixed:?}").bytes().map(u32::from)),
+            Layer::Disparity(disparity) => {
+                bits.push(disparity.shift_px);
+                bits.extend(disparity.step_px.to_bits().to_le_bytes().map(u32::from));
+                bits.extend(disparity.fixed.pixels().iter().map(|&fixed| u32::from(fixed)));
+            }
         }
     }
     bits

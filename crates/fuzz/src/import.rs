@@ -1,15 +1,13 @@
 //! Scenes of other formats than USD.
 
-use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
 use oaktwin_scene::import::{ImportOptions, from_bytes};
 use serde_json::{Value, json};
 
-use crate::json;
 use crate::random::Random;
-use crate::scene;
+use crate::{file, json, scene};
 
 fn import(bytes: Vec<u8>, path: &Path) {
     if let Ok(imported) = from_bytes(bytes, path, &ImportOptions::default()) {
@@ -117,9 +115,9 @@ pub(crate) fn obj(bytes: &[u8]) {
     if mtl.len() < 2 {
         return import(obj.to_vec(), Path::new("no-such-folder/x.obj"));
     }
-    let folder = tempfile::tempdir().unwrap_or_else(|error| panic!("{error}"));
-    fs::write(folder.path().join("m.mtl"), &mtl[1..]).unwrap_or_else(|error| panic!("{error}"));
-    import(obj.to_vec(), &folder.path().join("x.obj"));
+    file::with("m.mtl", &mtl[1..], |library| {
+        import(obj.to_vec(), &library.with_file_name("x.obj"))
+    });
 }
 
 pub(crate) fn obj_seeds() -> Vec<Vec<u8>> {

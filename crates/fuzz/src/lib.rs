@@ -6,6 +6,7 @@
 mod calibration;
 mod codec;
 mod engine;
+mod file;
 mod filter;
 mod foreign;
 mod import;
@@ -21,7 +22,9 @@ mod text;
 mod usd;
 
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook};
-use std::sync::{Mutex, Once, PoisonError};
+use std::sync::{LazyLock, Mutex, Once, PoisonError};
+
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// A function to fuzz.
 #[derive(Clone, Copy, Debug)]
@@ -67,6 +70,13 @@ pub const TARGETS: &[Target] = &[
         max_len: 4096,
         check: list::curve,
         seeds: list::curve_seeds,
+    },
+    Target {
+        name: "track",
+        about: "reads positions over time; numbers are finite, and times increase",
+        max_len: 4096,
+        check: list::track,
+        seeds: list::track_seeds,
     },
     Target {
         name: "filters",
@@ -223,6 +233,12 @@ pub fn target(name: &str) -> Option<&'static Target> {
     TARGETS.iter().find(|target| target.name == name)
 }
 
+/// One thread, so that nothing waits for another, with the stack that reading stages needs.
+static POOL: LazyLock<ThreadPool> = LazyLock::new(|| {
+    let pool = ThreadPoolBuilder::new().num_threads(1).stack_size(256 << 20);
+    pool.build().unwrap_or_else(|error| panic!("{error}"))
+});
+
 static LAST_PANIC: Mutex<String> = Mutex::new(String::new());
 
 /// Runs a target under libFuzzer: aborts if the target panics, but not on panics that the library catches.
@@ -241,7 +257,7 @@ pub fn run(name: &str, bytes: &[u8]) {
     let check = target(name)
         .unwrap_or_else(|| panic!("there is no target {name}"))
         .check;
-    if catch_unwind(AssertUnwindSafe(|| check(bytes))).is_err() {
+    if catch_unwind(AssertUnwindSafe(|| POOL.install(|| check(bytes)))).is_err() {
         eprintln!("{}", LAST_PANIC.lock().unwrap_or_else(PoisonError::into_inner));
         std::process::abort();
     }

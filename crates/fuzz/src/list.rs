@@ -1,9 +1,12 @@
-//! Lists that people write: trajectories and measured curves.
+//! Lists that people write: trajectories, measured curves, and positions over time.
 
 use std::path::Path;
 
 use oaktwin::accuracy::measured;
+use oaktwin::latency::Track;
 use oaktwin::render::trajectory;
+
+use crate::file;
 
 /// A trajectory: its poses are rotations and finite places.
 pub(crate) fn trajectory(bytes: &[u8]) {
@@ -58,5 +61,24 @@ pub(crate) fn curve_seeds() -> Vec<Vec<u8>> {
     vec![
         b"distance_m,depth_error_percent\n0.5,1.2\n2,-3.4e-1\n".to_vec(),
         b"unit,\"depth_error_percent\",distance_m\r\nA, 1.5 ,2\r\n".to_vec(),
+    ]
+}
+
+/// Positions over time: finite numbers, at times that increase.
+pub(crate) fn track(bytes: &[u8]) {
+    match file::with("track.csv", bytes, Track::read) {
+        Ok(track) => {
+            assert_eq!(track.time_s.len(), track.position.len());
+            assert!(track.position.iter().all(|at| at.is_finite()), "{track:?}");
+            assert!(track.time_s.windows(2).all(|pair| pair[0] < pair[1]), "{track:?}");
+        }
+        Err(error) => assert!(error.to_string().contains("track.csv"), "{error}"),
+    }
+}
+
+pub(crate) fn track_seeds() -> Vec<Vec<u8>> {
+    vec![
+        b"time_s,position\n0,0\n0.1,2\n1,-3.4e-1\n".to_vec(),
+        b"name,\"position\",time_s\r\nA, 1.5 ,2\r\nB,1,3\r\n".to_vec(),
     ]
 }

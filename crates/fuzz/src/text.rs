@@ -1,12 +1,14 @@
 //! Short texts: parameters and the catalog.
 
-use std::fs;
+use std::path::Path;
 
 use oaktwin_camera::StereoDrift;
 use oaktwin_catalog::Catalog;
 use oaktwin_depth::engines::ENGINES;
 use oaktwin_depth::filter::parse;
 use oaktwin_depth::{EngineKind, Setup};
+
+use crate::file;
 
 /// Lines of `FILTER`, `DRIFT`, `ENGINE` or `ENGINE NAME=VALUE`.
 pub(crate) fn parameters(bytes: &[u8]) {
@@ -52,9 +54,8 @@ pub(crate) fn parameters_seeds() -> Vec<Vec<u8>> {
 
 /// A file of a sensor or a device that is added to the catalog.
 pub(crate) fn catalog(bytes: &[u8]) {
-    let folder = tempfile::tempdir().unwrap_or_else(|error| panic!("{error}"));
-    fs::write(folder.path().join("x.toml"), bytes).unwrap_or_else(|error| panic!("{error}"));
-    match Catalog::with_dir(folder.path()) {
+    let read = |path: &Path| Catalog::with_dir(path.parent().unwrap_or(path));
+    match file::with("x.toml", bytes, read) {
         Ok(catalog) => {
             for device in catalog.devices() {
                 let twin = catalog.nominal(device);

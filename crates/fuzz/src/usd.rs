@@ -1,6 +1,6 @@
 //! USD: layers, packages, `MaterialX`, and the emitter.
 
-use std::fs;
+use std::path::Path;
 
 use oaktwin_usd::check::CheckOptions;
 use oaktwin_usd::stage::{self, SceneLimit, SceneOptions};
@@ -8,15 +8,16 @@ use oaktwin_usd::text::{Attribute, Layer, Prim, UpAxis, Value};
 use oaktwin_usd::{check, materialx, usdz};
 
 use crate::random::Random;
-use crate::scene;
+use crate::{file, scene};
 
 /// Opens a file as `render` and `check` do.
 fn open(bytes: &[u8], extension: &str) {
-    let folder = tempfile::tempdir().unwrap_or_else(|error| panic!("{error}"));
-    let path = folder.path().join(format!("x.{extension}"));
-    fs::write(&path, bytes).unwrap_or_else(|error| panic!("{error}"));
+    file::with(&format!("x.{extension}"), bytes, read);
+}
+
+fn read(path: &Path) {
     let opened = stage::open_scene(
-        &path,
+        path,
         &SceneOptions {
             time: None,
             subdivide: 1,
@@ -24,7 +25,7 @@ fn open(bytes: &[u8], extension: &str) {
         },
     );
     // `check` reads more than a scene needs, so it may reject a damaged file that opens.
-    let checked = check::check(&path, &CheckOptions::default());
+    let checked = check::check(path, &CheckOptions::default());
     for error in opened.as_ref().err().into_iter().chain(checked.as_ref().err()) {
         assert!(error.to_string().starts_with(&*path.to_string_lossy()), "{error}");
     }
@@ -100,11 +101,10 @@ pub(crate) fn emitter(bytes: &[u8]) {
         ..Layer::default()
     };
     let emitted = layer.text();
-    let folder = tempfile::tempdir().unwrap_or_else(|error| panic!("{error}"));
-    let path = folder.path().join("x.usda");
-    fs::write(&path, &emitted).unwrap_or_else(|error| panic!("{error}"));
-    let stage =
-        stage::open(&path, SceneLimit::default()).unwrap_or_else(|error| panic!("{error}\n{emitted}"));
+    let stage = file::with("x.usda", emitted.as_bytes(), |path| {
+        stage::open(path, SceneLimit::default())
+    })
+    .unwrap_or_else(|error| panic!("{error}\n{emitted}"));
     let read = &stage.cameras[0];
     let text = text.replace('\0', "\u{fffd}");
     assert_eq!(read.prim.text("test:text"), Some(text.as_str()), "{emitted}");

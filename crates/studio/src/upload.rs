@@ -86,25 +86,26 @@ pub(crate) async fn receive(body: Body, path: &Path, limit: u64) -> Result<(), F
 }
 
 async fn write(body: Body, path: &Path, limit: u64) -> Result<(), Failure> {
-    let failed = |error: &dyn std::fmt::Display| {
+    // The disk is full, or files may not be as large.
+    let failed = |error: std::io::Error| {
         Failure::from(format!(
-            "the dropped file cannot be received: {error}; drop it again"
+            "the dropped file cannot be kept: {error}; free some space for temporary files (TMPDIR), or name it on the command line: oaktwin studio FILE"
         ))
     };
-    let mut file = tokio::fs::File::create_new(path)
-        .await
-        .map_err(|error| failed(&error))?;
+    let mut file = tokio::fs::File::create_new(path).await.map_err(failed)?;
     let mut stream = body.into_data_stream();
     let mut received = 0u64;
     while let Some(part) = stream.next().await {
-        let part = part.map_err(|error| failed(&error))?;
+        let part = part.map_err(|error| {
+            Failure::from(format!("the dropped file did not arrive: {error}; drop it again"))
+        })?;
         received += part.len() as u64;
         if received > limit {
             return Err(too_large(limit));
         }
-        file.write_all(&part).await.map_err(|error| failed(&error))?;
+        file.write_all(&part).await.map_err(failed)?;
     }
-    file.flush().await.map_err(|error| failed(&error))
+    file.flush().await.map_err(failed)
 }
 
 /// The error about a file that is too large.

@@ -58,12 +58,19 @@ impl Program {
     /// Runs the program with a limit on the size of files.
     #[cfg(target_os = "linux")]
     pub(crate) fn run_with_small_files(&self, arguments: &[&str]) -> Ended {
+        self.ended(&self.command_with_small_files(arguments).output().unwrap())
+    }
+
+    /// The command of a program whose files may have 1 KiB.
+    #[cfg(target_os = "linux")]
+    pub(crate) fn command_with_small_files(&self, arguments: &[&str]) -> Command {
         let script = "ulimit -f 1; exec \"$0\" \"$@\"";
         let mut command = Command::new("bash");
         command
             .args(["-c", script, env!("CARGO_BIN_EXE_oaktwin")])
-            .args(arguments);
-        self.ended(&command.current_dir(self.folder()).output().unwrap())
+            .args(arguments)
+            .current_dir(self.folder());
+        command
     }
 
     /// Runs a command that must succeed and returns its standard output.

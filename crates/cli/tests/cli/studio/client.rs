@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::path::Path;
-use std::process::{Child, Stdio};
+use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
 use serde_json::{Value, json};
@@ -53,9 +53,12 @@ impl Server {
     /// The same with variables of the environment.
     pub(super) fn start_with(program: &Program, arguments: &[&str], variables: &[(&str, &Path)]) -> Self {
         let all = [&["studio", "--no-open"], arguments].concat();
-        let mut child = program
-            .command(&all)
-            .envs(variables.iter().copied())
+        Self::of(program.command(&all).envs(variables.iter().copied()))
+    }
+
+    /// Starts the server with a command.
+    pub(super) fn of(command: &mut Command) -> Self {
+        let mut child = command
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()

@@ -78,6 +78,29 @@ fn uploads_that_stop_half_way_leave_nothing() {
 }
 
 #[test]
+#[cfg(target_os = "linux")]
+fn uploads_that_do_not_fit_on_the_disk_leave_nothing() {
+    let program = program();
+    let temporary = program.path("temporary");
+    fs::create_dir(&temporary).unwrap();
+    let mut command = program.command_with_small_files(&["studio", "--no-open", "crate.obj"]);
+    let server = Server::of(command.env("TMPDIR", &temporary));
+    let uploads = fs::read_dir(&temporary).unwrap().next().unwrap().unwrap().path();
+    let large = "v 0 0 0\n".repeat(10_000);
+    let (status, answer) = server.post("/api/scenes?name=a.obj", large.as_bytes());
+    let error = answer["error"].as_str().unwrap_or_default();
+    assert_eq!(status, 422, "{answer}");
+    assert!(
+        error.contains("cannot be kept") && error.contains("free some space"),
+        "{error}"
+    );
+    wait_for(&uploads, |count| count == 0);
+    // The server lives.
+    let small = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    assert_eq!(server.post("/api/scenes?name=b.obj", small.as_bytes()).0, 200);
+}
+
+#[test]
 fn numbers_are_in_the_ranges_of_the_command_line() {
     let program = program();
     let server = server(&program);

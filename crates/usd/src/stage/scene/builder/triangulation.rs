@@ -1,5 +1,6 @@
 //! Triangulates meshes on other threads while the stage is read.
 
+use std::num::NonZero;
 use std::panic::resume_unwind;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -37,10 +38,12 @@ pub(super) struct Triangulation {
 impl Default for Triangulation {
     fn default() -> Self {
         let (jobs, queue) = channel();
+        let cores = thread::available_parallelism().map_or(1, NonZero::get);
         Self {
             jobs,
             queue: Arc::new(Mutex::new(queue)),
-            max_threads: thread::available_parallelism().map_or(1, |threads| threads.get().min(MAX_THREADS)),
+            // Threads would take most of the time of the fuzzer's small stages.
+            max_threads: if cfg!(fuzzing) { 0 } else { cores.min(MAX_THREADS) },
             threads: Vec::new(),
             own: Vec::new(),
         }
