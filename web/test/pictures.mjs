@@ -65,6 +65,6 @@ async function steps() {
 }
 
 await steps();
-if (!process.env.STEPS) await film();
-if (!process.env.STEPS) await looks();
+await film();
+await looks();
 await browser.close();
