@@ -167,8 +167,22 @@ impl Postures {
     }
 }
 
+/// Whether XML has an attribute `file` or `filename`. What a page drops must not make the server read other files.
+fn names_files(text: &str) -> bool {
+    text.split("file").skip(1).any(|rest| {
+        let rest = rest.strip_prefix("name").unwrap_or(rest);
+        rest.trim_start().starts_with('=')
+    })
+}
+
 /// Puts a dropped robot into a scene, and returns what the page knows about the new scene.
 pub(crate) fn dropped(studio: &Studio, scene: &str, name: &str, bytes: &[u8]) -> Result<SceneInfo, Failure> {
+    if names_files(&String::from_utf8_lossy(bytes)) {
+        let error = format!(
+            "{name}: names other files, which a dropped one may not; open it with oaktwin studio SCENE --robot {name}"
+        );
+        return Err(Failure::of("robot", &error));
+    }
     let base = studio.scenes.get(split(scene).map_or(scene, |(own, _)| own))?;
     let folder = tempfile::tempdir_in(&studio.uploads).map_err(|error| {
         Failure::from(format!(
@@ -189,13 +203,7 @@ pub(crate) fn dropped(studio: &Studio, scene: &str, name: &str, bytes: &[u8]) ->
     if let Some(known) = studio.scenes.dropped(&id) {
         return Ok(known.info.clone());
     }
-    let made = base.with_robot(&file, &id, name).map_err(|failure| Failure {
-        error: format!(
-            "{}. A robot with meshes is opened from the command line: oaktwin studio SCENE --robot FILE",
-            failure.error
-        ),
-        ..failure
-    })?;
+    let made = base.with_robot(&file, &id, name)?;
     made.check_triangles()?;
     Ok(studio.scenes.add(made).info.clone())
 }

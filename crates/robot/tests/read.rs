@@ -1,15 +1,16 @@
 //! Robots in files of all kinds, and what is wrong with others.
 
+#![expect(clippy::unwrap_used, reason = "a test")]
+
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
 
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DMat3, DVec3};
+use oaktwin_robot::{JointPositions, PlacedRobot, Robot, RobotFileError, Shape};
 use oaktwin_scene::{Scene, Up};
 
-use super::*;
-
-const ARM: &str = include_str!("../../../../examples/robots/gripper.urdf");
+const ARM: &str = include_str!("../../../examples/robots/gripper.urdf");
 
 /// A folder with a file, and what a reading of it gives.
 fn open(name: &str, text: &str) -> Result<Robot, String> {
