@@ -4,19 +4,14 @@
 //! request for images, a link or an export, names a posture, too.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::diagnostic::Finding;
-use oaktwin::render::OpenOptions;
 use oaktwin::robot::{JointKind, PlacedRobot, Robot};
 use oaktwin::scene::Scene;
 
 use crate::pose::pose_of;
-use crate::protocol::{Failure, RobotInfo, RobotJoint, RobotLink, SceneInfo};
-use crate::scene::LoadedScene;
-use crate::studio::Studio;
-use crate::upload;
+use crate::protocol::{Failure, RobotInfo, RobotJoint, RobotLink};
 
 /// What separates the id of a scene from the positions of joints.
 const POSTURE: char = '~';
@@ -89,7 +84,7 @@ impl SceneRobot {
     }
 
     /// Reads the positions of a posture.
-    fn parse(&self, text: &str) -> Result<Vec<f64>, Failure> {
+    pub(crate) fn parse(&self, text: &str) -> Result<Vec<f64>, Failure> {
         let robot = self.placed.robot();
         let free: Vec<usize> = robot.free_joints().collect();
         let numbers: Option<Vec<f64>> = (text.split(','))
@@ -119,91 +114,4 @@ impl SceneRobot {
 /// Separates the id of a scene in a posture from the posture.
 pub(crate) fn split(id: &str) -> Option<(&str, &str)> {
     id.split_once(POSTURE)
-}
-
-/// Scenes in postures. The one that was used last is the last.
-#[derive(Debug, Default)]
-pub(crate) struct Postures(Vec<Arc<LoadedScene>>);
-
-impl Postures {
-    /// The number of copies of scenes that are kept.
-    const KEPT: usize = 6;
-
-    /// Returns a scene in a posture: a copy that nobody uses any more is moved, which is faster than another copy.
-    pub(crate) fn get(
-        &mut self,
-        id: &str,
-        scene: &LoadedScene,
-        posture: &str,
-    ) -> Result<Arc<LoadedScene>, Failure> {
-        if let Some(place) = self.0.iter().position(|one| one.info.id == id) {
-            let found = self.0.remove(place);
-            self.0.push(Arc::clone(&found));
-            return Ok(found);
-        }
-        let Some(robot) = &scene.robot else {
-            let error = format!(
-                "the scene {} has no robot; open the page without its link",
-                scene.info.name
-            );
-            return Err(Failure::of("scene", &error));
-        };
-        let positions = robot.parse(posture)?;
-        let is_free = |one: &Arc<LoadedScene>| {
-            split(&one.info.id).is_some_and(|(own, _)| own == scene.info.id) && Arc::strong_count(one) == 1
-        };
-        let spare = self.0.iter().position(is_free).map(|place| self.0.remove(place));
-        let mut moved = match spare.map(Arc::try_unwrap) {
-            Some(Ok(spare)) => spare,
-            Some(Err(_)) | None => scene.copied(),
-        };
-        moved.pose(id, positions);
-        let moved = Arc::new(moved);
-        self.0.push(Arc::clone(&moved));
-        if self.0.len() > Self::KEPT {
-            self.0.remove(0);
-        }
-        Ok(moved)
-    }
-}
-
-/// Whether XML has an attribute `file` or `filename`. What a page drops must not make the server read other files.
-fn names_files(text: &str) -> bool {
-    text.split("file").skip(1).any(|rest| {
-        let rest = rest.strip_prefix("name").unwrap_or(rest);
-        rest.trim_start().starts_with('=')
-    })
-}
-
-/// Puts a dropped robot into a scene, and returns what the page knows about the new scene.
-pub(crate) fn dropped(studio: &Studio, scene: &str, name: &str, bytes: &[u8]) -> Result<SceneInfo, Failure> {
-    if names_files(&String::from_utf8_lossy(bytes)) {
-        let error = format!(
-            "{name}: names other files, which a dropped one may not; open it with oaktwin studio SCENE --robot {name}"
-        );
-        return Err(Failure::of("robot", &error));
-    }
-    let base = studio.scenes.get(split(scene).map_or(scene, |(own, _)| own))?;
-    let folder = tempfile::tempdir_in(&studio.uploads).map_err(|error| {
-        Failure::from(format!(
-            "no temporary folder can be created ({error}); free space on the disk"
-        ))
-    })?;
-    let path = folder.path().join(name);
-    std::fs::write(&path, bytes)
-        .map_err(|error| Failure::from(format!("the dropped file cannot be kept: {error}; drop it again")))?;
-    let file = RobotFile {
-        packages: Vec::new(),
-        world_from_base: None,
-        arguments: vec!["--robot".to_owned(), name.to_owned()],
-        path,
-    };
-    let id = upload::content_id(name, &OpenOptions::default(), &file.path)?;
-    let id = format!("{id}-{}", base.info.id);
-    if let Some(known) = studio.scenes.dropped(&id) {
-        return Ok(known.info.clone());
-    }
-    let made = base.with_robot(&file, &id, name)?;
-    made.check_triangles()?;
-    Ok(studio.scenes.add(made).info.clone())
 }
