@@ -222,7 +222,8 @@ export interface RobotInfo {
   name: string;
   /** The joints that can be moved. */
   joints: RobotJoint[];
-  links: RobotLink[];
+  /** The links: the path below which the objects of each are, and the pose of its frame in the world. */
+  links: { name: string; path: string; pose: Pose }[];
 }
 
 export interface RobotJoint {
@@ -232,14 +233,6 @@ export interface RobotJoint {
   /** Null for a joint without limits. */
   limits: [number, number] | null;
   position: number;
-}
-
-export interface RobotLink {
-  name: string;
-  /** The path below which its objects are. */
-  path: string;
-  /** The pose of its frame in the world. */
-  pose: Pose;
 }
 
 export interface SceneObject {

@@ -17,6 +17,7 @@ mod page;
 mod random;
 mod recipe;
 mod renderer;
+mod robot;
 mod scene;
 mod text;
 mod usd;
@@ -210,6 +211,13 @@ pub const TARGETS: &[Target] = &[
         max_len: 4096,
         check: recipe::check,
         seeds: recipe::seeds,
+    },
+    Target {
+        name: "robot",
+        about: "reads URDF and MJCF, and moves the joints; links stay at finite places",
+        max_len: 8192,
+        check: robot::check,
+        seeds: robot::seeds,
     },
     Target {
         name: "messages",

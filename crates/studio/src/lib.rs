@@ -9,6 +9,7 @@ mod answer;
 mod calibration;
 mod catalog;
 mod coverage;
+mod dropped_robot;
 mod export;
 mod file;
 mod frame;

@@ -4,19 +4,14 @@
 //! request for images, a link or an export, names a posture, too.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::diagnostic::Finding;
-use oaktwin::render::OpenOptions;
 use oaktwin::robot::{JointKind, PlacedRobot, Robot};
 use oaktwin::scene::Scene;
 
 use crate::pose::pose_of;
-use crate::protocol::{Failure, RobotInfo, RobotJoint, RobotLink, SceneInfo};
-use crate::scene::LoadedScene;
-use crate::studio::Studio;
-use crate::upload;
+use crate::protocol::{Failure, RobotInfo, RobotJoint, RobotLink};
 
 /// What separates the id of a scene from the positions of joints.
 const POSTURE: char = '~';
@@ -89,7 +84,7 @@ impl SceneRobot {
     }
 
     /// Reads the positions of a posture.
-    fn parse(&self, text: &str) -> Result<Vec<f64>, Failure> {
+    pub(crate) fn parse(&self, text: &str) -> Result<Vec<f64>, Failure> {
         let robot = self.placed.robot();
         let free: Vec<usize> = robot.free_joints().collect();
         let numbers: Option<Vec<f64>> = (text.split(','))
@@ -120,6 +115,7 @@ impl SceneRobot {
 pub(crate) fn split(id: &str) -> Option<(&str, &str)> {
     id.split_once(POSTURE)
 }
+<<<<<<< HEAD
 
 /// Scenes in postures. The one that was used last is the last.
 #[derive(Debug, Default)]
@@ -201,3 +197,5 @@ pub(crate) fn dropped(studio: &Studio, scene: &str, name: &str, bytes: &[u8]) ->
     made.check_triangles()?;
     Ok(studio.scenes.add(made).info.clone())
 }
+=======
+>>>>>>> robot

@@ -16,7 +16,7 @@ use tempfile::TempDir;
 use crate::mesh;
 use crate::pose::pose_of;
 use crate::protocol::{Failure, Pose, SceneInfo, SceneObject};
-use crate::robot::{self, Postures, RobotFile, SceneRobot};
+use crate::robot::{self, RobotFile, SceneRobot};
 use crate::task::Job;
 use crate::upload;
 use moving::Moving;
@@ -391,6 +391,48 @@ fn objects(scene: &Scene) -> Vec<SceneObject> {
         bytes <= MAX_PATH_BYTES
     });
     shown.map(object).collect()
+}
+
+/// Scenes in postures of their robots. The one that was used last is the last.
+#[derive(Debug, Default)]
+struct Postures(Vec<Arc<LoadedScene>>);
+
+impl Postures {
+    /// The number of copies of scenes that are kept.
+    const KEPT: usize = 6;
+
+    /// Returns a scene in a posture: a copy that nobody uses any more is moved, which is faster than another copy.
+    fn get(&mut self, id: &str, scene: &LoadedScene, posture: &str) -> Result<Arc<LoadedScene>, Failure> {
+        if let Some(place) = self.0.iter().position(|one| one.info.id == id) {
+            let found = self.0.remove(place);
+            self.0.push(Arc::clone(&found));
+            return Ok(found);
+        }
+        let Some(robot) = &scene.robot else {
+            let error = format!(
+                "the scene {} has no robot; open the page without its link",
+                scene.info.name
+            );
+            return Err(Failure::of("scene", &error));
+        };
+        let positions = robot.parse(posture)?;
+        let is_free = |one: &Arc<LoadedScene>| {
+            robot::split(&one.info.id).is_some_and(|(own, _)| own == scene.info.id)
+                && Arc::strong_count(one) == 1
+        };
+        let spare = self.0.iter().position(is_free).map(|place| self.0.remove(place));
+        let mut moved = match spare.map(Arc::try_unwrap) {
+            Some(Ok(spare)) => spare,
+            Some(Err(_)) | None => scene.copied(),
+        };
+        moved.pose(id, positions);
+        let moved = Arc::new(moved);
+        self.0.push(Arc::clone(&moved));
+        if self.0.len() > Self::KEPT {
+            self.0.remove(0);
+        }
+        Ok(moved)
+    }
 }
 
 /// The scenes by id.

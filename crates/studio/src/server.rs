@@ -23,9 +23,13 @@ use crate::protocol::{ExportRequest, Failure, OakState};
 use crate::scene::LoadedScene;
 use crate::session::{SaveRequest, SessionInfo};
 use crate::studio::Studio;
+<<<<<<< HEAD
 use crate::{
     accuracy, calibration, coverage, export, guard, job, live, mesh, page, robot, session, trajectory, upload,
 };
+=======
+use crate::{accuracy, coverage, dropped_robot, export, guard, job, live, mesh, page, upload};
+>>>>>>> robot
 
 /// The maximum length of a request's JSON, and of a calibration, bytes.
 const MAX_JSON_BYTES: usize = 1 << 20;
@@ -225,7 +229,7 @@ async fn drop_robot(State(studio): Server, Query(query): Query<RobotQuery>, body
     json_or_failure(
         job::run(&studio, job::FILE, move |studio, _| {
             let name = upload::file_name(&query.name)?;
-            robot::dropped(studio, &query.scene, &name, &bytes)
+            dropped_robot::dropped(studio, &query.scene, &name, &bytes)
         })
         .await,
     )

@@ -142,7 +142,7 @@ pub(crate) struct RenderArgs {
     )]
     pub(crate) fps: Option<f64>,
 
-    /// Mount the OAK on this prim of the stage, or link of the robot: poses are relative to it, and follow it
+    /// Mount the OAK on this prim of the stage or link of the robot: poses are relative to it
     #[arg(long, value_name = "PRIM|LINK", requires = "model", help_heading = "OAK")]
     pub(crate) mount: Option<String>,
 

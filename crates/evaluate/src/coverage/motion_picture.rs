@@ -73,8 +73,12 @@ impl Carrier<'_> {
             100.0 * measured.own_robot,
             self.postures.len()
         );
-        let legend = LEGEND.map(|share| (format!("in {:.0} % of the postures", 100.0 * share), color(share)));
-        sheet(&heading, &[("Where the robot is in its own way", panel)], &legend)
+        let legend = LEGEND.map(|share| (format!("{:.0} %", 100.0 * share), color(share)));
+        sheet(
+            &heading,
+            &[("The robot in its own way, by the share of the postures", panel)],
+            &legend,
+        )
     }
 }
 

@@ -7,8 +7,6 @@ mod mjcf;
 mod placed;
 mod positions;
 mod robot;
-#[cfg(test)]
-mod tests;
 mod turn;
 mod urdf;
 

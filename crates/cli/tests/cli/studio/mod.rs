@@ -4,6 +4,7 @@ mod client;
 mod exports;
 mod hard;
 mod models;
+mod robot;
 mod surface;
 mod timeline;
 mod units;
