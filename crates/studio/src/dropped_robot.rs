@@ -15,6 +15,12 @@ fn names_files(text: &str) -> bool {
     })
 }
 
+/// Returns the id of a scene in any posture, at any time.
+fn in_any_state(id: &str) -> &str {
+    let id = split(id).map_or(id, |(own, _)| own);
+    id.rsplit_once('@').map_or(id, |(own, _)| own)
+}
+
 /// Puts a dropped robot into a scene, and returns what the page knows about the new scene.
 pub(crate) fn dropped(studio: &Studio, scene: &str, name: &str, bytes: &[u8]) -> Result<SceneInfo, Failure> {
     if names_files(&String::from_utf8_lossy(bytes)) {
@@ -23,7 +29,7 @@ pub(crate) fn dropped(studio: &Studio, scene: &str, name: &str, bytes: &[u8]) ->
         );
         return Err(Failure::of("robot", &error));
     }
-    let base = studio.scenes.get(split(scene).map_or(scene, |(own, _)| own))?;
+    let base = studio.scenes.as_opened(in_any_state(scene))?;
     let folder = tempfile::tempdir_in(&studio.uploads).map_err(|error| {
         Failure::from(format!(
             "no temporary folder can be created ({error}); free space on the disk"

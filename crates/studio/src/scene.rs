@@ -1,8 +1,9 @@
 //! The scenes that the page can show.
 
 mod moving;
+mod scenes;
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::BTreeMap;
 use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -16,16 +17,12 @@ use tempfile::TempDir;
 use crate::mesh;
 use crate::pose::pose_of;
 use crate::protocol::{Failure, Pose, SceneInfo, SceneObject};
-use crate::robot::{self, RobotFile, SceneRobot};
+use crate::robot::{RobotFile, SceneRobot};
 use crate::task::Job;
-use crate::upload;
 use moving::Moving;
 
-/// The number of dropped scenes that are kept, besides the command line's, and of their triangles.
-const KEPT: usize = 24;
-const KEPT_TRIANGLES: usize = 2 * MAX_TRIANGLES;
-/// The number of bytes of their files, which stay on the disk for animations and sessions.
-const KEPT_BYTES: u64 = 4 * upload::MAX_BYTES;
+pub(crate) use scenes::Scenes;
+
 /// The number of objects that the page can name, and of bytes of their paths; others are part of the scene only.
 const MAX_OBJECTS: usize = 20_000;
 const MAX_PATH_BYTES: usize = 4 << 20;
@@ -243,7 +240,13 @@ impl LoadedScene {
         info.findings.extend(findings.into_iter().take(MAX_FINDINGS));
         if self.info.animation.is_some() {
             let what = "the page does not play its animation beside a robot";
-            info.findings.push(Finding::new("animation-stopped", Level::Note, &info.name, what, ""));
+            info.findings.push(Finding::new(
+                "animation-stopped",
+                Level::Note,
+                &info.name,
+                what,
+                "",
+            ));
         }
         if let Some(bounds) = scene.bounds() {
             info.bounds = corners(bounds);
@@ -391,135 +394,4 @@ fn objects(scene: &Scene) -> Vec<SceneObject> {
         bytes <= MAX_PATH_BYTES
     });
     shown.map(object).collect()
-}
-
-/// Scenes in postures of their robots. The one that was used last is the last.
-#[derive(Debug, Default)]
-struct Postures(Vec<Arc<LoadedScene>>);
-
-impl Postures {
-    /// The number of copies of scenes that are kept.
-    const KEPT: usize = 6;
-
-    /// Returns a scene in a posture: a copy that nobody uses any more is moved, which is faster than another copy.
-    fn get(&mut self, id: &str, scene: &LoadedScene, posture: &str) -> Result<Arc<LoadedScene>, Failure> {
-        if let Some(place) = self.0.iter().position(|one| one.info.id == id) {
-            let found = self.0.remove(place);
-            self.0.push(Arc::clone(&found));
-            return Ok(found);
-        }
-        let Some(robot) = &scene.robot else {
-            let error = format!(
-                "the scene {} has no robot; open the page without its link",
-                scene.info.name
-            );
-            return Err(Failure::of("scene", &error));
-        };
-        let positions = robot.parse(posture)?;
-        let is_free = |one: &Arc<LoadedScene>| {
-            robot::split(&one.info.id).is_some_and(|(own, _)| own == scene.info.id)
-                && Arc::strong_count(one) == 1
-        };
-        let spare = self.0.iter().position(is_free).map(|place| self.0.remove(place));
-        let mut moved = match spare.map(Arc::try_unwrap) {
-            Some(Ok(spare)) => spare,
-            Some(Err(_)) | None => scene.copied(),
-        };
-        moved.pose(id, positions);
-        let moved = Arc::new(moved);
-        self.0.push(Arc::clone(&moved));
-        if self.0.len() > Self::KEPT {
-            self.0.remove(0);
-        }
-        Ok(moved)
-    }
-}
-
-/// The scenes by id.
-#[derive(Debug)]
-pub(crate) struct Scenes {
-    first: Arc<LoadedScene>,
-    /// The one that was used last is the last.
-    dropped: Mutex<VecDeque<Arc<LoadedScene>>>,
-    postures: Mutex<Postures>,
-}
-
-impl Scenes {
-    pub(crate) fn new(first: LoadedScene) -> Self {
-        Self {
-            first: Arc::new(first),
-            dropped: Mutex::default(),
-            postures: Mutex::default(),
-        }
-    }
-
-    /// The scene that is shown first.
-    pub(crate) fn first(&self) -> &LoadedScene {
-        &self.first
-    }
-
-    /// Returns a scene, by its id; at a time code, by `ID@CODE`, or in a posture of its robot, by `ID~POSITIONS`.
-    pub(crate) fn get(&self, id: &str) -> Result<Arc<LoadedScene>, Failure> {
-        if let Some((own, posture)) = robot::split(id) {
-            let scene = self.as_opened(own)?;
-            let mut postures = self.postures.lock().unwrap_or_else(PoisonError::into_inner);
-            return postures.get(id, &scene, posture);
-        }
-        let Some((base, code)) = id.rsplit_once('@') else {
-            return self.as_opened(id);
-        };
-        match code.parse::<f64>() {
-            Ok(time) if time.is_finite() => self.as_opened(base)?.at(time),
-            _ => {
-                let error = format!("'{code}' is no time code; load the page again");
-                Err(Failure::of("time", &error))
-            }
-        }
-    }
-
-    /// Returns a scene as it was opened.
-    pub(crate) fn as_opened(&self, id: &str) -> Result<Arc<LoadedScene>, Failure> {
-        if self.first.info.id == id {
-            return Ok(Arc::clone(&self.first));
-        }
-        self.dropped(id).ok_or_else(|| {
-            Failure::of(
-                "scene",
-                &format!("no scene '{id}'; drop the file onto the page again"),
-            )
-        })
-    }
-
-    /// Returns a dropped scene that is kept.
-    pub(crate) fn dropped(&self, id: &str) -> Option<Arc<LoadedScene>> {
-        let mut dropped = self.dropped.lock().unwrap_or_else(PoisonError::into_inner);
-        let place = dropped.iter().position(|scene| scene.info.id == id)?;
-        let scene = dropped.remove(place)?;
-        dropped.push_back(Arc::clone(&scene));
-        Some(scene)
-    }
-
-    /// Keeps a dropped scene and forgets those that nobody has used for longest.
-    pub(crate) fn add(&self, scene: LoadedScene) -> Arc<LoadedScene> {
-        let scene = Arc::new(scene);
-        let mut dropped = self.dropped.lock().unwrap_or_else(PoisonError::into_inner);
-        dropped.retain(|known| known.info.id != scene.info.id);
-        dropped.push_back(Arc::clone(&scene));
-        let triangles = |kept: &VecDeque<Arc<LoadedScene>>| -> usize {
-            kept.iter().map(|scene| scene.info.triangles).sum()
-        };
-        let bytes = |kept: &VecDeque<Arc<LoadedScene>>| -> u64 {
-            kept.iter()
-                .filter_map(|scene| scene.kept.as_ref())
-                .map(|file| file.bytes)
-                .sum()
-        };
-        let are_too_many = |kept: &VecDeque<Arc<LoadedScene>>| {
-            kept.len() > KEPT || triangles(kept) > KEPT_TRIANGLES || bytes(kept) > KEPT_BYTES
-        };
-        while dropped.len() > 1 && are_too_many(&dropped) {
-            dropped.pop_front();
-        }
-        scene
-    }
 }

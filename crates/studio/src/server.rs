@@ -23,13 +23,10 @@ use crate::protocol::{ExportRequest, Failure, OakState};
 use crate::scene::LoadedScene;
 use crate::session::{SaveRequest, SessionInfo};
 use crate::studio::Studio;
-<<<<<<< HEAD
 use crate::{
-    accuracy, calibration, coverage, export, guard, job, live, mesh, page, robot, session, trajectory, upload,
+    accuracy, calibration, coverage, dropped_robot, export, guard, job, live, mesh, page, session, trajectory,
+    upload,
 };
-=======
-use crate::{accuracy, coverage, dropped_robot, export, guard, job, live, mesh, page, upload};
->>>>>>> robot
 
 /// The maximum length of a request's JSON, and of a calibration, bytes.
 const MAX_JSON_BYTES: usize = 1 << 20;
