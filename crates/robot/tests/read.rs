@@ -171,6 +171,7 @@ fn what_is_not_supported_is_found() {
 }
 
 #[test]
+#[expect(clippy::too_many_lines, reason = "a table of mistakes")]
 fn errors_name_the_file_the_place_and_the_remedy() {
     let joint = |inside: &str| format!("<robot>\n<link name='base'/><link name='tip'/>\n{inside}</robot>");
     let fixed = "<joint name='j' type='fixed'><parent link='base'/><child link='tip'/></joint>";

@@ -8,6 +8,7 @@ use oaktwin::sensor::EngineInput;
 
 use crate::protocol::{ExportRequest, Failure, OakState};
 use crate::robot::SceneRobot;
+use crate::scene::LoadedScene;
 use crate::size::image_size;
 use crate::studio::Studio;
 use crate::trajectory::Dropped;
@@ -46,36 +47,35 @@ fn toml_value(value: &str) -> String {
     }
 }
 
-/// Returns a command that writes the images of the state.
-pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String, Failure> {
-    let state = &request.state;
-    let scene = studio.scenes.get(&request.scene)?;
+/// Returns the commands that write the files of a scene, and the first words of one that renders it.
+fn begun(scene: &LoadedScene) -> (String, Vec<String>) {
     let mut out = String::new();
     if let Some(command) = &scene.made_by {
         let _ = writeln!(out, "{command}");
     }
-    let mut words = vec![
-        "oaktwin".to_owned(),
-        "render".to_owned(),
-        shell(&file(&scene.argument)),
-    ];
-    // A value that begins like an option follows an equals sign.
-    let mut option = |name: &str, value: &str| match value.starts_with('-') {
-        true => words.push(shell(&format!("--{name}={value}"))),
-        false => words.extend([format!("--{name}"), shell(value)]),
-    };
+    let mut words = ["oaktwin", "render"].map(str::to_owned).to_vec();
+    words.push(shell(&file(&scene.argument)));
     let (up, scale) = scene.given;
     if let Some(up) = up {
-        option("up", up.name());
+        words.extend(["--up".to_owned(), up.name().to_owned()]);
     }
     if let Some(scale) = scale {
-        option("scale", &format!("{scale:?}"));
+        words.extend(["--scale".to_owned(), format!("{scale:?}")]);
     }
     if let Some(robot) = &scene.robot {
         let (table, arguments) = posture(robot);
         out += &table;
         words.extend(arguments.iter().map(|word| shell(word)));
     }
+    (out, words)
+}
+
+/// Returns a command that writes the images of the state.
+pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String, Failure> {
+    let state = &request.state;
+    let scene = studio.scenes.get(&request.scene)?;
+    let (mut out, mut words) = begun(&scene);
+    // A value that begins like an option follows an equals sign.
     let mut option = |name: &str, value: &str| match value.starts_with('-') {
         true => words.push(shell(&format!("--{name}={value}"))),
         false => words.extend([format!("--{name}"), shell(value)]),

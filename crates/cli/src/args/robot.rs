@@ -40,7 +40,7 @@ pub(crate) struct RobotArgs {
 
     /// The joint positions, a line for each posture: CSV with the joints' names in the first line
     ///
-    /// Positions are in radians and metres. A column NAME_deg is in degrees, a column time in seconds. Joints without a column are at 0, or in the
+    /// Positions are in radians and metres. A column `NAME_deg` is in degrees, a column `time` in seconds. Joints without a column are at 0, or in the
     /// middle of their limits if these exclude 0.
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, requires = "robot")]
     pub(crate) joints: Option<PathBuf>,

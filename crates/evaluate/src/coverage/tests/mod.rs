@@ -74,7 +74,7 @@ fn facing(rig: &MeasuringRig, eye: DVec3, target: DVec3) -> RigidTransform {
 fn objects(paths: &[&str]) -> Region {
     Region {
         objects: paths.iter().map(|path| (*path).to_owned()).collect(),
-        within: None,
+        ..Region::default()
     }
 }
 

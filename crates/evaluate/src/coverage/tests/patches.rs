@@ -63,8 +63,8 @@ fn patches_are_cut_by_a_box_and_keep_small_triangles() {
         max: DVec3::new(2.1, 0.1, 0.1),
     });
     let region = Region {
-        objects: Vec::new(),
         within,
+        ..Region::default()
     };
     let found = Patches::new(&renderer, &region, &candidate, 1).unwrap();
     let total: f64 = found.corners.iter().map(|corners| area(*corners)).sum();

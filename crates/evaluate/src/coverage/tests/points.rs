@@ -84,8 +84,8 @@ fn a_box_cuts_triangles() {
         max: DVec3::new(2.0, 4.5, 0.1),
     };
     let region = Region {
-        objects: Vec::new(),
         within: Some(within),
+        ..Region::default()
     };
     let samples = Samples::new(&stage.0, &region, 1000).unwrap();
     assert!((samples.area_m2 - 13.5).abs() < 1e-12);
@@ -101,6 +101,7 @@ fn a_box_cuts_triangles() {
             min: DVec3::new(-9.0, -9.0, 5.0),
             max: DVec3::splat(9.0),
         }),
+        ..Region::default()
     };
     let samples = Samples::new(&stage.0, &region, 1000).unwrap();
     assert!((samples.area_m2 - 3.0).abs() < 1e-12);

@@ -59,11 +59,11 @@ fn regions_without_surface_are_rejected() {
     );
     let within = |min: [f64; 3], max: [f64; 3]| {
         error(&Region {
-            objects: Vec::new(),
             within: Some(Bounds {
                 min: DVec3::from(min),
                 max: DVec3::from(max),
             }),
+            ..Region::default()
         })
     };
     let elsewhere = within([5.0; 3], [6.0; 3]);

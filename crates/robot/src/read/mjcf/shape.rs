@@ -129,66 +129,73 @@ impl Assets {
         if geom.get("mesh").is_some() {
             return unsupported(format!("a {kind} that is fitted to a mesh is not supported"));
         }
-        let size = geom.numbers("size")?.unwrap_or_default();
-        let at = |index: usize| {
-            let found = size.get(index).copied().filter(|size| *size > 0.0);
-            found.ok_or_else(|| {
-                let what = format!("size {} of a {kind} must be above 0", index + 1);
-                geom.wrong(what, "give size=\"…\" in metres")
-            })
-        };
-        let (pose, half) = match segment(geom)? {
-            Some((pose, length)) => (pose, Some(0.5 * length)),
-            None => (compiler.pose(geom)?, None),
-        };
-        // The half length is between the ends, if the geom has them.
-        let along = |index: usize| half.map_or_else(|| at(index), Ok);
-        let shape = match kind {
-            "sphere" => Shape::Ellipsoid(DVec3::splat(at(0)?)),
-            "ellipsoid" => match half {
-                Some(half) => Shape::Ellipsoid(DVec3::new(at(0)?, at(0)?, half)),
-                None => Shape::Ellipsoid(DVec3::new(at(0)?, at(1)?, at(2)?)),
-            },
-            "box" => match half {
-                Some(half) => Shape::Box(2.0 * DVec3::new(at(0)?, at(0)?, half)),
-                None => Shape::Box(2.0 * DVec3::new(at(0)?, at(1)?, at(2)?)),
-            },
-            "cylinder" => Shape::Cylinder {
-                radius: at(0)?,
-                length: 2.0 * along(1)?,
-            },
-            "capsule" => Shape::Capsule {
-                radius: at(0)?,
-                length: 2.0 * along(1)?,
-            },
-            "plane" => {
-                let side = |index: usize| {
-                    size.get(index)
-                        .copied()
-                        .filter(|size| *size > 0.0)
-                        .unwrap_or(INFINITE)
-                };
-                Shape::Rectangle {
-                    width: 2.0 * side(0),
-                    length: 2.0 * side(1),
-                }
-            }
-            "hfield" | "sdf" => return unsupported(format!("{kind} is not supported")),
-            other => {
-                let known = [
-                    "plane",
-                    "sphere",
-                    "capsule",
-                    "ellipsoid",
-                    "cylinder",
-                    "box",
-                    "mesh",
-                ];
-                return Err(geom.wrong(format!("unknown type '{other}'"), suggest(other, known)));
-            }
-        };
-        Ok(Some((shape, pose)))
+        match kind {
+            "hfield" | "sdf" => unsupported(format!("{kind} is not supported")),
+            kind => solid(geom, kind, compiler).map(Some),
+        }
     }
+}
+
+/// Returns a shape without a mesh, and its pose in the frame of the geom's parent.
+fn solid(geom: &Element, kind: &str, compiler: &Compiler) -> Result<(Shape, RigidTransform), RobotFileError> {
+    let size = geom.numbers("size")?.unwrap_or_default();
+    let at = |index: usize| {
+        let found = size.get(index).copied().filter(|size| *size > 0.0);
+        found.ok_or_else(|| {
+            let what = format!("size {} of a {kind} must be above 0", index + 1);
+            geom.wrong(what, "give size=\"…\" in metres")
+        })
+    };
+    let (pose, half) = match segment(geom)? {
+        Some((pose, length)) => (pose, Some(0.5 * length)),
+        None => (compiler.pose(geom)?, None),
+    };
+    // The half length is between the ends, if the geom has them.
+    let along = |index: usize| half.map_or_else(|| at(index), Ok);
+    let shape = match kind {
+        "sphere" => Shape::Ellipsoid(DVec3::splat(at(0)?)),
+        "ellipsoid" => match half {
+            Some(half) => Shape::Ellipsoid(DVec3::new(at(0)?, at(0)?, half)),
+            None => Shape::Ellipsoid(DVec3::new(at(0)?, at(1)?, at(2)?)),
+        },
+        "box" => match half {
+            Some(half) => Shape::Box(2.0 * DVec3::new(at(0)?, at(0)?, half)),
+            None => Shape::Box(2.0 * DVec3::new(at(0)?, at(1)?, at(2)?)),
+        },
+        "cylinder" => Shape::Cylinder {
+            radius: at(0)?,
+            length: 2.0 * along(1)?,
+        },
+        "capsule" => Shape::Capsule {
+            radius: at(0)?,
+            length: 2.0 * along(1)?,
+        },
+        "plane" => {
+            let side = |index: usize| {
+                size.get(index)
+                    .copied()
+                    .filter(|size| *size > 0.0)
+                    .unwrap_or(INFINITE)
+            };
+            Shape::Rectangle {
+                width: 2.0 * side(0),
+                length: 2.0 * side(1),
+            }
+        }
+        other => {
+            let known = [
+                "plane",
+                "sphere",
+                "capsule",
+                "ellipsoid",
+                "cylinder",
+                "box",
+                "mesh",
+            ];
+            return Err(geom.wrong(format!("unknown type '{other}'"), suggest(other, known)));
+        }
+    };
+    Ok((shape, pose))
 }
 
 /// Returns the pose and the length of a shape between two points, its z axis from the second to the first as in `MuJoCo`.
