@@ -69,10 +69,11 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
         option("scale", &format!("{scale:?}"));
     }
     let path = along(studio, request)?;
-    match (&path, scene.time) {
-        (None, Some(time)) => option("time", &format!("{time:?}")),
-        (Some(path), Some(_)) => option("frames", &path.codes(request)?),
-        (_, None) => {}
+    if let Some(time) = scene.time {
+        match &path {
+            None => option("time", &format!("{time:?}")),
+            Some(path) => option("frames", &path.codes(request)?),
+        }
     }
     option("model", &state.model);
     if let Some(id) = &state.calibration {
@@ -122,18 +123,23 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
     if state.extended_disparity {
         words.push("--extended-disparity".to_owned());
     }
+    words.extend(pose(state, path.as_ref(), &mut out));
+    let _ = writeln!(out, "{}", words.join(" "));
+    Ok(out)
+}
+
+/// Returns the words that place the OAK.
+fn pose(state: &OakState, path: Option<&Along>, out: &mut String) -> Vec<String> {
     match path {
         Some(path) => {
             let _ = writeln!(out, "# The page shows frame {}.", state.frame);
-            words.extend(["--trajectory".to_owned(), shell(&file(&path.0.info.name))]);
+            vec!["--trajectory".to_owned(), shell(&file(&path.0.info.name))]
         }
         None => {
-            words.push("--pose".to_owned());
-            words.extend(state.pose.numbers().map(|number| format!("{number:?}")));
+            let numbers = state.pose.numbers().map(|number| format!("{number:?}"));
+            std::iter::once("--pose".to_owned()).chain(numbers).collect()
         }
     }
-    let _ = writeln!(out, "{}", words.join(" "));
-    Ok(out)
 }
 
 /// The trajectory along which a command renders the frame of a state.
