@@ -1,3 +1,6 @@
+import type { RobotInfo } from "./protocol-robot";
+import type { Animation } from "./protocol-session";
+
 /**
  * The interface between the page and the server of `oaktwin studio`.
  *
@@ -30,6 +33,10 @@
  *
  * A `scene` in a request is the id of a scene, or of an animated one at a time code: "ID@12.5".
  */
+
+export type * from "./protocol-mesh";
+export type * from "./protocol-robot";
+export type * from "./protocol-session";
 
 /** A 3D vector. */
 export type Vec3 = [number, number, number];
@@ -183,58 +190,6 @@ export interface SceneInfo {
   robot: RobotInfo | null;
 }
 
-/** The time codes of an animated scene. */
-export interface Animation {
-  first: number;
-  last: number;
-  codesPerSecond: number;
-  /** The time codes from frame to frame. */
-  step: number;
-}
-
-export interface TrajectoryInfo {
-  id: string;
-  name: string;
-  poses: Pose[];
-  /** The time of each pose in seconds, from 0. */
-  timesS: number[];
-}
-
-/** What a session has: the state of the page, which only the page understands, and the ids of what was dropped. */
-export interface SaveRequest {
-  document: unknown;
-  display: unknown;
-  scene: string;
-  calibrations: string[];
-  trajectory: string | null;
-}
-
-export interface SessionInfo {
-  document: unknown;
-  display: unknown;
-  scene: SceneInfo;
-  calibrations: CalibrationInfo[];
-  trajectory: TrajectoryInfo | null;
-}
-
-/** A robot, in the posture of its scene. */
-export interface RobotInfo {
-  name: string;
-  /** The joints that can be moved. */
-  joints: RobotJoint[];
-  /** The links: the path below which the objects of each are, and the pose of its frame in the world. */
-  links: { name: string; path: string; pose: Pose }[];
-}
-
-export interface RobotJoint {
-  name: string;
-  /** Whether its positions are angles in radians; otherwise lengths in metres. */
-  isRevolute: boolean;
-  /** Null for a joint without limits. */
-  limits: [number, number] | null;
-  position: number;
-}
-
 export interface SceneObject {
   /** The path of the prim. */
   path: string;
@@ -248,31 +203,6 @@ export interface CalibrationInfo {
   model: string | null;
   findings: Finding[];
 }
-
-/**
- * A binary mesh: 4 bytes, the length N of the JSON in little endian; N bytes of JSON, which is this header; padding with zeros to a
- * multiple of 4; then float32 positions (3 per vertex), uint8 sRGB colours with alpha (4 per vertex), uint32 indices (3 per
- * triangle), and for each triangle the uint32 index of its object in {@link SceneInfo.objects}. All little endian.
- */
-export interface MeshHeader {
-  vertices: number;
-  triangles: number;
-  /** The number of triangles of the full scene. */
-  ofTriangles: number;
-}
-
-/**
- * Binary surfaces with textures, over those of the mesh; none if there are too many. Laid out like a mesh: after the header and its
- * padding, for each group the float32 positions (3 per vertex) and coordinates (2 per vertex) of its triangles' corners; then the rgba8
- * pixels of the textures, the lowest row first.
- */
-export interface TexturedHeader {
-  /** The colour is the linear factor of the texture. */
-  groups: { vertices: number; texture: number; color: Vec3 }[];
-  textures: { width: number; height: number; wrap: [TextureWrap, TextureWrap] }[];
-}
-
-export type TextureWrap = "repeat" | "mirror" | "clamp";
 
 /** A pose of the body in the world. */
 export interface Pose {

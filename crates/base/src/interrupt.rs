@@ -25,6 +25,7 @@ pub fn is_unwanted() -> bool {
 #[cfg(test)]
 mod tests {
     use std::sync::Arc;
+    use std::sync::mpsc::channel;
 
     use super::*;
 
@@ -32,22 +33,19 @@ mod tests {
     fn a_thread_works_until_its_result_is_dropped() {
         assert!(!is_unwanted());
         let result = Arc::new(());
-        std::thread::scope(|scope| {
-            let wanted = Arc::downgrade(&result);
-            let (first, second) = (std::sync::Barrier::new(2), std::sync::Barrier::new(2));
-            let (first, second) = (&first, &second);
-            let worker = scope.spawn(move || {
-                watch(wanted);
-                let before = is_unwanted();
-                first.wait();
-                second.wait();
-                (before, is_unwanted())
-            });
-            first.wait();
-            drop(result);
-            second.wait();
-            assert_eq!(worker.join().unwrap(), (false, true));
+        let wanted = Arc::downgrade(&result);
+        let (to_worker, from_test) = channel::<()>();
+        let (to_test, from_worker) = channel();
+        let worker = std::thread::spawn(move || {
+            watch(wanted);
+            to_test.send(is_unwanted()).unwrap();
+            from_test.recv().unwrap();
+            is_unwanted()
         });
+        assert!(!from_worker.recv().unwrap());
+        drop(result);
+        to_worker.send(()).unwrap();
+        assert!(worker.join().unwrap());
         assert!(!is_unwanted());
     }
 }

@@ -36,7 +36,10 @@ fn moved(robot: Robot, table: &[u8]) {
     };
     for positions in &positions.positions {
         for pose in placed.world_from_links(positions) {
-            assert!(pose.rotation.is_finite() && pose.translation.is_finite(), "{pose:?}");
+            assert!(
+                pose.rotation.is_finite() && pose.translation.is_finite(),
+                "{pose:?}"
+            );
         }
     }
     scene::check(&empty);

@@ -92,11 +92,14 @@ pub(crate) struct Pose {
 /// Reads numbers to the last digit, which JSON's reader may round: a frame of a trajectory must be at the pose of its file.
 fn exact<'de, D: Deserializer<'de>, const N: usize>(numbers: D) -> Result<[f64; N], D::Error> {
     let texts = Vec::<Box<RawValue>>::deserialize(numbers)?;
-    let number = |text: &Box<RawValue>| {
+    let number = |text: &RawValue| {
         let number = text.get().parse();
         number.map_err(|_| D::Error::custom(format!("`{}` is not a number", text.get())))
     };
-    let numbers = texts.iter().map(number).collect::<Result<Vec<f64>, D::Error>>()?;
+    let numbers = texts
+        .iter()
+        .map(|text| number(text))
+        .collect::<Result<Vec<f64>, D::Error>>()?;
     numbers
         .try_into()
         .map_err(|numbers: Vec<f64>| D::Error::custom(format!("{} numbers instead of {N}", numbers.len())))

@@ -24,8 +24,8 @@ use crate::scene::LoadedScene;
 use crate::session::{SaveRequest, SessionInfo};
 use crate::studio::Studio;
 use crate::{
-    accuracy, calibration, coverage, dropped_robot, export, guard, job, live, mesh, page, session, trajectory,
-    upload,
+    accuracy, calibration, coverage, dropped_robot, export, guard, job, live, mesh, page, session,
+    trajectory, upload,
 };
 
 /// The maximum length of a request's JSON, and of a calibration, bytes.

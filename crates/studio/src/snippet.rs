@@ -1,7 +1,8 @@
 //! The current state as a command line, a Python script and a file of parameters, which reproduce it to the byte.
 
+mod along;
+
 use std::fmt::Write;
-use std::sync::Arc;
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::sensor::EngineInput;
@@ -11,7 +12,7 @@ use crate::robot::SceneRobot;
 use crate::scene::LoadedScene;
 use crate::size::image_size;
 use crate::studio::Studio;
-use crate::trajectory::Dropped;
+use along::{Along, along};
 
 /// The folder of the calibrations of units that a command draws.
 const UNITS: &str = "units";
@@ -81,10 +82,11 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
         false => words.extend([format!("--{name}"), shell(value)]),
     };
     let path = along(studio, request)?;
-    match (&path, scene.time) {
-        (None, Some(time)) => option("time", &format!("{time:?}")),
-        (Some(path), Some(_)) => option("frames", &path.codes(request)?),
-        (_, None) => {}
+    if let Some(time) = scene.time {
+        match &path {
+            None => option("time", &format!("{time:?}")),
+            Some(path) => option("frames", &path.codes(request)?),
+        }
     }
     option("model", &state.model);
     if let Some(id) = &state.calibration {
@@ -134,52 +136,25 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
     if state.extended_disparity {
         words.push("--extended-disparity".to_owned());
     }
-    match path {
-        Some(path) => {
-            let _ = writeln!(out, "# The page shows frame {}.", state.frame);
-            words.extend(["--trajectory".to_owned(), shell(&file(&path.0.info.name))]);
-        }
-        None => {
-            words.push("--pose".to_owned());
-            words.extend(state.pose.numbers().map(|number| format!("{number:?}")));
-        }
-    }
+    words.extend(pose(state, path.as_ref(), &mut out));
     let _ = writeln!(out, "{}", words.join(" "));
     Ok(out)
 }
 
-/// The trajectory along which a command renders the frame of a state.
-struct Along(Arc<Dropped>);
-
-/// Returns the trajectory to which the frame of a state belongs. The first frame of any path is one frame at its pose.
-fn along(studio: &Studio, request: &ExportRequest) -> Result<Option<Along>, Failure> {
-    let OakState { frame, pose, .. } = request.state;
-    if frame == 0 {
-        return Ok(None);
-    }
-    let dropped = (request.trajectory.as_ref()).map(|id| studio.trajectories.get(id));
-    let dropped = dropped.transpose()?;
-    let own = |dropped: &Dropped| {
-        let place = usize::try_from(frame).ok()?;
-        dropped.info.poses.get(place).copied()
-    };
-    match dropped.filter(|dropped| own(dropped) == Some(pose)) {
-        Some(dropped) => Ok(Some(Along(dropped))),
+/// Returns the words that place the OAK.
+fn pose(state: &OakState, path: Option<&Along>, out: &mut String) -> Vec<String> {
+    match path {
+        Some(path) => {
+            let _ = writeln!(out, "# The page shows frame {}.", state.frame);
+            vec!["--trajectory".to_owned(), shell(&file(&path.0.info.name))]
+        }
         None => {
-            let error = format!("frame {frame} is none of a trajectory; pause the timeline");
-            Err(Failure::of("frame", &error))
+            let numbers = state.pose.numbers().map(|number| format!("{number:?}"));
+            std::iter::once("--pose".to_owned()).chain(numbers).collect()
         }
     }
 }
 
-impl Along {
-    /// The time codes of the frames, as `--frames` takes them.
-    fn codes(&self, request: &ExportRequest) -> Result<String, Failure> {
-        let Some([first, step]) = request.codes else {
-            return Err(Failure::of("codes", "are missing; load the page again"));
-        };
-        let count = self.0.info.poses.len().saturating_sub(1);
-        Ok(format!("{first:?}:{:?}:{step:?}", first + count as f64 * step))
 /// Returns a command that writes the joint positions of a robot's posture, and the options that put the robot into the scene.
 fn posture(robot: &SceneRobot) -> (String, Vec<String>) {
     let joints: Vec<usize> = robot.placed.robot().free_joints().collect();

@@ -64,7 +64,8 @@ fn frames_are_those_of_the_command() {
     let expected = json!({"first": 0.0, "last": 20.0, "codesPerSecond": 20.0, "step": 1.0});
     assert_eq!(*animation, expected);
     let mut own = state();
-    own["parameters"] = json!({});
+    // A plain surface has no texture.
+    own["parameters"] = json!({"confidenceThreshold": "0"});
     let (_, _, opened) = both(&program, &server, &own, &json!({}));
     // The second time reuses the renderer of an earlier one.
     let mut seen = vec![opened];
