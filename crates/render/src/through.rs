@@ -28,7 +28,7 @@ pub(crate) fn look_through(
     let rows = (seen.hits.pixels_mut().par_chunks_mut(row_length))
         .zip(seen.z.0.pixels_mut().par_chunks_mut(row_length))
         .zip(0..height);
-    rows.for_each_init(Stack::new, |stack, ((hits, depths), y)| {
+    rows.for_each_init(Stack::default, |stack, ((hits, depths), y)| {
         for ((hit, z), x) in hits.iter_mut().zip(depths).zip(0_u32..) {
             if hit.is_miss() || blocks.is_some_and(|blocks| !blocks.contains(x / BLOCK, y / BLOCK)) {
                 continue;

@@ -133,6 +133,7 @@ impl<'a> Sampler<'a> {
         rows.zip(0..height)
             .for_each_init(Workspace::default, |workspace, (row, y)| {
                 let Workspace { strengths, stack } = workspace;
+                stack.forget();
                 let mut first = 0;
                 if let (Some(coarser), 0) = (&coarser, y % 2) {
                     for (x, node) in (0..).step_by(2).zip(row.iter_mut().step_by(2)) {
