@@ -29,7 +29,7 @@ pub(crate) fn look_through(
     let rows = (seen.hits.pixels_mut().par_chunks_mut(row_length))
         .zip(seen.z.0.pixels_mut().par_chunks_mut(row_length))
         .zip(0..height);
-    rows.for_each_init(Stack::new, |stack, ((hits, depths), y)| {
+    rows.for_each_init(Stack::default, |stack, ((hits, depths), y)| {
         if interrupt::is_unwanted() {
             return;
         }

@@ -10,6 +10,7 @@ mod python;
 mod record;
 mod render;
 mod scaling;
+mod shutter;
 mod stereo;
 mod studio;
 mod turns;
@@ -21,7 +22,7 @@ pub(crate) enum Bench {
     Assets(assets::Args),
     /// The live filter between topics of ROS 2: delivery, latency and memory
     Bridge(bridge::Args),
-    /// Depth frames, compared with Embree, Open3D and Mitsuba
+    /// Depth frames, compared with Embree, Open3D and Mitsuba; then colour frames that take time
     #[command(disable_help_flag = true)]
     Render(render::Args),
     /// The engines and filters, compared with NumPy and DepthAI

@@ -29,7 +29,8 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
             .args(&args.arguments)
             .arg("--environment")
             .arg(RENDER.folder()),
-    )
+    )?;
+    super::shutter::run()
 }
 
 /// Returns the Python environment, and the triangles of the chess set as extracted by OpenUSD.

@@ -151,6 +151,65 @@ fn exposure_blurs_a_rod_by_its_way() {
 }
 
 #[test]
+fn a_moving_rod_is_blurred_alike_in_both_images_of_a_pair() {
+    let (width_m, speed, exposure_ms) = (0.3, 3.0, 20.0);
+    let spec = RigSpec {
+        cameras: vec!["left".to_owned(), "right".to_owned()],
+        size: Some(SIZE),
+        annotators: vec![Annotator::Rgb],
+        shutter: Some(Shutter {
+            exposure_ms,
+            readout_ms: None,
+        }),
+        ..RigSpec::default()
+    };
+    let mut rig = Rig::new(&twin(), &spec).unwrap().0;
+    let renderer = plate(-width_m / 2.0, width_m / 2.0);
+    let mut passing = Passing {
+        renderer: &renderer,
+        world_from_body: look_at(DVec3::ZERO, DVec3::X, DVec3::Z).unwrap(),
+        twist: Twist {
+            velocity: DVec3::new(0.0, speed, 0.0),
+            ..Twist::default()
+        },
+    };
+    let (shots, _) = rig.expose(&mut passing, 0).unwrap();
+    // The coverage of a row, its mean place and its standard deviation, in pixels.
+    let [left, right] = [0, 1].map(|index| {
+        let row = coverage(&shots[index].frame, 100);
+        let sum: f64 = row.iter().sum();
+        let moment = |power: i32, centre: f64| {
+            let parts = row.iter().zip(0u32..);
+            let parts = parts.map(|(share, x)| share * (f64::from(x) + 0.5 - centre).powi(power));
+            parts.sum::<f64>() / sum
+        };
+        let mean = moment(1, 0.0);
+        (sum, mean, moment(2, mean).sqrt())
+    });
+    let cameras = rig.cameras();
+    let fx = cameras[0].camera.intrinsics.fx;
+    let [a, b] = [0, 1].map(|index: usize| cameras[index].mount_from_camera.translation);
+    let disparity = fx * (a.y - b.y) / DISTANCE_M;
+    let centres = [0, 1].map(|index: usize| cameras[index].camera.intrinsics.principal_point::<Usd>().x);
+    let found = (left.1 - centres[0]) - (right.1 - centres[1]);
+    assert!(
+        disparity > 5.0 && (found - disparity).abs() < 0.1,
+        "{found}: {disparity}"
+    );
+    // A box blurred by its way.
+    let (width, way) = (
+        fx * width_m / DISTANCE_M,
+        fx * speed * exposure_ms * 1e-3 / DISTANCE_M,
+    );
+    let expected = ((width * width + way * way) / 12.0).sqrt();
+    for (sum, _, spread) in [left, right] {
+        assert!((sum - width).abs() < 0.6, "{sum}: {width}");
+        assert!((spread - expected).abs() < 0.25, "{spread}: {expected}");
+    }
+    assert!((left.2 - right.2).abs() < 0.1, "{left:?} {right:?}");
+}
+
+#[test]
 fn a_frame_without_motion_is_that_of_a_moment() {
     let scene = plate(0.0, 0.5);
     let shutter = Shutter {

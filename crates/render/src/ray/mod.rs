@@ -2,6 +2,7 @@
 
 #[cfg(test)]
 pub(crate) mod brute;
+mod bundle;
 mod bvh;
 mod corners;
 mod exact;
@@ -21,9 +22,12 @@ use oaktwin_scene::{Mesh, Scene};
 use oaktwin_simd::{Level, run_lanes_at};
 use rayon::prelude::*;
 
+use self::bundle::{Bundle, Stopped};
+pub(crate) use self::bundle::{RAYS, Rays, bits as ray_bits};
 use self::instances::Instances;
 use self::mesh_tree::MeshTree;
 use self::single::{Cast, Until};
+use self::stack::Leaf;
 pub(crate) use self::stack::Stack;
 use self::tile::RayTables;
 pub(crate) use self::tile::{RayTable, ray_through};
@@ -172,16 +176,47 @@ impl RayCaster {
         self.search(scene, ray, Until::Nearest, Transparent::Through, stack)
     }
 
+    /// Returns the distance to the nearest triangle on the ray that is not clear, or `reach` if it is farther away. Rays of a kind, which
+    /// is a number, are often stopped at the same place; the result does not depend on it.
+    pub(crate) fn distance_within(
+        &self,
+        scene: &Scene,
+        ray: Ray,
+        reach: f64,
+        kind: usize,
+        stack: &mut Stack,
+    ) -> Option<f64> {
+        let until = Until::NearestWithin(reach);
+        let found = self.search_of_kind(scene, ray, until, Transparent::Through, kind, stack);
+        found.map(|(t, _)| t)
+    }
+
     /// Whether anything lies on the ray between its ends.
     pub(crate) fn is_occluded(&self, scene: &Scene, ray: Ray, stack: &mut Stack) -> bool {
         self.search(scene, ray, Until::Any, Transparent::Surface, stack)
             .is_some()
     }
 
-    /// Whether anything that is not clear lies on the ray between its ends: whether light is blocked.
-    pub(crate) fn is_shadowed(&self, scene: &Scene, ray: Ray, stack: &mut Stack) -> bool {
-        self.search(scene, ray, Until::Any, Transparent::Through, stack)
+    /// Whether anything that is not clear lies on the ray between its ends: whether light is blocked. Kinds of rays are as in
+    /// [`distance_within`](Self::distance_within).
+    pub(crate) fn is_shadowed(&self, scene: &Scene, ray: Ray, kind: usize, stack: &mut Stack) -> bool {
+        self.search_of_kind(scene, ray, Until::Any, Transparent::Through, kind, stack)
             .is_some()
+    }
+
+    /// Returns the bits of the rays from a point that anything stops that is not clear, before `far` lengths of their directions.
+    pub(crate) fn shadowed(&self, scene: &Scene, rays: &Rays, kind: usize, stack: &mut Stack) -> u64 {
+        let (entries, leaf) = stack.of_kind(kind);
+        let kernel = Bundle {
+            scene: &self.prepared(scene),
+            cutouts: self.cutouts.as_ref(),
+            rays,
+            stack: entries,
+            leaf,
+        };
+        let Stopped { certain, unclear } = run_lanes_at(self.level, kernel);
+        let alone = ray_bits(unclear).filter(|ray| self.is_shadowed(scene, rays.ray(*ray), kind, stack));
+        alone.fold(certain, |stopped, ray| stopped | 1 << ray)
     }
 
     fn search(
@@ -198,7 +233,30 @@ impl RayCaster {
             ray,
             until,
             transparent,
-            stack,
+            stack: &mut stack.entries,
+            leaf: &mut { Leaf::NONE },
+        };
+        run_lanes_at(self.level, kernel)
+    }
+
+    fn search_of_kind(
+        &self,
+        scene: &Scene,
+        ray: Ray,
+        until: Until,
+        transparent: Transparent,
+        kind: usize,
+        stack: &mut Stack,
+    ) -> Option<(f64, Hit)> {
+        let (entries, leaf) = stack.of_kind(kind);
+        let kernel = Cast {
+            scene: &self.prepared(scene),
+            cutouts: self.cutouts.as_ref(),
+            ray,
+            until,
+            transparent,
+            stack: entries,
+            leaf,
         };
         run_lanes_at(self.level, kernel)
     }
@@ -207,7 +265,7 @@ impl RayCaster {
     pub(crate) fn cast_all(&self, scene: &Scene, rays: &[Ray]) -> Vec<Option<(f64, Hit)>> {
         rays.par_iter()
             .with_min_len(256)
-            .map_init(Stack::new, |stack, ray| self.cast(scene, *ray, stack))
+            .map_init(Stack::default, |stack, ray| self.cast(scene, *ray, stack))
             .collect()
     }
 
@@ -215,7 +273,7 @@ impl RayCaster {
     pub(crate) fn are_occluded(&self, scene: &Scene, rays: &[Ray]) -> Vec<bool> {
         rays.par_iter()
             .with_min_len(256)
-            .map_init(Stack::new, |stack, ray| self.is_occluded(scene, *ray, stack))
+            .map_init(Stack::default, |stack, ray| self.is_occluded(scene, *ray, stack))
             .collect()
     }
 }

@@ -113,7 +113,7 @@ struct Workspace {
 impl Workspace {
     fn new() -> Self {
         Self {
-            stack: Stack::new(),
+            stack: Stack::default(),
             state: State::NONE,
             distances: [[0.0; 8]; PACKETS],
         }
@@ -137,7 +137,7 @@ impl FrameOfView<'_> {
                 rays: &rays,
                 clip: self.view.clip,
                 state: &mut workspace.state,
-                stack: &mut workspace.stack,
+                stack: &mut workspace.stack.entries,
             };
             run_lanes_at(self.caster.level, trace);
             let solve = Solve {

@@ -8,7 +8,7 @@ use super::bvh::{Bounds, Node};
 use super::corners::corners;
 use super::exact::{Plane, Triangle};
 use super::mesh_tree::MeshTree;
-use super::stack::{Entry, Stack, push_children};
+use super::stack::{Entries, Entry, Leaf, push_children};
 use super::vector::Vector;
 use super::{Prepared, Ray};
 use crate::Hit;
@@ -23,6 +23,8 @@ pub(crate) struct Search<'a> {
     /// The nearest crossing so far, or the end of the ray.
     far: f64,
     hit: Hit,
+    /// The leaf of `hit`.
+    leaf: Leaf,
     until: Until,
     transparent: Transparent,
     sides: Sides,
@@ -40,13 +42,15 @@ enum Sides {
 }
 
 /// The square of the angle between an edge and the direction to it for which single precision is not trusted.
-const NEEDLE: f64 = 1.0 / 1024.0;
+pub(super) const NEEDLE: f64 = 1.0 / 1024.0;
 
 /// The condition that ends a search.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Until {
     /// The nearest crossing, both ends of the ray included.
     Nearest,
+    /// The nearest crossing up to a distance, or any beyond it, which is reported at that distance.
+    NearestWithin(f64),
     /// Any crossing between the ends, both excluded.
     Any,
 }
@@ -57,16 +61,20 @@ impl Search<'_> {
         let near = self.ray.near;
         let is_wanted = match self.until {
             Until::Any => t > near && t < self.far,
-            Until::Nearest => t >= near && (t < self.far || (t == self.far && hit < self.hit)),
+            Until::Nearest | Until::NearestWithin(_) => {
+                t >= near && (t < self.far || (t == self.far && hit < self.hit))
+            }
         };
         if !is_wanted || !self.shows(hit) {
             return false;
         }
         self.hit = hit;
-        if self.until == Until::Nearest {
-            self.far = t;
+        match self.until {
+            Until::Any => return true,
+            Until::Nearest => self.far = t,
+            Until::NearestWithin(reach) => self.far = t.min(reach),
         }
-        self.until == Until::Any
+        false
     }
 
     #[inline]
@@ -87,7 +95,9 @@ pub(crate) struct Cast<'a> {
     pub(crate) until: Until,
     /// Whether the ray meets clear surfaces.
     pub(crate) transparent: Transparent,
-    pub(crate) stack: &'a mut Stack,
+    pub(crate) stack: &'a mut Entries,
+    /// The leaf to look at first; then the one where the search ended.
+    pub(crate) leaf: &'a mut Leaf,
 }
 
 impl LaneKernel for Cast<'_> {
@@ -112,6 +122,7 @@ impl LaneKernel for Cast<'_> {
                 ray: &self.ray,
                 far,
                 hit: Hit::MISS,
+                leaf: Leaf::NONE,
                 until: self.until,
                 transparent: self.transparent,
                 sides,
@@ -121,8 +132,12 @@ impl LaneKernel for Cast<'_> {
                 scene: self.scene,
                 ray: &self.ray,
             };
-            let is_over = walk::<L>(&top.nodes, &path, &mut search, stack, &mut visit);
+            let is_over = visit.triangles::<L>(*self.leaf, &mut search, stack)
+                || walk::<L>(&top.nodes, &path, &mut search, stack, &mut visit);
             if search.sides != Sides::Rejected || is_over {
+                if search.leaf.count != 0 {
+                    *self.leaf = search.leaf;
+                }
                 return (!search.hit.is_miss()).then_some((search.far, search.hit));
             }
             sides = Sides::Exact;
@@ -133,7 +148,13 @@ impl LaneKernel for Cast<'_> {
 /// The handling of leaves.
 trait Visit {
     /// Tests the items of a leaf and returns whether the search is over.
-    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search<'_>, stack: &mut Stack) -> bool;
+    fn leaf<L: Lanes>(
+        &mut self,
+        first: u32,
+        count: u32,
+        search: &mut Search<'_>,
+        stack: &mut Entries,
+    ) -> bool;
 }
 
 struct VisitInstances<'a> {
@@ -141,9 +162,42 @@ struct VisitInstances<'a> {
     ray: &'a Ray,
 }
 
+impl VisitInstances<'_> {
+    /// Tests the triangles of a leaf and returns whether the search is over.
+    #[inline(always)]
+    fn triangles<L: Lanes>(&self, leaf: Leaf, search: &mut Search<'_>, stack: &mut Entries) -> bool {
+        let Leaf {
+            instance,
+            first,
+            count,
+        } = leaf;
+        if count == 0 {
+            return false;
+        }
+        let Some((mesh, tree, mesh_from_world)) = self.scene.instance(instance) else {
+            return false;
+        };
+        let path = Path::new(mesh_from_world, self.ray.origin, self.ray.direction, &tree.bounds);
+        let Some(path) = path else { return false };
+        let mut visit = VisitTriangles {
+            mesh,
+            tree,
+            instance,
+            path: &path,
+        };
+        visit.leaf::<L>(first, count, search, stack)
+    }
+}
+
 impl Visit for VisitInstances<'_> {
     #[inline(always)]
-    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search<'_>, stack: &mut Stack) -> bool {
+    fn leaf<L: Lanes>(
+        &mut self,
+        first: u32,
+        count: u32,
+        search: &mut Search<'_>,
+        stack: &mut Entries,
+    ) -> bool {
         for &instance in &self.scene.instances.order[first as usize..][..count as usize] {
             let Some((mesh, tree, mesh_from_world)) = self.scene.instance(instance) else {
                 continue;
@@ -173,7 +227,7 @@ struct VisitTriangles<'a> {
 
 impl Visit for VisitTriangles<'_> {
     #[inline(always)]
-    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search<'_>, _: &mut Stack) -> bool {
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, search: &mut Search<'_>, _: &mut Entries) -> bool {
         let triangles = &self.tree.triangles[first as usize..][..count as usize];
         let mut candidates = match search.sides {
             Sides::Exact => (1 << triangles.len()) - 1,
@@ -182,7 +236,16 @@ impl Visit for VisitTriangles<'_> {
         while candidates != 0 {
             let lane = candidates.trailing_zeros() as usize;
             candidates &= candidates - 1;
-            if self.is_over_at(triangles[lane], search) {
+            let last = search.hit;
+            let is_over = self.is_over_at(triangles[lane], search);
+            if search.hit != last {
+                search.leaf = Leaf {
+                    instance: self.instance,
+                    first,
+                    count,
+                };
+            }
+            if is_over {
                 return true;
             }
         }
@@ -238,6 +301,7 @@ impl Path {
         clippy::cast_possible_truncation,
         reason = "the remainder is kept or within the slack"
     )]
+    #[inline(always)]
     fn new(frame_from_world: DAffine3, origin: DVec3, direction: DVec3, bounds: &Bounds) -> Option<Self> {
         let origin = frame_from_world.transform_point3(origin);
         let direction = frame_from_world.transform_vector3(direction);
@@ -300,7 +364,7 @@ fn walk<L: Lanes>(
     nodes: &[Node],
     path: &Path,
     search: &mut Search<'_>,
-    stack: &mut Stack,
+    stack: &mut Entries,
     visit: &mut impl Visit,
 ) -> bool {
     let base = stack.len();
@@ -342,7 +406,7 @@ fn walk<L: Lanes>(
 }
 
 /// Moves `t` by a fraction of itself as a margin for rounding.
-fn loosened(t: f32, part: f32) -> f32 {
+pub(super) fn loosened(t: f32, part: f32) -> f32 {
     t + t.abs() * part
 }
 

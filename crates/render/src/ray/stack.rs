@@ -32,11 +32,60 @@ impl Entry {
 }
 
 /// A stack of entries, the next one last.
-pub(crate) type Stack = Vec<Entry>;
+pub(super) type Entries = Vec<Entry>;
+
+/// A leaf of the tree of an instance's mesh.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Leaf {
+    pub(super) instance: u32,
+    pub(super) first: u32,
+    /// The number of triangles; 0 for none.
+    pub(super) count: u32,
+}
+
+impl Leaf {
+    pub(super) const NONE: Self = Self {
+        instance: 0,
+        first: 0,
+        count: 0,
+    };
+}
+
+/// The number of kinds of rays whose last blocker is remembered.
+const KINDS: usize = 128;
+
+/// The memory of a thread that casts rays.
+#[derive(Debug)]
+pub(crate) struct Stack {
+    pub(super) entries: Entries,
+    /// The leaf that stopped the last ray of each kind. The search would find it as well.
+    blockers: [Leaf; KINDS],
+}
+
+impl Default for Stack {
+    fn default() -> Self {
+        Self {
+            entries: Entries::new(),
+            blockers: [Leaf::NONE; KINDS],
+        }
+    }
+}
+
+impl Stack {
+    /// Forgets what stopped earlier rays, so that nothing depends on the work that a thread did before.
+    pub(crate) fn forget(&mut self) {
+        self.blockers = [Leaf::NONE; KINDS];
+    }
+
+    /// Returns the entries, and the leaf that stopped the last ray of a kind.
+    pub(super) fn of_kind(&mut self, kind: usize) -> (&mut Entries, &mut Leaf) {
+        (&mut self.entries, &mut self.blockers[kind % KINDS])
+    }
+}
 
 /// Pushes the children in the mask `seen`, so that the one that starts first is popped first.
 #[inline(always)]
-pub(crate) fn push_children<L: Lanes>(stack: &mut Stack, node: &Node, seen: L::I32, starts: L) {
+pub(crate) fn push_children<L: Lanes>(stack: &mut Entries, node: &Node, seen: L::I32, starts: L) {
     let mut children = seen.signs();
     if children == 0 {
         return;

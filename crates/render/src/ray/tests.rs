@@ -6,6 +6,7 @@
     reason = "test numbers"
 )]
 
+mod bundles;
 mod needles;
 mod shapes;
 

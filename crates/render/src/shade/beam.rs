@@ -106,11 +106,12 @@ impl<'a> ShadingContext<'a> {
             || {
                 (
                     SurfaceFinder::new(self.scene, self.view),
-                    Stack::new(),
+                    Stack::default(),
                     Vec::new(),
                 )
             },
             |(finder, stack, arrivals), ((row, (depths, hits)), y)| {
+                stack.forget();
                 for (((pixel, z), hit), x) in row.iter_mut().zip(depths).zip(hits).zip(0..) {
                     let Some(ray) = input.rays.centre(x, y).filter(|_| !hit.is_miss()) else {
                         continue;
@@ -263,5 +264,5 @@ fn is_shadowed(input: &ShadingInput<'_>, surface: &Surface<'_>, beam: DVec3, sta
         far: (1.0 - NEAR_M / direction.length()).max(0.0),
     };
     let caster: &RayCaster = input.caster;
-    caster.is_shadowed(input.scene, ray, stack)
+    caster.is_shadowed(input.scene, ray, 0, stack)
 }

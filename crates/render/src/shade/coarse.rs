@@ -140,6 +140,7 @@ impl<'a> Sampler<'a> {
                     return;
                 }
                 let Workspace { strengths, stack } = workspace;
+                stack.forget();
                 let mut first = 0;
                 if let (Some(coarser), 0) = (&coarser, y % 2) {
                     for (x, node) in (0..).step_by(2).zip(row.iter_mut().step_by(2)) {

@@ -26,7 +26,7 @@ pub(super) struct Workspace<'a> {
     rays: &'a Rays<'a>,
     packet: Packet<'a>,
     strengths: Strengths,
-    stack: Stack,
+    pub(super) stack: Stack,
     arrivals: Vec<Arrival<'a>>,
     /// The light of each arrival.
     lights: Vec<Vec3>,
@@ -56,7 +56,7 @@ impl<'a> ShadingContext<'a> {
             rays,
             packet: Packet::new(self.scene, self.view, rays, self.level),
             strengths: Strengths::default(),
-            stack: Stack::new(),
+            stack: Stack::default(),
             arrivals: Vec::new(),
             lights: Vec::new(),
         }
@@ -87,6 +87,7 @@ impl<'a> ShadingContext<'a> {
             .for_each_init(
                 || (self.workspace(rays), Vec::new()),
                 |(workspace, targets), (((colors, (depths, hits)), stretch), strip)| {
+                    workspace.stack.forget();
                     for left in (0..width).step_by(TILE as usize) {
                         if interrupt::is_unwanted() {
                             return;

@@ -9,6 +9,8 @@ use crate::ray::Vector;
 #[derive(Clone, Debug)]
 pub(super) struct Lamp {
     pub(super) shape: Shape,
+    /// The number among the scene's lamps.
+    pub(super) number: usize,
     /// Linear radiance; for a distant light, the irradiance of a surface that faces it.
     pub(super) radiance: Vec3,
 }

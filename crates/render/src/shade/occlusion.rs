@@ -10,7 +10,7 @@ use super::pattern::{self, Hemisphere, Pattern, Spot, Spots};
 use super::rig::LightRig;
 use super::strength::{Strengths, Strongest};
 use super::surfaces::{Found, Surfaces, lane_of};
-use crate::ray::{Ray, RayCaster, Stack};
+use crate::ray::{RAYS, Ray, RayCaster, Rays, Stack, ray_bits};
 
 /// The light that reaches a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -96,6 +96,15 @@ impl Place {
     }
 }
 
+/// The number of lamps whose last blockers are told apart; those of directions come after them.
+const LAMPS: usize = 64;
+
+/// The number of rays from which on they are traced together.
+const MIN_BUNDLE: u32 = 3;
+
+/// The end of rays to a lamp, just before it because it may have its own mesh.
+const BEFORE_LAMP: f64 = 0.999;
+
 /// Casts shadow rays.
 pub(super) struct Occlusion<'a> {
     pub(super) scene: &'a Scene,
@@ -115,17 +124,18 @@ impl Occlusion<'_> {
         if size == Size::Point {
             return self.centre_seen(place, lamp, stack);
         }
-        let mut is_seen = |index: usize| self.sees(place, lamp, self.pattern.spot(index), stack);
+        let mut test = |spots: u64| self.sees_of(spots, place, lamp, stack);
         // The penumbrae of small lamps are narrow: few points see a part of them.
         if size == Size::Small {
-            let few = Pattern::FEW.map(|index| known.is_seen(index).unwrap_or_else(|| is_seen(index)));
-            match few {
-                [true, true, true, true] => return u64::MAX,
-                [false, false, false, false] => return 0,
+            let few = Pattern::FEW_BITS;
+            let seen = (known.certain & few) | test(known.possible & !known.certain & few);
+            match seen {
+                Pattern::FEW_BITS => return u64::MAX,
+                0 => return 0,
                 _ => {}
             }
         }
-        pattern::mask(known, is_seen)
+        pattern::mask(known, test)
     }
 
     /// Returns the bits of all spots of a lamp if its centre is visible.
@@ -138,9 +148,10 @@ impl Occlusion<'_> {
 
     /// Returns [`spots_seen`](Self::spots_seen) from four rays.
     pub(super) fn few_spots_seen(&self, place: &Place, lamp: &Lamp, stack: &mut Stack) -> u64 {
+        let seen = self.sees_of(Pattern::FEW_BITS, place, lamp, stack);
         let mut bits = 0;
         for (quarter, index) in Pattern::FEW.into_iter().enumerate() {
-            if self.sees(place, lamp, self.pattern.spot(index), stack) {
+            if (seen >> index) & 1 == 1 {
                 bits |= 0xFFFF << (16 * quarter);
             }
         }
@@ -195,7 +206,7 @@ impl Occlusion<'_> {
         let around = Hemisphere::new(place.normal.as_dvec3());
         let mut sum = [0.0; 2];
         for index in rays {
-            let [ambient, sky] = self.open(place, self.pattern.direction(*index, &around), stack);
+            let [ambient, sky] = self.open(place, *index, &around, stack);
             sum = [sum[0] + ambient, sum[1] + sky];
         }
         #[expect(clippy::cast_precision_loss, reason = "a small count")]
@@ -207,13 +218,12 @@ impl Occlusion<'_> {
     pub(super) fn surroundings(&self, place: &Place, stack: &mut Stack) -> [f32; 2] {
         let around = Hemisphere::new(place.normal.as_dvec3());
         let part = usize::from(self.rig.has_sky);
-        pattern::mean(part, |index| {
-            self.open(place, self.pattern.direction(index, &around), stack)
-        })
+        pattern::mean(part, |index| self.open(place, index, &around, stack))
     }
 
-    /// Returns how open a direction is to the surroundings and to the sky.
-    fn open(&self, place: &Place, direction: DVec3, stack: &mut Stack) -> [f32; 2] {
+    /// Returns how open a direction of the pattern is to the surroundings and to the sky.
+    fn open(&self, place: &Place, index: usize, around: &Hemisphere, stack: &mut Stack) -> [f32; 2] {
+        let direction = self.pattern.direction(index, around);
         if direction.dot(place.flat_normal.as_dvec3()) <= 0.0 {
             return [0.0; 2];
         }
@@ -225,15 +235,42 @@ impl Occlusion<'_> {
             // Anything hides the sky, however far it is.
             far: if self.rig.has_sky { f64::INFINITY } else { reach },
         };
-        match self.caster.cast_through(self.scene, ray, stack) {
+        match (self.caster).distance_within(self.scene, ray, reach, LAMPS + index, stack) {
             None => [1.0, 1.0],
-            Some((t, _)) if t > reach => [1.0, 0.0],
-            Some((t, _)) => {
+            Some(t) => {
                 #[expect(clippy::cast_possible_truncation, reason = "a share")]
                 let distance = (t / reach) as f32;
                 [distance * distance, 0.0]
             }
         }
+    }
+
+    /// Returns the bits of the spots on a lamp, among those with the bits `spots`, that are visible from a point.
+    fn sees_of(&self, spots: u64, place: &Place, lamp: &Lamp, stack: &mut Stack) -> u64 {
+        if spots.count_ones() < MIN_BUNDLE {
+            let seen =
+                ray_bits(spots).filter(|index| self.sees(place, lamp, self.pattern.spot(*index), stack));
+            return seen.fold(0, |bits, index| bits | 1 << index);
+        }
+        let origin = self.eye + place.above();
+        let normal = place.flat_normal.as_dvec3();
+        let mut rays = Rays {
+            origin,
+            directions: [DVec3::ZERO; RAYS],
+            used: 0,
+            far: f64::INFINITY,
+        };
+        for index in ray_bits(spots) {
+            let (direction, ends) = lamp.shape.towards(origin, self.pattern.spot(index));
+            if direction.dot(normal) > 0.0 {
+                rays.directions[index] = direction;
+                rays.used |= 1 << index;
+            }
+            if ends {
+                rays.far = BEFORE_LAMP;
+            }
+        }
+        rays.used & !(self.caster).shadowed(self.scene, &rays, lamp.number % LAMPS, stack)
     }
 
     /// Tests whether a spot on a lamp is visible from a point.
@@ -244,9 +281,9 @@ impl Occlusion<'_> {
             origin,
             direction,
             near: 0.0,
-            // The ray ends just before the lamp, which may have its own mesh.
-            far: if ends { 0.999 } else { f64::INFINITY },
+            far: if ends { BEFORE_LAMP } else { f64::INFINITY },
         };
-        direction.dot(place.flat_normal.as_dvec3()) > 0.0 && !self.caster.is_shadowed(self.scene, ray, stack)
+        direction.dot(place.flat_normal.as_dvec3()) > 0.0
+            && !(self.caster).is_shadowed(self.scene, ray, lamp.number % LAMPS, stack)
     }
 }

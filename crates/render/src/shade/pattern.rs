@@ -66,6 +66,10 @@ impl Pattern {
     /// Samples of four strata, one on each side.
     pub(super) const FEW: [usize; 4] = [OF_STRATUM, 7 * OF_STRATUM, 8 * OF_STRATUM, 14 * OF_STRATUM];
 
+    /// The bits of these samples.
+    pub(super) const FEW_BITS: u64 =
+        1 << Self::FEW[0] | 1 << Self::FEW[1] | 1 << Self::FEW[2] | 1 << Self::FEW[3];
+
     pub(super) fn new() -> Self {
         let mut spots = Vec::new();
         let mut directions = Vec::new();
@@ -133,27 +137,26 @@ fn edges(differs: impl Fn(usize, usize) -> bool) -> impl Fn(usize) -> bool {
     }
 }
 
-/// Tests the spots that are not known and returns the bits of all that are visible. Spots of a stratum after the first are tested only if
+/// Returns the bits of all visible spots. `test` returns the visible ones among the spots with the bits that it gets, which are not known. Spots of a stratum after the first are tested only if
 /// the first differs from a neighbour's.
-pub(super) fn mask(known: Spots, mut test: impl FnMut(usize) -> bool) -> u64 {
-    let mut first = [false; STRATA];
-    for (stratum, first) in first.iter_mut().enumerate() {
-        let index = stratum * OF_STRATUM;
-        *first = known.is_seen(index).unwrap_or_else(|| test(index));
-    }
-    let is_edge = edges(|a, b| first[a] != first[b]);
-    let mut bits = 0;
-    for (stratum, of_first) in first.iter().enumerate() {
-        bits |= u64::from(*of_first) << (stratum * OF_STRATUM);
-        for index in stratum * OF_STRATUM + 1..(stratum + 1) * OF_STRATUM {
-            let is_seen = known.is_seen(index).unwrap_or_else(|| match is_edge(stratum) {
-                true => test(index),
-                false => *of_first,
-            });
-            bits |= u64::from(is_seen) << index;
+pub(super) fn mask(known: Spots, mut test: impl FnMut(u64) -> u64) -> u64 {
+    /// The first spot of each stratum.
+    const FIRST: u64 = u64::MAX / ((1 << OF_STRATUM) - 1);
+    let unknown = known.possible & !known.certain;
+    let mut seen = known.certain | test(unknown & FIRST);
+    let first = seen & FIRST;
+    let of = |stratum: usize| (first >> (stratum * OF_STRATUM)) & 1;
+    let is_edge = edges(|a, b| of(a) != of(b));
+    let mut wanted = 0;
+    for stratum in 0..STRATA {
+        let others = (((1 << OF_STRATUM) - 2) << (stratum * OF_STRATUM)) & unknown;
+        if is_edge(stratum) {
+            wanted |= others;
+        } else if of(stratum) == 1 {
+            seen |= others;
         }
     }
-    bits
+    seen | test(wanted)
 }
 
 /// Returns the mean of all samples, each a pair of values from 0 to 1; those of a stratum after the first are taken only if the first
@@ -266,10 +269,14 @@ mod tests {
             for step in -25..=25 {
                 let edge = f64::from(step) * 0.045;
                 let [on_disk, on_square] = [true, false].map(|is_round| {
-                    let seen = mask(Spots::UNKNOWN, |index| {
+                    let is_seen = |index: usize| {
                         let spot = pattern.spot(index);
                         let [x, y] = if is_round { spot.disk } else { spot.square };
                         x * cos + y * sin > edge
+                    };
+                    let seen = mask(Spots::UNKNOWN, |wanted| {
+                        let seen = (0..64).filter(|index| (wanted >> index) & 1 == 1 && is_seen(*index));
+                        seen.fold(0, |bits, index| bits | 1 << index)
                     });
                     share_of(seen)
                 });

@@ -126,19 +126,17 @@ impl LightRig {
             self.backdrop.plain += radiance;
             return;
         }
-        self.lamps.extend(lamp(
-            light,
-            radiance,
-            scene.meters_per_unit.0,
-            scene.up.direction(),
-        ));
+        let lamp = lamp(light, radiance, scene.meters_per_unit.0, scene.up.direction());
+        let number = self.lamps.len();
+        self.lamps.extend(lamp.map(|lamp| Lamp { number, ..lamp }));
     }
 
     /// Returns the median irradiance of the lit probes; see [`LightRig`].
     fn typical_irradiance(&self, scene: &Scene, caster: &RayCaster, pattern: &Pattern) -> f32 {
         let mut found: Vec<f32> = exposure_probes(scene)
             .into_par_iter()
-            .map_init(Stack::new, |stack, sides| {
+            .map_init(Stack::default, |stack, sides| {
+                stack.forget();
                 sides
                     .map(|side| self.irradiance_at(scene, caster, pattern, &side, stack))
                     .into_iter()
@@ -170,7 +168,7 @@ impl LightRig {
                 far: if ends { 0.999 } else { f64::INFINITY },
             };
             let faces = direction.dot(probe.normal) > 0.0;
-            if irradiance > 0.0 && faces && !caster.is_shadowed(scene, ray, stack) {
+            if irradiance > 0.0 && faces && !caster.is_shadowed(scene, ray, 0, stack) {
                 sum += irradiance;
             }
         }
@@ -183,7 +181,7 @@ impl LightRig {
                     near: 0.0,
                     far: f64::INFINITY,
                 };
-                !caster.is_shadowed(scene, ray, stack)
+                !caster.is_shadowed(scene, ray, 0, stack)
             });
             #[expect(clippy::cast_precision_loss, reason = "a small count")]
             let share = open.count() as f32 / Pattern::FEW.len() as f32;
@@ -202,6 +200,7 @@ impl LightRig {
         let towards = (up + side).normalize();
         self.lamps = vec![Lamp {
             shape: Shape::distant(towards.as_dvec3(), 0.03),
+            number: 0,
             radiance: Vec3::new(1.0, 0.97, 0.92) * 2.7,
         }];
         let (plain, slope) = (Vec3::new(0.36, 0.38, 0.4), Vec3::new(0.14, 0.15, 0.17));
@@ -258,7 +257,11 @@ fn lamp(light: &Light, radiance: Vec3, metres_per_unit: f64, up: DVec3) -> Optio
         let square_units = (square_metres / (metres_per_unit * metres_per_unit)) as f32;
         radiance /= square_units;
     }
-    (radiance.is_finite()).then_some(Lamp { shape, radiance })
+    (radiance.is_finite()).then_some(Lamp {
+        shape,
+        number: 0,
+        radiance,
+    })
 }
 
 /// A point where irradiance is measured.

@@ -213,3 +213,55 @@ fn glass_and_mirrors() {
     );
     assert_eq!((glass.index, glass.roughness, codes), (1.52, 0.0, vec![]));
 }
+
+#[test]
+fn prims_without_a_material_have_their_display_opacity() {
+    let text = r#"#usda 1.0
+def Xform "Pale" {
+    float[] primvars:displayOpacity = [0.25] (interpolation = "constant")
+    def Sphere "Inherits" {}
+    def Cube "Own" { float[] primvars:displayOpacity = [0] }
+    def Cube "Bound" { rel material:binding = </Look> }
+    def Mesh "Varies" {
+        int[] faceVertexCounts = [3]
+        int[] faceVertexIndices = [0, 1, 2]
+        point3f[] points = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
+        color3f[] primvars:displayColor = [(1, 0, 0)]
+        float[] primvars:displayOpacity = [0, 0.5, 1] (interpolation = "vertex")
+    }
+    def Cube "Solid" { float[] primvars:displayOpacity = [1] }
+    def Cube "Wrong" { float[] primvars:displayOpacity = [2] }
+}
+def Material "Look" {
+    token outputs:surface.connect = </Look/S.outputs:surface>
+    def Shader "S" {
+        uniform token info:id = "UsdPreviewSurface"
+        token outputs:surface
+    }
+}
+"#;
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.usda");
+    std::fs::write(&path, text).unwrap();
+    let StageScene { scene, findings, .. } = open_scene(&path, &SceneOptions::default()).unwrap();
+    let opacity = |name: &str| {
+        let mut instances = scene.instances.iter();
+        let instance = instances
+            .find(|instance| instance.path == format!("/Pale/{name}"))
+            .unwrap();
+        let mesh = &scene.meshes[instance.mesh as usize];
+        let material = mesh.material(0).map(|index| &scene.materials[index as usize]);
+        (
+            material.and_then(|material| material.opacity).map(|o| o.at(1.0)),
+            mesh.colors.is_some(),
+        )
+    };
+    assert_eq!(opacity("Inherits"), (Some(0.25), false));
+    assert_eq!(opacity("Own"), (Some(0.0), false));
+    assert_eq!(opacity("Varies"), (Some(0.5), true));
+    for solid in ["Bound", "Solid", "Wrong"] {
+        assert_eq!(opacity(solid), (None, false), "{solid}");
+    }
+    let found: Vec<_> = findings.iter().map(|finding| finding.code).collect();
+    assert_eq!(found, ["unsupported-material", "material-value"]);
+}

@@ -103,7 +103,7 @@ fn single_rays_meet_needles_where_they_are() {
         let (world, corners) = stored(needle(&mut numbers, along, width), &world_from_camera);
         let scene = scene_of(soup(&world));
         let caster = RayCaster::new(&scene);
-        let mut stack = Stack::new();
+        let mut stack = Stack::default();
         for step in 0..12 {
             let away = if step == 0 { 0.0 } else { 1e-6 * 4f64.powi(step) };
             let in_camera = along + away * numbers.vector();

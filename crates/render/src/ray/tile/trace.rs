@@ -11,7 +11,7 @@ use crate::ray::Prepared;
 use crate::ray::bvh::Node;
 use crate::ray::corners::corners;
 use crate::ray::mesh_tree::MeshTree;
-use crate::ray::stack::{Entry, Stack, push_children};
+use crate::ray::stack::{Entries, Entry, push_children};
 
 /// The origin of all rays.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +30,7 @@ pub(crate) struct Trace<'a> {
     pub(crate) rays: &'a TileRays,
     pub(crate) clip: Clip,
     pub(crate) state: &'a mut State,
-    pub(crate) stack: &'a mut Stack,
+    pub(crate) stack: &'a mut Entries,
 }
 
 impl LaneKernel for Trace<'_> {
@@ -73,7 +73,7 @@ impl LaneKernel for Trace<'_> {
 
 /// The handling of leaves.
 trait Visit {
-    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, stack: &mut Stack);
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, stack: &mut Entries);
 
     #[inline(always)]
     fn prefetch_early<L: Lanes>(&self, _first: u32) {}
@@ -90,7 +90,7 @@ struct VisitInstances<'a> {
 
 impl Visit for VisitInstances<'_> {
     #[inline(always)]
-    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, stack: &mut Stack) {
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, stack: &mut Entries) {
         for &instance in &self.scene.instances.order[first as usize..][..count as usize] {
             let Some((mesh, tree, mesh_from_world)) = self.scene.instance(instance) else {
                 continue;
@@ -140,7 +140,7 @@ impl Visit for VisitTriangles<'_> {
     }
 
     #[inline(always)]
-    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, _: &mut Stack) {
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, _: &mut Entries) {
         let triangles = &self.tree.triangles[first as usize..][..count as usize];
         let corners = corners::<L>(&self.mesh.positions, triangles);
         self.ready
@@ -173,7 +173,7 @@ fn walk<L: Lanes>(
     nodes: &[Node],
     frame: &Frame,
     state: &mut State,
-    stack: &mut Stack,
+    stack: &mut Entries,
     visit: &mut impl Visit,
 ) {
     let base = stack.len();

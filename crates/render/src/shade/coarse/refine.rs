@@ -96,7 +96,9 @@ impl Occlusion<'_> {
         let is_whole = spots.certain == u64::MAX || spots.possible == 0;
         // What all nodes around see is seen, and what none sees is not; where all agree, one ray may tell otherwise.
         let mut known = spots;
-        let is_known = if is_between && !is_whole {
+        let is_known = if invisible >= 1.0 {
+            true
+        } else if is_between && !is_whole {
             !expected.varies(invisible)
         } else {
             known = Spots::UNKNOWN;

@@ -7,11 +7,12 @@ use super::super::blend;
 use super::super::context::Context;
 use super::super::material::Surface;
 use super::super::mesh;
+use super::super::primvar::primvar;
 use super::super::shape::{self, Shape};
 use super::super::skin::{self, Skin};
 use super::Builder;
 use crate::stage::reader::{Outcome, Record};
-use crate::stage::value::text;
+use crate::stage::value::{floats, text};
 use crate::stage::walk::{Walk, is_in_prototype};
 
 /// Identifies prims that share one mesh.
@@ -39,7 +40,7 @@ impl Builder {
         });
         let placed = placed.as_ref().unwrap_or(context);
         let shared = is_in_prototype(&prim.path) || !self.instancers.is_empty();
-        let surface = self.surface(walk, prim, context, path);
+        let surface = self.surface_or_opacity(walk, prim, context, path);
         let key =
             shared.then(|| self.mesh_key(prim, prim.path.as_str().to_owned(), surface.as_ref(), context));
         if let Some(known) = key.as_ref().and_then(|key| self.meshes.get(key)) {
@@ -166,7 +167,7 @@ impl Builder {
                 .warn("shape-measures", path, message, "correct them");
             return;
         }
-        let surface = self.surface(walk, prim, context, path);
+        let surface = self.surface_or_opacity(walk, prim, context, path);
         let shows_color = surface.as_ref().is_none_or(|surface| surface.shows_mesh_colors);
         let color = shows_color
             .then(|| shape::color(walk.reader, prim, context))
@@ -221,6 +222,36 @@ impl Builder {
             }
         }
         first
+    }
+
+    /// Returns the surface of the bound material, or one with the prim's display opacity if no material is bound.
+    fn surface_or_opacity(
+        &mut self,
+        walk: &Walk<'_>,
+        prim: &Record,
+        context: &Context,
+        path: &str,
+    ) -> Option<Rc<Surface>> {
+        let bound = self.surface(walk, prim, context, path);
+        if bound.is_some() {
+            return bound;
+        }
+        let values = primvar(walk.reader, prim, context, "primvars:displayOpacity", floats)?.values;
+        let first = *values.first()?;
+        #[expect(clippy::cast_precision_loss, reason = "a mean")]
+        let mean = values.iter().sum::<f32>() / values.len() as f32;
+        let is_constant = values.iter().all(|value| *value == first);
+        let opacity = if is_constant { first } else { mean };
+        if !is_constant {
+            let what = format!("its displayOpacity varies; it is {opacity} everywhere");
+            self.findings.warn(
+                "unsupported-material",
+                path,
+                what,
+                "bind a material with an opacity texture",
+            );
+        }
+        (self.materials).of_opacity(opacity, path, &mut self.scene, &mut self.findings)
     }
 
     /// Returns the face subsets that have their own material.

@@ -10,7 +10,7 @@ mod uv;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use oaktwin_scene::{Material, Scene};
+use oaktwin_scene::{Material, Opacity, Scene};
 use openusd::sdf::Path;
 
 use super::super::reader::Reader;
@@ -23,6 +23,8 @@ pub(super) use texture::Textures;
 /// The materials read so far.
 pub(super) struct Materials {
     known: HashMap<Path, Option<Rc<Surface>>>,
+    /// Materials of prims without one, by the bits of their opacity.
+    display: HashMap<u32, Option<Rc<Surface>>>,
     pub(super) textures: Textures,
     /// The first instance of each prototype, which provides scene paths for the prototype's prims.
     prototypes: HashMap<String, String>,
@@ -44,6 +46,7 @@ impl Materials {
     pub(super) fn new() -> Self {
         Self {
             known: HashMap::new(),
+            display: HashMap::new(),
             textures: Textures::default(),
             prototypes: HashMap::new(),
         }
@@ -90,6 +93,38 @@ impl Materials {
             _ => self.read(reader, path, user, scene, findings),
         };
         self.known.insert(path.clone(), surface.clone());
+        surface
+    }
+
+    /// Returns the surface of a prim that has an opacity and no material; `None` if it is solid.
+    pub(super) fn of_opacity(
+        &mut self,
+        value: f32,
+        user: &str,
+        scene: &mut Scene,
+        findings: &mut Findings,
+    ) -> Option<Rc<Surface>> {
+        if let Some(what) = Material::not_a_share("displayOpacity", value) {
+            findings.warn("material-value", user, what, "correct the number");
+        }
+        if let Some(known) = self.display.get(&value.to_bits()) {
+            return known.clone();
+        }
+        let surface = Opacity::new(value, None, 0.0).and_then(|opacity| {
+            let index = u32::try_from(scene.materials.len()).ok()?;
+            scene.materials.push(Material {
+                name: format!("displayOpacity {value}"),
+                opacity: Some(opacity),
+                ..Material::default()
+            });
+            Some(Rc::new(Surface {
+                index,
+                uv: None,
+                shows_mesh_colors: true,
+                understood: true,
+            }))
+        });
+        self.display.insert(value.to_bits(), surface.clone());
         surface
     }
 
