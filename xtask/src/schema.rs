@@ -21,7 +21,7 @@ pub(crate) fn run() -> Result<(), String> {
     let recipe = workspace::root().join("crates/generate/schema/recipe.schema.json");
     let page = workspace::root().join("docs/manual/reference/recipes.md");
     workspace::check(
-        example("oaktwin-generate", "schema")
+        example("oaktwin-generate", "recipe_schema")
             .arg("--")
             .arg(recipe)
             .arg(page),

@@ -116,7 +116,7 @@ pub(crate) fn obj(bytes: &[u8]) {
         return import(obj.to_vec(), Path::new("no-such-folder/x.obj"));
     }
     file::with("m.mtl", &mtl[1..], |library| {
-        import(obj.to_vec(), &library.with_file_name("x.obj"))
+        import(obj.to_vec(), &library.with_file_name("x.obj"));
     });
 }
 

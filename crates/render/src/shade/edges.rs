@@ -117,6 +117,7 @@ fn corner_rows(
                 if interrupt::is_unwanted() {
                     return Vec::new();
                 }
+                workspace.stack.forget();
                 let of_pixels = |row: u32| outlines.get(row as usize).map_or(&[][..], Vec::as_slice);
                 let above = y.checked_sub(1).map_or(&[][..], of_pixels);
                 let mut columns: Vec<u32> = (above.iter().chain(of_pixels(y)))

@@ -136,7 +136,7 @@ impl Server {
     pub(super) fn interrupted(mut self) -> (Option<i32>, String) {
         let id = self.child.id().to_string();
         assert!(
-            std::process::Command::new("kill")
+            Command::new("kill")
                 .args(["-INT", &id])
                 .status()
                 .unwrap()
