@@ -339,3 +339,12 @@ fn tables_of_positions_are_checked() {
         assert!(error.contains(expected), "{text:?}: {error}");
     }
 }
+
+#[test]
+fn a_stage_is_not_a_file_of_joints() {
+    let error = open("a.usda", "#usda 1.0\n").unwrap_err();
+    assert!(
+        error.starts_with("a.usda: file: a robot in USD") && error.contains("--mount"),
+        "{error}"
+    );
+}

@@ -10,6 +10,7 @@ mod robot;
 mod turn;
 mod urdf;
 
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use document::Element;
@@ -25,6 +26,15 @@ impl Robot {
     /// # Errors
     /// Returns an error if the file cannot be read or contradicts itself. What is not supported is a finding.
     pub fn open(path: &Path, package_folders: &[PathBuf]) -> Result<Self, RobotFileError> {
+        let extension = path.extension().and_then(OsStr::to_str).unwrap_or_default();
+        if matches!(extension, "usd" | "usda" | "usdc" | "usdz") {
+            return Err(RobotFileError::new(
+                path,
+                "file".to_owned(),
+                "a robot in USD is an animated stage, not a file of joints".to_owned(),
+                "give it as the scene, and mount the OAK on its prim: --mount /World/Robot/hand".to_owned(),
+            ));
+        }
         let root = Element::open(path)?;
         match root.tag.as_str() {
             "robot" => urdf::read(&root, package_folders),
