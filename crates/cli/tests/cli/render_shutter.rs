@@ -135,28 +135,28 @@ fn cameras_have_their_own_times() {
     assert!((moved - 0.75).abs() < 1e-6, "{moved}: {truth}");
 }
 
-/// A triangle that moves 2 m to the left in 2 s, and whose third corner rises by its morph target.
+/// A triangle that moves 2 m to the left in 2 s, and whose third corner rises by its morph target, and sinks again.
 fn gltf() -> String {
-    let numbers: [f32; 26] = [
+    let numbers: [f32; 30] = [
         0., 0., 0., 1., 0., 0., 0., 1., 0., // POSITION
         0., 0., 0., 0., 0., 0., 0., 1., 0., // the target
-        0., 2., // keyframes
-        0., 0., 0., 2., 0., 0.,
+        0., 1., 2., // keyframes
+        0., 0., 0., 1., 0., 0., 2., 0., 0.,
     ];
     let bytes = numbers
         .iter()
-        .chain(&[0.0f32, 1.0])
+        .chain(&[0.0f32, 1.0, 0.0])
         .flat_map(|number| number.to_le_bytes());
     let data: String = bytes.map(|byte| format!("%{byte:02x}")).collect();
     format!(
-        r#"{{"asset":{{"version":"2.0"}},"buffers":[{{"byteLength":112,"uri":"data:application/octet-stream,{data}"}}],
-        "bufferViews":[{{"buffer":0,"byteLength":112}}],
+        r#"{{"asset":{{"version":"2.0"}},"buffers":[{{"byteLength":132,"uri":"data:application/octet-stream,{data}"}}],
+        "bufferViews":[{{"buffer":0,"byteLength":132}}],
         "accessors":[
             {{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}},
             {{"bufferView":0,"byteOffset":36,"componentType":5126,"count":3,"type":"VEC3"}},
-            {{"bufferView":0,"byteOffset":72,"componentType":5126,"count":2,"type":"SCALAR"}},
-            {{"bufferView":0,"byteOffset":80,"componentType":5126,"count":2,"type":"VEC3"}},
-            {{"bufferView":0,"byteOffset":104,"componentType":5126,"count":2,"type":"SCALAR"}}],
+            {{"bufferView":0,"byteOffset":72,"componentType":5126,"count":3,"type":"SCALAR"}},
+            {{"bufferView":0,"byteOffset":84,"componentType":5126,"count":3,"type":"VEC3"}},
+            {{"bufferView":0,"byteOffset":120,"componentType":5126,"count":3,"type":"SCALAR"}}],
         "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"targets":[{{"POSITION":1}}]}}]}}],
         "nodes":[{{"mesh":0,"name":"Sail"}}],
         "animations":[{{"channels":[{{"sampler":0,"target":{{"node":0,"path":"translation"}}}}, MORE],

@@ -113,6 +113,7 @@ impl SceneFile {
                 source: Animated::Gltf(Box::new(Nodes {
                     options: *options,
                     first: scene.scene.clone(),
+                    is_rigid: true,
                     timing,
                 })),
                 world_from_mount: None,
@@ -244,18 +245,21 @@ struct Nodes {
     options: OpenOptions,
     /// The scene of the first time.
     first: Scene,
+    /// Whether only nodes have moved so far. A scene that was built for another time stays one of its own.
+    is_rigid: bool,
     timing: StageTiming,
 }
 
 impl Nodes {
     /// Reads the file at another time. Of a scene in which only nodes have moved, the meshes of the first time stay.
-    fn at(&self, path: &Path, time_s: Option<f64>) -> Result<SceneChange, SceneFileError> {
+    fn at(&mut self, path: &Path, time_s: Option<f64>) -> Result<SceneChange, SceneFileError> {
         let options = OpenOptions {
             time: time_s,
             ..self.options
         };
         let file = SceneFile::open(path, &options)?;
-        if !is_moved(&file.scene, &self.first) {
+        self.is_rigid &= is_moved(&file.scene, &self.first);
+        if !self.is_rigid {
             return Ok(SceneChange::Rebuilt(Box::new(file)));
         }
         let instances = file.scene.instances.iter().map(|one| one.world_from_mesh);
