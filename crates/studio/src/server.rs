@@ -98,7 +98,7 @@ async fn catalog(State(studio): Server) -> Response {
 }
 
 async fn scene(State(studio): Server, Path(id): Path<String>) -> Response {
-    match studio.scenes.as_opened(&id) {
+    match studio.scenes.still(&id) {
         Ok(scene) => json(&scene.info),
         Err(error) => failure(StatusCode::NOT_FOUND, error),
     }

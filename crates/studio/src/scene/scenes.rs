@@ -80,13 +80,9 @@ impl Scenes {
 
     /// Returns a scene, by its id; at a time code, by `ID@CODE`, or in a posture of its robot, by `ID~POSITIONS`.
     pub(crate) fn get(&self, id: &str) -> Result<Arc<LoadedScene>, Failure> {
-        if let Some((own, posture)) = robot::split(id) {
-            let scene = self.as_opened(own)?;
-            let mut postures = self.postures.lock().unwrap_or_else(PoisonError::into_inner);
-            return postures.get(id, &scene, posture);
-        }
-        let Some((base, code)) = id.rsplit_once('@') else {
-            return self.as_opened(id);
+        let at_time = id.rsplit_once('@').filter(|_| robot::split(id).is_none());
+        let Some((base, code)) = at_time else {
+            return self.still(id);
         };
         match code.parse::<f64>() {
             Ok(time) if time.is_finite() => self.as_opened(base)?.at(time),
@@ -95,6 +91,16 @@ impl Scenes {
                 Err(Failure::of("time", &error))
             }
         }
+    }
+
+    /// Returns a scene as it was opened, or in a posture of its robot.
+    pub(crate) fn still(&self, id: &str) -> Result<Arc<LoadedScene>, Failure> {
+        let Some((own, posture)) = robot::split(id) else {
+            return self.as_opened(id);
+        };
+        let scene = self.as_opened(own)?;
+        let mut postures = self.postures.lock().unwrap_or_else(PoisonError::into_inner);
+        postures.get(id, &scene, posture)
     }
 
     /// Returns a scene as it was opened.
