@@ -34,6 +34,7 @@ NEEDS = {
     "test_rectify.py": ("cv2", "depthai"),
     "test_render.py": ("open3d", "libusb_package"),
     "test_robot.py": ("mujoco", "pydrake", "urdf_usd_converter", "xacro", "yourdfpy"),
+    "test_robot_reading.py": ("mujoco", "trimesh", "yourdfpy"),
     "test_stereo_matching.py": ("cv2",),
     "test_stereo_photographs.py": ("cv2",),
     "test_stereo_rendered.py": ("cv2",),
