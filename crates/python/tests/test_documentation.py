@@ -58,6 +58,10 @@ def inputs(tmp_path_factory, program):
     shutil.copy(SCENE.with_name("grid.png"), folder)
     for name in ["cal.json", "mine.json", "rig.json", "unit.json"]:
         shutil.copy(ROOT / "crates/calibration/fixtures/example-oak-d-pro-poe.json", folder / name)
+    robots = folder / "examples/robots"
+    robots.mkdir(parents=True)
+    for name in ["gripper.urdf", "gripper_poses.csv"]:
+        shutil.copy(ROOT / "examples/robots" / name, robots)
     write_triangle(folder / "room.glb")
     np.save(folder / "depth.npy", np.full((40, 64), 2.0, np.float32))
     (folder / "poses.tum").write_text("0 2 -1 1.2 0 0 0 1\n0.1 2.1 -1 1.2 0 0 0 1\n")
