@@ -14,7 +14,7 @@ use tokio::task::JoinHandle;
 use crate::frame;
 use crate::job::{self, Job};
 use crate::probe;
-use crate::protocol::{Failure, FrameRequest, Kind, ProbeRequest, Rejection, RequestKind};
+use crate::protocol::{Failure, FrameRequest, Kind, Pose, ProbeRequest, Rejection, RequestKind};
 use crate::station::Station;
 use crate::studio::Studio;
 
@@ -81,10 +81,19 @@ impl Pending {
         self.frames.remove(preview.unwrap_or(0)).map(Request::Frame)
     }
 
-    /// Whether a preview waits.
-    fn has_preview(&self) -> bool {
-        self.frames.iter().any(|request| request.is_preview)
+    /// Whether a preview waits that sees something else than images for rest do. Those with other parameters need the same light.
+    fn has_other_preview(&self, at_rest: &FrameRequest) -> bool {
+        let is_other = |request: &FrameRequest| request.is_preview && view(request) != view(at_rest);
+        self.frames.iter().any(|request| is_other(request))
     }
+}
+
+/// What determines the light of a request.
+fn view(request: &FrameRequest) -> (&str, &str, [&str; 3], Option<&str>, Pose) {
+    let state = &request.state;
+    let cameras = [&state.model, &state.sensor, &state.lens].map(String::as_str);
+    let calibration = state.calibration.as_deref();
+    (&request.oak, &request.scene, cameras, calibration, state.pose)
 }
 
 /// A request that is being computed.
@@ -108,12 +117,12 @@ impl Running {
     }
 }
 
-/// Interrupts images for rest if a preview waits for them. The computation ends at its next row or tile.
+/// Interrupts images for rest if a preview of something else waits for them. The computation ends at its next row or tile.
 fn interrupt(running: &mut Option<Running>, pending: &mut Pending) {
-    let is_in_the_way = |running: &mut Running| running.at_rest.is_some() && !running.task.is_finished();
-    if !pending.has_preview() {
-        return;
-    }
+    let is_in_the_way = |running: &mut Running| {
+        let at_rest = running.at_rest.as_ref().filter(|_| !running.task.is_finished());
+        at_rest.is_some_and(|at_rest| pending.has_other_preview(at_rest))
+    };
     if let Some(Running { task, at_rest }) = running.take_if(is_in_the_way) {
         task.abort();
         at_rest.into_iter().for_each(|request| pending.put_back(request));
@@ -274,8 +283,24 @@ mod tests {
         for request in [frame(1, "a", false), frame(2, "b", true), frame(3, "a", false)] {
             pending.add(Request::Frame(request));
         }
-        assert!(pending.has_preview());
         assert_eq!(ids(&mut pending), [2, 3]);
+    }
+
+    #[test]
+    fn previews_with_other_parameters_wait_for_the_same_light() {
+        let at_rest = frame(1, "a", false);
+        let waiting = |request: Box<FrameRequest>| {
+            let mut pending = Pending::default();
+            pending.add(Request::Frame(request));
+            pending.has_other_preview(&at_rest)
+        };
+        assert!(!waiting(frame(2, "a", false)));
+        assert!(waiting(frame(2, "b", true)));
+        let mut tuned = frame(2, "a", true);
+        tuned.state.parameters.insert("bias".to_owned(), "0.1".to_owned());
+        assert!(!waiting(tuned.clone()));
+        tuned.state.pose.position[0] = 1.0;
+        assert!(waiting(tuned));
     }
 
     #[test]
