@@ -1,18 +1,14 @@
 //! Calibrations that were dropped onto the page.
 
-use std::collections::VecDeque;
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError};
 
 use oaktwin::calibration::{Calibration, Raw};
 use oaktwin::catalog::{Catalog, Device, Twin};
 use oaktwin::unit;
 
+use crate::kept::{Keep, Kept};
 use crate::protocol::{CalibrationInfo, Failure};
 use crate::upload::bytes_id;
-
-/// The number of calibrations that are kept.
-const KEPT: usize = 32;
 
 /// A calibration.
 #[derive(Debug)]
@@ -22,9 +18,21 @@ pub(crate) struct Dropped {
     raw: Raw,
 }
 
-/// The calibrations by id.
-#[derive(Debug, Default)]
-pub(crate) struct Calibrations(Mutex<VecDeque<Arc<Dropped>>>);
+pub(crate) type Calibrations = Kept<Dropped>;
+
+impl Keep for Dropped {
+    type Info = CalibrationInfo;
+    const NAME: &'static str = "calibration";
+    const COUNT: usize = 32;
+
+    fn info(&self) -> &CalibrationInfo {
+        &self.info
+    }
+
+    fn id(&self) -> &str {
+        &self.info.id
+    }
+}
 
 impl Dropped {
     /// Reads a calibration.
@@ -45,18 +53,6 @@ impl Dropped {
 }
 
 impl Calibrations {
-    /// Keeps a calibration.
-    pub(crate) fn add(&self, dropped: Dropped) -> CalibrationInfo {
-        let info = dropped.info.clone();
-        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        known.retain(|other| other.info.id != info.id);
-        known.push_back(Arc::new(dropped));
-        while known.len() > KEPT {
-            known.pop_front();
-        }
-        info
-    }
-
     /// Returns the twin of a unit.
     pub(crate) fn twin(&self, catalog: &Catalog, device: &Device, id: &str) -> Result<Twin, Failure> {
         let dropped = self.get(id)?;
@@ -74,19 +70,5 @@ impl Calibrations {
     /// Returns the name of the file.
     pub(crate) fn name(&self, id: &str) -> Result<String, Failure> {
         Ok(self.get(id)?.info.name.clone())
-    }
-
-    pub(crate) fn get(&self, id: &str) -> Result<Arc<Dropped>, Failure> {
-        let known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let found = known
-            .iter()
-            .find(|calibration| calibration.info.id == id)
-            .cloned();
-        found.ok_or_else(|| {
-            Failure::of(
-                "calibration",
-                &format!("no calibration '{id}'; drop the file onto the page again"),
-            )
-        })
     }
 }

@@ -30,11 +30,7 @@ pub(crate) fn dropped(studio: &Studio, scene: &str, name: &str, bytes: &[u8]) ->
         return Err(Failure::of("robot", &error));
     }
     let base = studio.scenes.as_opened(in_any_state(scene))?;
-    let folder = tempfile::tempdir_in(&studio.uploads).map_err(|error| {
-        Failure::from(format!(
-            "no temporary folder can be created ({error}); free space on the disk"
-        ))
-    })?;
+    let folder = upload::folder(&studio.uploads)?;
     let path = folder.path().join(name);
     std::fs::write(&path, bytes)
         .map_err(|error| Failure::from(format!("the dropped file cannot be kept: {error}; drop it again")))?;

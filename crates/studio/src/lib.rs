@@ -16,6 +16,7 @@ mod frame;
 mod guard;
 mod image;
 mod job;
+mod kept;
 mod live;
 mod mesh;
 mod oak;

@@ -83,8 +83,8 @@ impl Pending {
 
     /// Whether a preview waits that sees something else than images for rest do. Those with other parameters need the same light.
     fn has_other_preview(&self, at_rest: &FrameRequest) -> bool {
-        let is_other = |request: &FrameRequest| request.is_preview && view(request) != view(at_rest);
-        self.frames.iter().any(|request| is_other(request))
+        let mut previews = self.frames.iter().filter(|request| request.is_preview);
+        previews.any(|request| view(request) != view(at_rest))
     }
 }
 

@@ -160,17 +160,26 @@ impl LoadedScene {
             ..self.info.clone()
         };
         Self {
+            time: Some(time),
+            is_moved,
+            ..self.with(info, renderer)
+        }
+    }
+
+    /// Returns another scene of the same file, which stays open for this one only.
+    fn with(&self, info: SceneInfo, renderer: Renderer) -> Self {
+        Self {
             info,
             renderer,
             argument: self.argument.clone(),
             made_by: self.made_by.clone(),
             given: self.given,
-            time: Some(time),
-            is_moved,
+            time: self.time,
+            is_moved: false,
             kept: None,
             path: self.path.clone(),
             moving: None,
-            robot: None,
+            robot: self.robot.clone(),
             meshes: Mutex::default(),
         }
     }
@@ -198,20 +207,8 @@ impl LoadedScene {
 
     /// Returns a copy of the scene, with an empty cache.
     pub(crate) fn copied(&self) -> Self {
-        Self {
-            info: self.info.clone(),
-            renderer: Renderer::new(self.renderer.scene().clone()),
-            argument: self.argument.clone(),
-            made_by: self.made_by.clone(),
-            given: self.given,
-            time: self.time,
-            is_moved: false,
-            kept: None,
-            path: self.path.clone(),
-            moving: None,
-            robot: self.robot.clone(),
-            meshes: Mutex::default(),
-        }
+        let renderer = Renderer::new(self.renderer.scene().clone());
+        self.with(self.info.clone(), renderer)
     }
 
     /// Returns the scene with a robot in it, under another id.
@@ -252,18 +249,8 @@ impl LoadedScene {
             info.bounds = corners(bounds);
         }
         Ok(Self {
-            info,
-            renderer: Renderer::new(scene),
             robot: Some(robot),
-            argument: self.argument.clone(),
-            made_by: self.made_by.clone(),
-            given: self.given,
-            time: self.time,
-            is_moved: false,
-            kept: None,
-            path: self.path.clone(),
-            moving: None,
-            meshes: Mutex::default(),
+            ..self.with(info, Renderer::new(scene))
         })
     }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use axum::Router;
-use axum::body::Body;
+use axum::body::{Body, Bytes};
 use axum::extract::{Path, Query, Request, State, WebSocketUpgrade};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::middleware::{Next, from_fn_with_state};
@@ -218,10 +218,22 @@ struct RobotQuery {
 }
 
 /// Puts a dropped robot into a scene, which becomes another one.
+/// Receives a small file. Otherwise returns the answer, with an error.
+async fn received(body: Body, limit: usize, error: &str) -> Result<Bytes, Response> {
+    match timeout(JSON_TIME, axum::body::to_bytes(body, limit)).await {
+        Ok(Ok(bytes)) => Ok(bytes),
+        Ok(Err(_)) | Err(_) => Err(failure(
+            StatusCode::PAYLOAD_TOO_LARGE,
+            Failure::from(error.to_owned()),
+        )),
+    }
+}
+
 async fn drop_robot(State(studio): Server, Query(query): Query<RobotQuery>, body: Body) -> Response {
-    let Ok(Ok(bytes)) = timeout(JSON_TIME, axum::body::to_bytes(body, MAX_ROBOT_BYTES)).await else {
-        let error = "the dropped file is too large for a robot, or did not arrive; drop a URDF or MJCF file";
-        return failure(StatusCode::PAYLOAD_TOO_LARGE, Failure::from(error.to_owned()));
+    let too_large = "the dropped file is too large for a robot, or did not arrive; drop a URDF or MJCF file";
+    let bytes = match received(body, MAX_ROBOT_BYTES, too_large).await {
+        Ok(bytes) => bytes,
+        Err(response) => return response,
     };
     json_or_failure(
         job::run(&studio, job::FILE, move |studio, _| {
@@ -233,9 +245,10 @@ async fn drop_robot(State(studio): Server, Query(query): Query<RobotQuery>, body
 }
 
 async fn drop_calibration(State(studio): Server, Query(query): Query<DropQuery>, body: Body) -> Response {
-    let Ok(Ok(bytes)) = timeout(JSON_TIME, axum::body::to_bytes(body, MAX_JSON_BYTES)).await else {
-        let error = "the dropped file is too large for a calibration, or did not arrive; drop the JSON file of one device";
-        return failure(StatusCode::PAYLOAD_TOO_LARGE, Failure::from(error.to_owned()));
+    let too_large = "the dropped file is too large for a calibration, or did not arrive; drop the JSON file of one device";
+    let bytes = match received(body, MAX_JSON_BYTES, too_large).await {
+        Ok(bytes) => bytes,
+        Err(response) => return response,
     };
     json_or_failure(
         job::run(&studio, job::FILE, move |studio, _| {
@@ -248,9 +261,10 @@ async fn drop_calibration(State(studio): Server, Query(query): Query<DropQuery>,
 }
 
 async fn drop_trajectory(State(studio): Server, Query(query): Query<DropQuery>, body: Body) -> Response {
-    let Ok(Ok(bytes)) = timeout(JSON_TIME, axum::body::to_bytes(body, trajectory::MAX_BYTES)).await else {
-        let error = "the dropped file is too large for a trajectory, or did not arrive; drop a part of it";
-        return failure(StatusCode::PAYLOAD_TOO_LARGE, Failure::from(error.to_owned()));
+    let too_large = "the dropped file is too large for a trajectory, or did not arrive; drop a part of it";
+    let bytes = match received(body, trajectory::MAX_BYTES, too_large).await {
+        Ok(bytes) => bytes,
+        Err(response) => return response,
     };
     json_or_failure(
         job::run(&studio, job::FILE, move |studio, _| {

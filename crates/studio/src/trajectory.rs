@@ -1,16 +1,13 @@
 //! Trajectories that were dropped onto the page.
 
-use std::collections::VecDeque;
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError};
 
 use oaktwin::render::trajectory::parse_numbers;
 
+use crate::kept::{Keep, Kept};
 use crate::protocol::{Failure, Pose, TrajectoryInfo};
 use crate::upload::bytes_id;
 
-/// The number of trajectories that are kept.
-const KEPT: usize = 8;
 /// The maximum number of poses.
 const MAX_POSES: usize = 50_000;
 /// The maximum size of a file, bytes.
@@ -25,9 +22,21 @@ pub(crate) struct Dropped {
     pub(crate) bytes: Vec<u8>,
 }
 
-/// The trajectories by id.
-#[derive(Debug, Default)]
-pub(crate) struct Trajectories(Mutex<VecDeque<Arc<Dropped>>>);
+pub(crate) type Trajectories = Kept<Dropped>;
+
+impl Keep for Dropped {
+    type Info = TrajectoryInfo;
+    const NAME: &'static str = "trajectory";
+    const COUNT: usize = 8;
+
+    fn info(&self) -> &TrajectoryInfo {
+        &self.info
+    }
+
+    fn id(&self) -> &str {
+        &self.info.id
+    }
+}
 
 impl Dropped {
     /// Reads a trajectory.
@@ -63,29 +72,6 @@ impl Dropped {
             times_s,
         };
         Ok(Self { info, bytes })
-    }
-}
-
-impl Trajectories {
-    /// Keeps a trajectory.
-    pub(crate) fn add(&self, dropped: Dropped) -> TrajectoryInfo {
-        let info = dropped.info.clone();
-        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        known.retain(|other| other.info.id != info.id);
-        known.push_back(Arc::new(dropped));
-        while known.len() > KEPT {
-            known.pop_front();
-        }
-        info
-    }
-
-    pub(crate) fn get(&self, id: &str) -> Result<Arc<Dropped>, Failure> {
-        let known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let found = known.iter().find(|dropped| dropped.info.id == id).cloned();
-        found.ok_or_else(|| {
-            let error = format!("no trajectory '{id}'; drop the file onto the page again");
-            Failure::of("trajectory", &error)
-        })
     }
 }
 

@@ -258,7 +258,7 @@ impl Nodes {
             ..self.options
         };
         let file = SceneFile::open(path, &options)?;
-        self.is_rigid &= is_moved(&file.scene, &self.first);
+        self.is_rigid = self.is_rigid && is_moved(&file.scene, &self.first);
         if !self.is_rigid {
             return Ok(SceneChange::Rebuilt(Box::new(file)));
         }

@@ -96,7 +96,7 @@ impl Place {
     }
 }
 
-/// The number of lamps whose last blockers are told apart; those of directions come after them.
+/// The number of lamps with a last blocker of their own. The last blockers of sky directions follow in the table.
 const LAMPS: usize = 64;
 
 /// The number of rays from which on they are traced together.

@@ -264,7 +264,7 @@ impl<'a> Reader<'a> {
         }))
     }
 
-    /// Returns what is visible of a link; its collision shapes stand in for meshes that cannot be read.
+    /// Returns the visual shapes of a link. If one of its meshes cannot be read, its collision shapes replace it.
     fn visuals(&mut self, link: &'a Element) -> Result<Vec<LinkVisual>, RobotFileError> {
         let mut visuals = Vec::new();
         let mut unread = 0;

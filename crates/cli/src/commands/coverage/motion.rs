@@ -14,7 +14,7 @@ use oaktwin::scene::Up;
 use serde::Serialize;
 
 use super::asked;
-use super::text::{losses, millimetres, percent, region as region_text};
+use super::text::{hiding, losses, millimetres, percent, region as region_text};
 use crate::args::{CoverageArgs, OpenedRobot};
 use crate::context::{Context, Exit, Result};
 use crate::{output, progress};
@@ -48,7 +48,7 @@ pub(super) fn run(context: &Context, args: &CoverageArgs, region: &Region, sweep
         positions,
         findings: robot_findings,
     } = robot.ok_or("--robot is missing")?;
-    // The axes of a link are a robot's, whatever those of the scene are.
+    // In the frame of a link, z is up, whatever the scene's up axis is.
     let up = if link.is_some() { Up::Z } else { scene.scene.up };
     let placements = asked::placements(args, sweep, up)?;
     let rigs: Vec<MeasuringRig> = if args.model.is_empty() {
@@ -242,13 +242,11 @@ fn remarks(mount: &MountCoverage) -> String {
         hides(a).total_cmp(&hides(b))
     });
     if let Some(worst) = worst.filter(|worst| !worst.occluders.is_empty()) {
-        let hidden =
-            (worst.occluders.iter()).map(|occluder| format!("{} {}", occluder.path, percent(occluder.share)));
         let _ = writeln!(
             text,
             "Most is hidden in {}: by {}",
             worst.name,
-            hidden.collect::<Vec<_>>().join(", ")
+            hiding(&worst.occluders)
         );
     }
     text

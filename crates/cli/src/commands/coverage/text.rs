@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use oaktwin::catalog::Table;
-use oaktwin::coverage::{CandidateCoverage, Coverage, SampledRegion, Shares};
+use oaktwin::coverage::{CandidateCoverage, Coverage, Occluder, SampledRegion, Shares};
 use oaktwin::files::WrittenFile;
 
 use crate::output;
@@ -120,13 +120,16 @@ fn remarks(coverage: &Coverage) -> String {
     let best = coverage.ranking.first().map(|&best| &coverage.candidates[best]);
     let occluders = best.map_or(&[][..], |best| &best.occluders);
     if !occluders.is_empty() {
-        let hidden = occluders.iter();
-        let hidden: Vec<String> = hidden
-            .map(|occluder| format!("{} {}", occluder.path, percent(occluder.share)))
-            .collect();
-        let _ = writeln!(text, "Hidden from #1 by {}", hidden.join(", "));
+        let _ = writeln!(text, "Hidden from #1 by {}", hiding(occluders));
     }
     text
+}
+
+/// The objects that hide the region, with their shares.
+pub(super) fn hiding(occluders: &[Occluder]) -> String {
+    let named = occluders.iter();
+    let named = named.map(|occluder| format!("{} {}", occluder.path, percent(occluder.share)));
+    named.collect::<Vec<_>>().join(", ")
 }
 
 pub(super) fn losses(shares: &Shares) -> String {

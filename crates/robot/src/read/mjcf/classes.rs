@@ -12,7 +12,7 @@ type Attributes = Vec<(String, String)>;
 /// The class of elements that name none.
 const MAIN: &str = "main";
 
-/// The attributes of each class, by tag, with those of the classes around it.
+/// For each class, the default attributes of each tag, including the ones that it inherits from the enclosing classes.
 #[derive(Debug, Default)]
 pub(super) struct Classes(HashMap<String, HashMap<String, Attributes>>);
 
