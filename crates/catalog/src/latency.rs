@@ -63,7 +63,7 @@ impl MatchingMode {
 pub struct Latency {
     /// The connection.
     pub connection: &'static str,
-    /// The mode of the matcher.
+    /// The mode of the matcher, or `time-of-flight`.
     pub mode: String,
     /// The width of the matched images, px.
     pub width_px: u32,
@@ -119,6 +119,9 @@ struct Row {
     from: String,
 }
 
+/// The name of the mode of time of flight.
+const TIME_OF_FLIGHT: &str = "time-of-flight";
+
 /// The stages in the order of time.
 const STAGES: [&str; 3] = ["exposure", "depth", "transfer"];
 
@@ -141,8 +144,8 @@ impl Device {
         }
     }
 
-    /// Returns the latency of a depth sensor, by default over the device's own [connection](Self::connection). `None` where no source
-    /// states a stage: of time of flight, and of devices without one of `DepthAI`'s processors.
+    /// Returns the latency of a depth sensor, by default over the device's own [connection](Self::connection); `mode` is the matcher's, of
+    /// stereo only. `None` where no source states a stage: of devices without one of `DepthAI`'s processors.
     #[must_use]
     pub fn latency(
         &self,
@@ -151,11 +154,11 @@ impl Device {
         width_px: u32,
         connection: Option<Connection>,
     ) -> Option<Latency> {
-        if kind == DepthKind::Tof {
-            return None;
-        }
         let connection = connection.unwrap_or_else(|| self.connection());
-        let name = mode.name();
+        let name = match kind {
+            DepthKind::Tof => TIME_OF_FLIGHT.to_owned(),
+            _ => mode.name(),
+        };
         let generation = fold_name(&self.generation);
         let matches = |row: &&Row| {
             let same =
@@ -269,7 +272,21 @@ mod tests {
         assert!(of("OAK-D Pro PoE", 640).ms.0 > of("OAK-D Pro", 640).ms.0);
         assert!(of("OAK-D Pro PoE", 640).jitter_ms > of("OAK-D Pro", 640).jitter_ms);
         assert!(of("OAK-D Pro", 1280).ms.0 > of("OAK-D Pro", 640).ms.1);
+    }
+
+    /// A frame takes two intervals of 1/60 s, whose middle is one interval before their end, and the device decodes 30 frames a second.
+    #[test]
+    fn time_of_flight_has_a_latency_of_its_own() {
         let device = Catalog::builtin().device("OAK-D ToF").unwrap();
-        assert_eq!(device.latency(DepthKind::Tof, mode, 640, None), None);
+        assert_eq!(device.connection(), Connection::Poe);
+        let found = device
+            .latency(DepthKind::Tof, MatchingMode::default(), 640, None)
+            .unwrap();
+        let stage = |name: &str| found.stages.iter().find(|stage| stage.stage == name).unwrap();
+        assert_eq!(found.mode, TIME_OF_FLIGHT);
+        assert!((stage("exposure").ms.0 - 1000.0 / 60.0).abs() < 0.05);
+        assert!(stage("depth").ms.1 <= 1000.0 / 30.0);
+        assert_eq!(stage("depth").source, Source::Estimate);
+        assert!(stage("transfer").ms.0 > 8.0);
     }
 }

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use pyo3::{Borrowed, FromPyObject};
 
-use crate::arguments::{captures, optional};
+use crate::arguments::{self, captures, optional};
 use crate::device::Device;
 use crate::engine::{PythonEngine, serve_all};
 use crate::error::{error, reading, wrong};
@@ -40,7 +40,7 @@ const ARGUMENTS: [&str; 11] = [
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub(crate) fn accuracy<'py>(
     py: Python<'py>,
-    device: &Device,
+    #[pyo3(from_py_with = arguments::device)] device: Bound<'py, Device>,
     sensor: Option<String>,
     distances: Option<Distances>,
     #[pyo3(from_py_with = optional::devices)] devices: Option<u32>,
@@ -70,7 +70,7 @@ pub(crate) fn accuracy<'py>(
     };
     let read = |path: &PathBuf| measured::read(path).map_err(|error| reading(path, &error));
     let curve = measured.as_ref().map(read).transpose()?;
-    let (bench, findings) = Bench::new(&device.twin, &options).map_err(error)?;
+    let (bench, findings) = Bench::new(&device.get().twin, &options).map_err(error)?;
     finding::warn_caller(py, &findings)?;
     let python = PythonEngine::in_options(&options.engine);
     let report = serve_all(py, python.as_slice(), progress, |task| {

@@ -8,7 +8,7 @@ use pyo3::exceptions::PyFileNotFoundError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arguments::optional;
+use crate::arguments::{self, optional};
 use crate::device::Device;
 use crate::error::{error, wrong};
 use crate::finding;
@@ -41,7 +41,7 @@ const ARGUMENTS: [&str; 8] = [
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub(crate) fn fit<'py>(
     py: Python<'py>,
-    device: &Device,
+    #[pyo3(from_py_with = arguments::device)] device: Bound<'py, Device>,
     recordings: Recorded,
     sensor: Option<String>,
     region: f64,
@@ -53,7 +53,7 @@ pub(crate) fn fit<'py>(
     progress: Report,
     options: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<(Bound<'py, PyAny>, String)> {
-    let recordings = recordings.read()?;
+    let (device, recordings) = (device.get(), recordings.read()?);
     let options = Options {
         sensor,
         engine: sensor_options("fit", &ARGUMENTS, options, is_offered)?,

@@ -6,6 +6,7 @@ use oaktwin::scene::Up;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::arguments;
 use crate::array::numbers;
 use crate::choice::named;
 use crate::device::Device;
@@ -39,7 +40,7 @@ const BATCH: usize = 1 << 16;
 #[expect(clippy::too_many_arguments, reason = "options of Python")]
 pub(crate) fn simulate_imu<'py>(
     py: Python<'py>,
-    device: &Device,
+    #[pyo3(from_py_with = arguments::device)] device: Bound<'py, Device>,
     times: &Bound<'py, PyAny>,
     poses: &Bound<'py, PyAny>,
     rate: Option<f64>,
@@ -49,6 +50,7 @@ pub(crate) fn simulate_imu<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let up: Up = named("up", up)?;
     let path = trajectory(times, poses)?;
+    let device = device.get();
     let twin = &device.twin;
     let part = imu::inertial_part(device.models.get(), &twin.device, part).map_err(error)?;
     let motion = imu::motion(&path).map_err(|cause| error(format!("poses: {cause}")))?;

@@ -12,7 +12,7 @@ use oaktwin::render::{
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arguments::{Annotators, FrameNumber, Size};
+use crate::arguments::{self, Annotators, FrameNumber, Size};
 use crate::camera::Camera;
 use crate::choice::named;
 use crate::device::Device;
@@ -90,7 +90,7 @@ impl Rig {
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn new(
         py: Python<'_>,
-        device: &Bound<'_, Device>,
+        #[pyo3(from_py_with = arguments::device)] device: Bound<'_, Device>,
         cameras: Option<&Bound<'_, PyAny>>,
         size: Option<Size>,
         annotators: Option<Annotators>,
@@ -136,7 +136,7 @@ impl Rig {
         rig.check_memory(false).map_err(error)?;
         finding::warn(py, &findings)?;
         Ok(Self {
-            device: device.clone().unbind(),
+            device: device.unbind(),
             engine: PythonEngine::in_options(&spec.sensor),
             cameras: rig.cameras().to_vec(),
             rig: Mutex::new(rig),

@@ -15,6 +15,7 @@ use oaktwin::stereo::{Matcher, Seen, StereoError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::arguments;
 use crate::camera::Camera;
 use crate::choice::maybe_named;
 use crate::device::Device;
@@ -214,7 +215,7 @@ impl StereoMatcher {
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn new(
         py: Python<'_>,
-        device: Option<&Bound<'_, Device>>,
+        #[pyo3(from_py_with = arguments::optional_device)] device: Option<Bound<'_, Device>>,
         sensor: Option<&str>,
         raw: Option<bool>,
         rectify: Option<&str>,
@@ -257,7 +258,7 @@ impl StereoMatcher {
                     remedy,
                 ));
             }
-            Some(device) => Source::device(device, sensor, raw, rectify)?,
+            Some(device) => Source::device(&device, sensor, raw, rectify)?,
             None if raw == Some(true) || rectify.is_some() || sensor.is_some() => {
                 let is = "require a device";
                 return Err(wrong(

@@ -35,6 +35,22 @@ def test_parameters_are_a_mapping_a_file_or_a_fit(device, tmp_path):
         oaktwin.DepthSensor(device, params=path)
 
 
+def test_a_name_is_not_a_device(device):
+    calls = [
+        oaktwin.DepthSensor,
+        oaktwin.Rig,
+        oaktwin.StereoMatcher,
+        oaktwin.accuracy,
+        lambda given: oaktwin.simulate_imu(given, [0, 1], np.tile(np.eye(4), (2, 1, 1))),
+        lambda given: oaktwin.Scene.from_triangles(np.eye(3), [[0, 1, 2]]).render_pair(given, np.eye(4)),
+    ]
+    for call in calls:
+        with pytest.raises(oaktwin.Error, match=re.escape("device: invalid value 'OAK4-D'; pass oaktwin.Device(\"OAK4-D\")")):
+            call("OAK4-D")
+        with pytest.raises(oaktwin.Error, match="device: invalid value 5; pass oaktwin.Device"):
+            call(5)
+
+
 def test_drift_is_a_mapping_or_text(device):
     wall = np.full((60, 106), 2.0, np.float32)
     expected = oaktwin.DepthSensor(device, drift="yaw=0.3,baseline=50")(wall)

@@ -20,7 +20,10 @@ def test_the_catalogs_latency_follows_the_mode(device):
     assert wide.latency("usb")["ms"][1] < wide.latency()["ms"][1]
     narrow = oaktwin.DepthSensor(oaktwin.Device("OAK-D Pro PoE"), parameters={"width": 640})
     assert narrow.latency()["ms"][1] < oaktwin.DepthSensor(oaktwin.Device("OAK-D Pro PoE")).latency()["ms"][0] + 20
-    assert oaktwin.DepthSensor(oaktwin.Device("OAK-D ToF")).latency() is None
+    flight = oaktwin.DepthSensor(oaktwin.Device("OAK-D ToF")).latency()
+    assert (flight["mode"], flight["connection"]) == ("time-of-flight", "poe")
+    assert {stage["source"] for stage in flight["stages"][:2]} == {"estimate"}
+    assert oaktwin.DepthSensor(oaktwin.Device("RealSense D435i")).latency() is None
     with pytest.raises(oaktwin.Error, match="connection"):
         wide.latency("wifi")
 
@@ -46,7 +49,7 @@ def test_a_stream_with_the_catalogs_latency(device):
         with pytest.raises(oaktwin.Error, match=message):
             oaktwin.Stream(sensor, latency=bad)
     with pytest.raises(oaktwin.Error, match="latency: the catalog has none of this sensor"):
-        oaktwin.Stream(oaktwin.DepthSensor(oaktwin.Device("OAK-D ToF")), latency="catalog")
+        oaktwin.Stream(oaktwin.DepthSensor(oaktwin.Device("RealSense D435i")), latency="catalog")
 
 
 def edge(seconds):

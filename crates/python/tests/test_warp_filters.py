@@ -69,13 +69,60 @@ def test_random_chains_have_the_same_bits():
         "speckle": lambda: f"range={random.integers(60)},difference={random.integers(9)}",
         "decimation": lambda: f"factor={random.integers(1, 5)},mode={random.choice(['PIXEL_SKIPPING', 'NON_ZERO_MEAN', 'NON_ZERO_MEDIAN'])}",
         "threshold": lambda: f"min={random.integers(1500)},max={random.integers(2000, 9000)}",
+        "temporal": lambda: f"alpha={random.random():.3f},delta={random.integers(256)}",
     }
     for number in range(40):
         engine = list(TABLES)[number % len(TABLES)]
         filters = [f"{name}:{settings[name]()}" for name in random.choice(list(settings), random.integers(1, 5))]
-        depth = scene((2, *random.integers(1, 60, 2)), seed=number)
+        # An image that is one pixel wide would be one with a channel.
+        depth = scene((2, random.integers(1, 60), random.integers(2, 60)), seed=number)
         reference, sensor = both(device_of(engine), engine=engine, filters=filters)
-        assert np.array_equal(sensor(depth, frame=number), reference(depth, frame=number)), (filters, depth.shape)
+        for frame in (number, number + 1):
+            assert np.array_equal(sensor(depth, frame=frame), reference(depth, frame=frame)), (filters, depth.shape)
+
+
+PERSISTENCIES = ["PERSISTENCY_OFF", "VALID_8_OUT_OF_8", "VALID_2_IN_LAST_3", "VALID_2_IN_LAST_4", "VALID_2_OUT_OF_8"] + [
+    *(f"VALID_1_IN_LAST_{count}" for count in (2, 5, 8)),
+    "PERSISTENCY_INDEFINITELY",
+]
+
+
+@pytest.mark.parametrize("persistency", PERSISTENCIES)
+def test_temporal_filters_remember_each_environment(persistency):
+    """Frames of which some show nothing, and environments that start anew."""
+    for number, (engine, before) in enumerate([("stereo-noise", []), ("time-of-flight", ["median:size=3"]), ("single-view", ["threshold:min=300"])]):
+        alpha, delta = [(0.4, 3), (0.15, 200), (1.0, 20)][number]
+        filters = [*before, f"temporal:alpha={alpha},delta={delta},persistency={persistency}", "speckle:range=3"]
+        reference, sensor = both(device_of(engine), engine=engine, filters=filters)
+        kept = False
+        for frame in range(22):
+            depth = scene((3, 17, 23), seed=frame // 12)
+            is_empty = frame % 11 == 10
+            if is_empty:
+                depth[:] = np.inf
+            if frame in (10, 15):
+                items = [[0, 2], np.array([False, True, False])][frame == 15]
+                reference.reset(items)
+                sensor.reset(items)
+            expected = reference(depth, frame=frame)
+            codes = np.full(expected.shape, 99, np.uint8)
+            assert np.array_equal(sensor(depth, frame=frame, reasons=codes), expected), (engine, frame)
+            assert np.array_equal(codes == 0, expected > 0)
+            kept |= is_empty and bool((expected > 0).any())
+        # Noise larger than delta begins anew, so that 8 frames in a row are rare.
+        assert kept == (persistency != "PERSISTENCY_OFF") or persistency == "VALID_8_OUT_OF_8", engine
+        for one in (reference, sensor):
+            one.reset()
+        assert np.array_equal(sensor(depth, frame=30), reference(depth, frame=30))
+
+
+def test_what_a_reset_of_environments_rejects(device):
+    sensor = ow.DepthSensor(device, on="cpu", filters=["temporal"])
+    sensor.reset()
+    sensor(scene((3, 17, 23)))
+    for items, message in [([3], "pass numbers from 0 to 2, or a mask"), ([True], r"items: a mask of shape \(1,\)"), (["x"], "are not numbers")]:
+        with pytest.raises(oaktwin.Error, match=message):
+            sensor.reset(items)
 
 
 def test_values_of_all_16_bits():
@@ -102,9 +149,6 @@ def test_presets_and_shapes(device):
         sensor(depth, out=depth)
     with pytest.raises(oaktwin.Error, match=r"reasons: pass a C-contiguous uint8 array of shape \(3, 30, 53\)"):
         sensor(depth, reasons=np.empty((3, 60, 107), np.uint8))
-    temporal = ["temporal:alpha=0.5"]
-    with pytest.raises(oaktwin.Error, match="filters: 'temporal:.*' does not run in Warp; leave it out with filters="):
-        ow.DepthSensor(device, on="cpu", filters=temporal)
 
 
 def test_a_stream_of_filtered_images(device):

@@ -6,7 +6,11 @@ import json
 import os
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+import numpy.typing as npt
+
 from . import _oaktwin
+from ._findings import Error
 
 if TYPE_CHECKING:
     from ._types import _SensorOptions
@@ -43,3 +47,17 @@ def as_json(argument: str, value: Any) -> str:
         return json.dumps(dict(value), default=plain, allow_nan=False)
     except ValueError:
         raise _oaktwin.Error(f"{argument}: contains NaN or infinity; pass finite numbers") from None
+
+
+def indices(name: str, given: Any, count: int) -> npt.NDArray[np.int64]:
+    """The numbers of environments: of all if None is given, otherwise numbers or a mask, in ascending order."""
+    if given is None:
+        return np.arange(count)
+    ids = np.asarray(given.cpu() if hasattr(given, "cpu") else given.numpy() if hasattr(given, "numpy") else given)
+    if ids.dtype == np.bool_:
+        if ids.shape != (count,):
+            raise Error(f"{name}: a mask of shape {ids.shape}; pass one of shape ({count},), or numbers")
+        return np.flatnonzero(ids)
+    if ids.size and (not np.issubdtype(ids.dtype, np.integer) or ids.ndim != 1 or ids.min() < 0 or ids.max() >= count):
+        raise Error(f"{name}: {given!r} are not numbers of environments; pass numbers from 0 to {count - 1}, or a mask")
+    return np.unique(ids.astype(np.int64))

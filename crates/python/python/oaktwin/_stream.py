@@ -12,6 +12,7 @@ from ._findings import Error
 from ._latency import catalog_latency
 from ._policy_image import PolicyImage
 from ._random import seeds, uniforms
+from ._settings import indices
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -157,7 +158,7 @@ class Stream:
         steps = np.ones(shape[0], bool)
         if env_ids is not None and self._last is not None:
             steps[:] = False
-            steps[_indices(env_ids, shape[0])] = True
+            steps[indices("env_ids", env_ids, shape[0])] = True
         envs = np.flatnonzero(steps & (begins | (frame > self._last_frame)))
         if len(envs):
             frames = self._measure(envs, depth, rgb)
@@ -185,7 +186,7 @@ class Stream:
         if self._shape is None:
             return
         count = self._shape[0]
-        ids = _indices(env_ids, count)
+        ids = indices("env_ids", env_ids, count)
         self._episode[ids] += 1
         self._age_steps[ids] = 0
         self._draw(ids)
@@ -309,19 +310,6 @@ def _batch_shape(depth: Any) -> tuple[int, ...]:
     if "float32" not in str(depth.dtype):
         raise Error(f"depth: has the dtype {depth.dtype}; pass float32 metres")
     return shape
-
-
-def _indices(env_ids: Any, count: int) -> npt.NDArray[np.int64]:
-    if env_ids is None:
-        return np.arange(count)
-    ids = np.asarray(env_ids.cpu() if hasattr(env_ids, "cpu") else env_ids)
-    if ids.dtype == np.bool_:
-        if ids.shape != (count,):
-            raise Error(f"env_ids: a mask of shape {ids.shape}; pass one of shape ({count},), or numbers")
-        return np.flatnonzero(ids)
-    if ids.size and (not np.issubdtype(ids.dtype, np.integer) or ids.ndim != 1 or ids.min() < 0 or ids.max() >= count):
-        raise Error(f"env_ids: {env_ids!r} are not numbers of environments; pass numbers from 0 to {count - 1}, or a mask")
-    return np.unique(ids.astype(np.int64))
 
 
 def _index(ids: npt.NDArray[np.int64], of: Any) -> Any:

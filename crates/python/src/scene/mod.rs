@@ -22,7 +22,7 @@ use pyo3::types::PyDict;
 use self::parts::{Parts, Stage};
 pub(crate) use self::parts::{path, unknown_part};
 use self::time::Animation;
-use crate::arguments::{Annotators, FrameNumber, Size, optional, subdivide};
+use crate::arguments::{self, Annotators, FrameNumber, Size, optional, subdivide};
 use crate::asset;
 use crate::camera::Camera;
 use crate::choice::{maybe_named, named};
@@ -323,7 +323,7 @@ impl Scene {
     fn render_pair<'py>(
         &self,
         py: Python<'py>,
-        device: &Device,
+        #[pyo3(from_py_with = arguments::device)] device: Bound<'py, Device>,
         world_from_body: &Bound<'py, PyAny>,
         sensor: Option<&str>,
         size: Option<Size>,
@@ -345,6 +345,7 @@ impl Scene {
             device_seed,
             drift: drift.map(|drift| self::drift("drift", drift)).transpose()?,
         };
+        let device = device.get();
         let options = settings.options(device)?;
         let world_from_body = Of::Body.one("world_from_body", world_from_body)?;
         let frame = FrameNumber::or_next(frame, &self.next_frame);

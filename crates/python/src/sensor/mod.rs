@@ -119,7 +119,7 @@ impl DepthSensor {
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn new(
         py: Python<'_>,
-        device: &Bound<'_, Device>,
+        #[pyo3(from_py_with = arguments::device)] device: Bound<'_, Device>,
         sensor: Option<&str>,
         fx: Option<f64>,
         hfov_deg: Option<f64>,
@@ -133,7 +133,7 @@ impl DepthSensor {
             ..sensor_options("DepthSensor", &ARGUMENTS, options, |_| true)?
         };
         options.seed = entropy.unwrap_or(options.seed);
-        let (whole, device) = (device, device.get());
+        let (whole, device) = (&device, device.get());
         let twin = &device.twin;
         let depth = depth_sensor(twin, sensor).map_err(error)?.clone();
         let camera = camera.map(|camera| camera.get().clone());

@@ -101,6 +101,11 @@ class Chain:
         self._metres = wp.empty(between, dtype=float, device=device) if self._before else self._measured
         self._millimetres = wp.empty(between, dtype=wp.uint16, device=device)
 
+    def reset(self, items: Any) -> None:
+        """Forgets the earlier images of some items, an array of numbers."""
+        self._before.reset(items)
+        self._after.reset(items)
+
     def launch(self, depth: Any, keys: Any, items: Any, frame: Any, out: Any, reasons: Any) -> None:
         """Measures and filters a batch."""
         if self._pairs is not None:

@@ -8,9 +8,20 @@ import warp as wp
 
 wp.set_module_options({"enable_backward": False, "fast_math": False, "fuse_fp": False})
 
-# The names of the filters in the order of their reasons; "temporal" has a memory, and is missing.
+# The names of the filters in the order of their reasons.
 NAMES = ("median", "spatial", "temporal", "speckle", "decimation", "threshold", "brightness")
-KNOWN = frozenset(NAMES) - {"temporal"}
+# The recent frames that each persistency regards, and in how many of them a pixel must have been valid.
+_PERSISTENCIES = {
+    "PERSISTENCY_OFF": (0, 1),
+    "VALID_8_OUT_OF_8": (8, 8),
+    "VALID_2_IN_LAST_3": (3, 2),
+    "VALID_2_IN_LAST_4": (4, 2),
+    "VALID_2_OUT_OF_8": (8, 2),
+    "VALID_1_IN_LAST_2": (2, 1),
+    "VALID_1_IN_LAST_5": (5, 1),
+    "VALID_1_IN_LAST_8": (8, 1),
+    "PERSISTENCY_INDEFINITELY": (0, 0),
+}
 # The reason of the first filter.
 _FIRST_REASON = 32
 
@@ -106,6 +117,54 @@ def smooth_columns(image: wp.array3d(dtype=wp.uint16), alpha: float, delta: int)
             pixel = mixed(pixel, before, alpha)
             image[n, y, x] = wp.uint16(pixel)
         before = pixel
+
+
+@wp.kernel
+def remember(
+    image: wp.array3d(dtype=wp.uint16),
+    alpha: float,
+    delta: int,
+    frames: int,
+    wanted: int,
+    phase: wp.array(dtype=wp.uint32),
+    last: wp.array3d(dtype=wp.uint16),
+    history: wp.array3d(dtype=wp.uint8),
+):
+    """One frame: bit n of a pixel's history says whether it was valid in frame 8 k + n of the last 8."""
+    n, y, x = wp.tid()
+    at = wp.int32(phase[0])
+    new = wp.int32(image[n, y, x])
+    old = wp.int32(last[n, y, x])
+    past = wp.int32(history[n, y, x])
+    valid = int(0)
+    for age in range(1, frames + 1):
+        valid += (past >> ((at + 8 - age) & 7)) & 1
+    own = 1 << at
+    kept = new
+    begun = own
+    if new != 0 and old != 0 and wp.abs(new - old) < delta:
+        kept = int(float(new) * alpha + float(old) * (1.0 - alpha))
+        begun = past | own
+    if new != 0:
+        last[n, y, x] = wp.uint16(kept)
+        history[n, y, x] = wp.uint8(begun)
+    else:
+        history[n, y, x] = wp.uint8(past & (255 - own))
+        if valid >= wanted:
+            kept = old
+    image[n, y, x] = wp.uint16(kept)
+
+
+@wp.kernel
+def forget(items: wp.array(dtype=int), last: wp.array3d(dtype=wp.uint16), history: wp.array3d(dtype=wp.uint8)):
+    i, y, x = wp.tid()
+    last[items[i], y, x] = wp.uint16(0)
+    history[items[i], y, x] = wp.uint8(0)
+
+
+@wp.kernel
+def next_phase(phase: wp.array(dtype=wp.uint32)):
+    phase[0] = (phase[0] + wp.uint32(1)) % wp.uint32(8)
 
 
 @wp.func
@@ -269,11 +328,17 @@ class Filters:
         self._device, self.shape, self._bits, self._any = device, shape, most.bit_length(), bool(texts)
         # Without colours, "brightness" does nothing.
         chosen = [(name, settings) for name, settings in map(parsed, texts) if name != "brightness"]
+        self._memories: list[tuple[Any, Any]] = []
         self._steps = [self._step(name, settings, level) for name, settings in chosen]
         self._no_codes = wp.empty((0, 0, 0), dtype=wp.uint8, device=device)
 
     def __bool__(self) -> bool:
         return self._any
+
+    def reset(self, items: Any) -> None:
+        """Forgets the earlier images of some items."""
+        for last, history in self._memories:
+            wp.launch(forget, (len(items), *last.shape[1:]), [items], [last, history], device=self._device)
 
     def run(self, image: Any, codes: Any) -> tuple[Any, Any]:
         """Filters images, which may change, and their reasons; returns both, with the size of filtered ones."""
@@ -287,6 +352,7 @@ class Filters:
         make = {
             "median": self._median,
             "spatial": self._spatial,
+            "temporal": self._temporal,
             "speckle": self._speckle,
             "decimation": self._decimation,
             "threshold": self._threshold,
@@ -315,6 +381,20 @@ class Filters:
             for _ in range(iterations):
                 wp.launch(smooth_rows, (count, height), [image, alpha, delta, radius], device=device)
                 wp.launch(smooth_columns, (count, width), [image, alpha, delta], device=device)
+            return image, codes
+
+        return step
+
+    def _temporal(self, settings: dict[str, str], _level: float) -> Any:
+        alpha, delta, device = float(np.float32(settings["alpha"])), int(settings["delta"]), self._device
+        frames, wanted = _PERSISTENCIES[settings["persistency"]]
+        phase = wp.zeros(1, dtype=wp.uint32, device=device)
+        last, history = (wp.zeros(self.shape, dtype=dtype, device=device) for dtype in (wp.uint16, wp.uint8))
+        self._memories.append((last, history))
+
+        def step(image: Any, codes: Any) -> Any:
+            wp.launch(remember, image.shape, [image, alpha, delta, frames, wanted, phase], [last, history], device=device)
+            wp.launch(next_phase, 1, [], [phase], device=device)
             return image, codes
 
         return step

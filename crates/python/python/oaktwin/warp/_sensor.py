@@ -10,10 +10,11 @@ import warp as wp
 
 from .._findings import Error, FindingWarning
 from .._sensors import DepthSensor as RustSensor
+from .._settings import indices
 from ._arrays import Images, returned
 from ._chain import Chain, to_metres, to_millimetres
 from ._drift import pairs_of
-from ._filters import KNOWN, decimated, parsed
+from ._filters import decimated, parsed
 from ._single_view import SingleView
 from ._stereo_noise import StereoNoise
 from ._time_of_flight import TimeOfFlight
@@ -43,8 +44,8 @@ class DepthSensor:
     options: the other arguments of `oaktwin.DepthSensor`: sensor, fx, hfov_deg, camera, name, engine, preset, filters, extended_disparity,
         isaac, seed. "brightness" needs colours, and has no effect.
 
-    Raises oaktwin.Error as `oaktwin.DepthSensor` does, and for what Warp does not compute: engines that match pairs,
-        the filter "temporal" (also a preset's), and in the first call multipath of "time-of-flight".
+    Raises oaktwin.Error as `oaktwin.DepthSensor` does, and for what Warp does not compute: engines that match pairs, and in the
+        first call multipath of "time-of-flight".
 
     A call, `sensor(depth, *, frame=None, seed=None, out=None, reasons=None)`, measures a batch:
 
@@ -56,7 +57,8 @@ class DepthSensor:
     reasons: a uint8 array (N, H, W), or of the size of decimated images, on the same device, for the codes why pixels have no value; see `oaktwin.DepthSensor.annotate`.
 
     Returns `out`, or a new array of the library of `depth`, with its shape, which decimation reduces, and its unit; 0 where invalid. After the first call with a
-    size, nothing is allocated if `out` is given, nothing is copied to the host, and nothing waits for the device.
+    size, nothing is allocated if `out` is given, nothing is copied to the host, and nothing waits for the device. A temporal filter remembers
+    the images of each environment until the size or the number of the images changes; see `reset()`.
 
     Raises TypeError for an object that is not an array or has another dtype, oaktwin.Error for an array on another device, with
     gradients, not contiguous or of another shape, for colour images, and for a wrong number of seeds or parameters.
@@ -102,9 +104,6 @@ class DepthSensor:
         name = self._rust.engine
         if name not in ENGINES:
             raise Error(f"engine: '{name}' does not run in Warp; expected {', '.join(ENGINES)}, or use oaktwin.DepthSensor")
-        missing = [text for text in self._rust.filters if parsed(text)[0] not in KNOWN]
-        if missing:
-            raise Error(f"filters: '{missing[0]}' does not run in Warp; leave it out with filters=, or use oaktwin.DepthSensor")
         self._engine = ENGINES[name]
         new = set(self._rust.parameters) - self._engine.PARAMETERS - self._engine.COLOURS
         if new:
@@ -120,6 +119,7 @@ class DepthSensor:
         self._camera = options.get("name") or device.depth_camera(options.get("sensor")).name
         self._seed = self._rust.seed
         self._shape: tuple[int, ...] | None = None
+        self._kernels: Chain | None = None
         self._keys_of: Any = None
         self._numbered = wp.zeros(1, dtype=wp.uint32, device=self._on)
         self._named = wp.zeros(1, dtype=wp.uint32, device=self._on)
@@ -153,9 +153,14 @@ class DepthSensor:
         return self._seed
 
     def reset(self, items: Any = None, *, seed: int | None = None) -> None:
-        """Starts a new sequence, as `oaktwin.DepthSensor.reset` does: with a seed, frames are numbered from 0 on; otherwise their numbering
-        continues, and there is nothing to forget.
+        """Starts a new sequence, as `oaktwin.DepthSensor.reset` does: temporal filters forget earlier images.
+
+        items: the numbers of the environments that start a new sequence, or a mask; the others go on.
+        seed: the new noise seed, with which frames are numbered from 0 on. Without it, their numbering continues.
         """
+        if self._kernels is not None:
+            numbers = indices("items", items, self._shape[0])
+            self._kernels.reset(wp.array(numbers, dtype=int, device=self._on))
         if seed is not None:
             self._rust.reset(seed=seed)
             self._seed = self._rust.seed
@@ -263,22 +268,27 @@ class DepthSensor:
     def _compare(self, size: tuple[int, ...]) -> None:
         """Compares an image with the reference, which also resolves the parameters for its size."""
         exact = _test_image(*size)
+        # A filter with a memory shows in later frames.
+        numbers = (5, 6, 7) if any(parsed(text)[0] == "temporal" for text in self._rust.filters) else (5,)
+        self._rust.reset()
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", FindingWarning)
-            expected = self._rust(exact, frame=5)
+            expected = [self._rust(exact, frame=number) for number in numbers]
         shape = (1, *size)
         pairs = pairs_of([self._rust], size, self._on)
         kernels = Chain(self._engine(self._rust.parameters, {}, shape, self._on), self._rust.filters, shape, self._on, pairs)
         keys = wp.array(np.array([self._engine.keys(self._seed, self._camera)], np.uint32), device=self._on)
-        items, frame = wp.zeros(1, dtype=wp.uint32, device=self._on), wp.full(1, 5, dtype=wp.uint32, device=self._on)
+        items, frame = (wp.zeros(1, dtype=wp.uint32, device=self._on) for _ in range(2))
         out = wp.empty(kernels.shape, dtype=float, device=self._on)
-        kernels.launch(wp.array(exact[None], dtype=float, device=self._on), keys, items, frame, out, self._no_reasons)
-        differ = int((out.numpy()[0] != expected).sum())
-        if differ:
-            raise Error(
-                f"device: {differ} of {expected.size} pixels of a test image differ from oaktwin.DepthSensor on {self._on};"
-                " use oaktwin.DepthSensor"
-            )
+        for number, wanted in zip(numbers, expected, strict=True):
+            frame.fill_(number)
+            kernels.launch(wp.array(exact[None], dtype=float, device=self._on), keys, items, frame, out, self._no_reasons)
+            differ = int((out.numpy()[0] != wanted).sum())
+            if differ:
+                raise Error(
+                    f"device: {differ} of {wanted.size} pixels of a test image differ from oaktwin.DepthSensor on {self._on};"
+                    " use oaktwin.DepthSensor"
+                )
 
 
 def _split(parameters: Any) -> tuple[Any, dict[str, Any]]:
