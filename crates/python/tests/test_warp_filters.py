@@ -151,6 +151,16 @@ def test_presets_and_shapes(device):
         sensor(depth, reasons=np.empty((3, 60, 107), np.uint8))
 
 
+def test_read_only_outputs_are_rejected(device):
+    sensor = ow.DepthSensor(device, on="cpu")
+    for name, dtype in [("out", np.float32), ("reasons", np.uint8)]:
+        given = np.zeros((3, 60, 106), dtype)
+        given.flags.writeable = False
+        with pytest.raises(oaktwin.Error, match=f"{name}: is read-only; pass an array that can be written to"):
+            sensor(scene((3, 60, 106)), **{name: given})
+        assert not given.any()
+
+
 def test_a_stream_of_filtered_images(device):
     filters = ["median:size=3", "decimation:factor=2"]
     reference, sensor = both(device, filters=filters)

@@ -182,6 +182,9 @@ class DepthSensor:
         dims = (*shape, *images.dims[3:])
         if out is None:
             out = images.empty(dims)
+        for name, written in [("out", out), ("reasons", reasons)]:
+            if isinstance(written, np.ndarray) and not written.flags.writeable:
+                raise Error(f"{name}: is read-only; pass an array that can be written to")
         # Some libraries have arrays that cannot be written.
         given = wp.empty(dims, dtype=images.array.dtype, device=self._on) if out is None else out
         target = Images("out", given, self._on)
