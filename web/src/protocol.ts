@@ -1,11 +1,10 @@
-import type { RobotInfo } from "./protocol-robot";
-import type { Animation } from "./protocol-session";
+// Made from the types of `crates/studio` by its tests; see `crates/studio/src/typescript.rs`.
 
 /**
  * The interface between the page and the server of `oaktwin studio`.
  *
  * Lengths are metres and angles degrees unless a name says otherwise. The world is that of the scene's file; a device's body frame
- * is ROS's (x forward, y left, z up). Pixels count from the top left. The Rust side is in `crates/studio/src/protocol`.
+ * is ROS's (x forward, y left, z up). Pixels count from the top left.
  *
  * HTTP, all below the page's own origin:
  *
@@ -34,95 +33,63 @@ import type { Animation } from "./protocol-session";
  * A `scene` in a request is the id of a scene, or of an animated one at a time code: "ID@12.5".
  */
 
-export type * from "./protocol-mesh";
-export type * from "./protocol-robot";
-export type * from "./protocol-session";
-
 /** A 3D vector. */
 export type Vec3 = [number, number, number];
 
+/** What is outside a texture. */
+export type TextureWrap = "repeat" | "mirror" | "clamp";
+
+/** A problem in an input: where it is, what is wrong, and how to fix it. */
+export interface Finding {
+  /** A short stable name, such as "baseline-off". */
+  code: string;
+  level: "note" | "warning" | "error";
+  place: string;
+  message: string;
+  remedy: string;
+}
+
+/** Messages of the page on the WebSocket. */
+export type ClientMessage = FrameRequest | ProbeRequest;
+
 /** What the server knows before any scene. */
-export interface Catalog {
+export type Catalog = {
   version: string;
   /** The scene that is shown first. */
   scene: string;
   /** The model that is shown first. */
   model: string;
-  models: Model[];
-  engines: Engine[];
+  models: Array<Model>;
+  engines: Array<Engine>;
   /** The filters that can be chosen, with the parameters of each. */
-  filters: Filter[];
+  filters: Array<Filter>;
   /** The ways in which a stereo pair can have changed since its calibration; each is 0 by default. */
-  drift: Parameter[];
+  drift: Array<Parameter>;
   /** The formats of robots and simulators, each with one line about it. */
-  robotFormats: { name: string; help: string }[];
+  robotFormats: Array<RobotFormat>;
   /** The reasons why a pixel has no value, sorted by code; codes have gaps. Code 0 is a measured pixel. */
-  reasons: Reason[];
+  reasons: Array<Reason>;
   /** What can become of a point of a surface, sorted by code: code 0 is a measured one; the reasons, and others such as "hidden". */
-  outcomes: Reason[];
+  outcomes: Array<Reason>;
   /** The largest file that can be dropped, bytes. */
   maxUploadBytes: number;
-}
+};
 
-export interface Model {
-  /** The name, which is its id: "OAK4-D". */
+export type RobotFormat = {
   name: string;
-  maker: string;
-  /** "RVC2", "RVC4". */
-  generation: string;
-  /** The sizes along x, y and z, and the centre, in the body frame. */
-  body: { size: Vec3; centre: Vec3 };
-  cameras: Camera[];
-  /** Whether it has a dot projector. */
-  hasProjector: boolean;
-  /** Whether its left and right cameras have a fisheye description besides the pinhole one. */
-  hasFisheye: boolean;
-  /** Empty for a model without depth. */
-  depthSensors: DepthSensor[];
-}
+  help: string;
+};
 
-/** A camera of a device at its used resolution. */
-export interface Camera {
-  /** "rgb", "left", "right", "tof". */
-  role: string;
-  resolution: [number, number];
-  hfovDeg: number;
-  vfovDeg: number;
-  /** Row-major 3 × 4: from the optical frame (x right, y down, z forward) to the body frame. */
-  bodyFromCamera: number[];
-}
-
-export interface DepthSensor {
-  /** "depth_stereo" or "depth_tof"; the prim if the device has several of the kind. */
-  id: string;
-  kind: "stereo" | "tof";
-  resolution: [number, number];
-  hfovDeg: number;
-  vfovDeg: number;
-  bodyFromCamera: number[];
-  /** The distances of the range shells; null where the maker publishes none. */
-  minimumM: number | null;
-  idealM: [number, number] | null;
-  maximumM: number | null;
-  baselineM: number | null;
-  /** The names of the engines that model it, the default first. */
-  engines: string[];
-  /** The names of DepthAI's presets for it. */
-  presets: string[];
-  /** The accuracy bands that the maker publishes: errors of at most `percent` up to `toM`. */
-  bands: { fromM: number; toM: number; percent: number }[];
-}
-
-export interface Engine {
+export type Engine = {
   /** "stereo-noise". */
   name: string;
   help: string;
   /** Whether it needs the images of both cameras, which take longer to render. */
   isMatcher: boolean;
-  parameters: Parameter[];
-}
+  parameters: Array<Parameter>;
+};
 
-export interface Parameter {
+export type Parameter = {
   name: string;
   /** The heading to show it under. */
   group: string;
@@ -135,125 +102,101 @@ export interface Parameter {
   /** The step from the minimum to the next valid number; null if every number is valid. */
   step: number | null;
   /** The values of a `string` parameter, if they are enumerated. */
-  choices: string[] | null;
-  /** The default as text. The effective default of a model may differ: {@link FrameHeader.parameters}. */
+  choices: Array<string> | null;
+  /** The default as text. The effective default of a model may differ: `FrameHeader.parameters`. */
   default: string;
   documentation: string;
   /** Where the default comes from: "DepthAI", "estimate", "camera", … */
   source: string;
   isEstimate: boolean;
-}
+};
 
-export interface Filter {
+export type Filter = {
   name: string;
-  parameters: Parameter[];
-}
+  parameters: Array<Parameter>;
+};
 
-export interface Reason {
+export type Model = {
+  /** The name, which is its id: "OAK4-D". */
+  name: string;
+  maker: string;
+  /** "RVC2", "RVC4". */
+  generation: string;
+  /** In the body frame. */
+  body: Body;
+  cameras: Array<Camera>;
+  /** Whether it has a dot projector. */
+  hasProjector: boolean;
+  /** Whether its left and right cameras have a fisheye description besides the pinhole one. */
+  hasFisheye: boolean;
+  /** Empty for a model without depth. */
+  depthSensors: Array<DepthSensor>;
+};
+
+/** A camera of a device at its used resolution. */
+export type Camera = {
+  /** "rgb", "left", "right", "tof". */
+  role: string;
+  resolution: [number, number];
+  hfovDeg: number;
+  vfovDeg: number;
+  /** Row-major 3 × 4: from the optical frame (x right, y down, z forward) to the body frame. */
+  bodyFromCamera: Array<number>;
+};
+
+export type DepthSensor = {
+  /** `depth_stereo` or `depth_tof`; the prim if the device has several of the kind. */
+  id: string;
+  kind: "stereo" | "tof";
+  /** The distances of the range shells; null where the maker publishes none. */
+  minimumM: number | null;
+  idealM: [number, number] | null;
+  maximumM: number | null;
+  baselineM: number | null;
+  /** The names of the engines that model it, the default first. */
+  engines: Array<string>;
+  /** The names of DepthAI's presets for it. */
+  presets: Array<string>;
+  /** The accuracy bands that the maker publishes. */
+  bands: Array<Band>;
+  resolution: [number, number];
+  hfovDeg: number;
+  vfovDeg: number;
+  /** Row-major 3 × 4: from the optical frame (x right, y down, z forward) to the body frame. */
+  bodyFromCamera: Array<number>;
+};
+
+/** An accuracy that the maker publishes: an error of at most `percent`. */
+export type Band = {
+  fromM: number;
+  toM: number;
+  percent: number;
+};
+
+export type Body = {
+  /** Along x, y and z, metres. */
+  size: Vec3;
+  centre: Vec3;
+};
+
+export type Reason = {
   code: number;
-  /** "too_near". */
+  /** Such as `too_near`. */
   name: string;
   documentation: string;
-}
+};
 
-/** What can be wrong. */
-export interface Failure {
+/** What is wrong with a request. */
+export type Failure = {
   /** `FILE: PLACE: what is wrong; what to do`. */
   error: string;
+  /** The parameter or field at fault, if one is. */
+  field: string | null;
   findings?: Finding[];
-}
+};
 
-export interface Finding {
-  level: "note" | "warning" | "error";
-  place: string;
-  message: string;
-  remedy: string;
-}
-
-export interface SceneInfo {
-  id: string;
-  /** The name of the file, or "demo room". */
-  name: string;
-  up: "y" | "z";
-  /** Metres per unit of a mesh file, which does not say; null for a USD stage. */
-  scale: number | null;
-  triangles: number;
-  /** The corners of the bounding box. */
-  bounds: [Vec3, Vec3];
-  objects: SceneObject[];
-  findings: Finding[];
-  /** A pose of the body that shows the scene. */
-  pose: Pose;
-  /** Null if nothing in it moves. */
-  animation: Animation | null;
-  /** The robot in the scene. The id of the scene in another posture is `ID~P1,P2,…`, with the position of each of the joints. */
-  robot: RobotInfo | null;
-}
-
-export interface SceneObject {
-  /** The path of the prim. */
-  path: string;
-  bounds: [Vec3, Vec3];
-}
-
-export interface CalibrationInfo {
-  id: string;
-  name: string;
-  /** The model that the device says it is; null if it does not match a known one. */
-  model: string | null;
-  findings: Finding[];
-}
-
-/** A pose of the body in the world. */
-export interface Pose {
-  position: Vec3;
-  /** x, y, z, w. */
-  quaternion: [number, number, number, number];
-}
-
-/** Everything that determines the outputs of one OAK. It is what a link to the page stores. */
-export interface OakState {
-  model: string;
-  /** The id of a dropped calibration. */
-  calibration: string | null;
-  pose: Pose;
-  /** {@link DepthSensor.id}. */
-  sensor: string;
-  /** The optics of the wide models' left and right cameras. */
-  lens: "pinhole" | "fisheye";
-  engine: string;
-  preset: string | null;
-  /** Filters as text, "NAME" or "NAME:KEY=VALUE,…", in order; they replace the preset's. Null: the preset's. */
-  filters: string[] | null;
-  /** Only those that were changed, as text. */
-  parameters: Record<string, string>;
-  extendedDisparity: boolean;
-  seed: number;
-  /** The seed of an individual unit's calibration error; null for a unit without one. */
-  deviceSeed: number | null;
-  /** The seed of a unit of the model's population, whose cameras differ from the nominal ones; null for the nominal device. */
-  populationSeed: number | null;
-  /** The drift of the stereo pair since its calibration: only what is not 0, as text, by the names in {@link Catalog.drift}. */
-  drift: Record<string, string>;
-  /** The brightness of the dot projector and of the scene's own light, for stereo engines. Night is an ambient of 0. */
-  projector: number;
-  ambient: number;
-  /** The number of the frame of a trajectory or an animation: frames differ in their noise. 0 for a frame on its own. */
-  frame: number;
-}
-
-/** An image of an OAK. */
-export type ImageName =
-  | "color" // rgba8
-  | "depth" // u16mm: ground truth in the camera of the sensor
-  | "reference" // u16mm: ground truth at the pixels of `sensor`: only sent where it differs from `depth`; errors refer to it
-  | "sensor" // u16mm: the measured depth
-  | "confidence" // u8; not made by every engine
-  | "left" // u8: the infrared image of the left camera, rectified
-  | "right"
-  | "reason"; // u8: codes of Catalog.reasons
-
-export interface FrameRequest {
+/** Asks for the images of an OAK. */
+export type FrameRequest = {
   type: "frame";
   /** Increasing; the answer repeats it. A newer request of the same `oak` replaces older ones, which are not answered. */
   id: number;
@@ -263,38 +206,115 @@ export interface FrameRequest {
   state: OakState;
   /** The size of the images; null for the sensor's own. */
   size: [number, number] | null;
-  images: ImageName[];
-  /** The rectangle for {@link FrameHeader.statistics}, as fractions of the image: left, top, right, bottom. */
+  images: Array<ImageName>;
+  /** The rectangle for the statistics, as fractions of the image: left, top, right, bottom. */
   region: [number, number, number, number];
-  /** Every so many pixels of a row and of a column have a colour of their own, 1 to 8; those between are interpolated. 1 if missing. Colour takes most of the time of a new view. */
+  /**
+   * Every so many pixels of a row and of a column have a colour of their own, 1 to 8; those between are interpolated. 1 if missing.
+   * Colour takes most of the time of a new view.
+   */
   colorStep?: number;
   /** Whether images for rest follow. A preview comes first, and interrupts images for rest that are being computed. */
   isPreview?: boolean;
-}
+};
+
+/** Everything that determines the outputs of one OAK. It is what a link to the page stores. */
+export type OakState = {
+  model: string;
+  /** The id of a dropped calibration. */
+  calibration: string | null;
+  pose: Pose;
+  /** `DepthSensor.id`. */
+  sensor: string;
+  /** The optics of the wide models' left and right cameras. */
+  lens: "pinhole" | "fisheye";
+  engine: string;
+  preset: string | null;
+  /** Filters as text, "NAME" or "NAME:KEY=VALUE,…", in order; they replace the preset's. Null: the preset's. */
+  filters: Array<string> | null;
+  /** Only those that were changed, as text. */
+  parameters: Record<string, string>;
+  extendedDisparity: boolean;
+  seed: number;
+  /** The seed of an individual unit's calibration error; null for a unit without one. */
+  deviceSeed: number | null;
+  /** The seed of a unit of the model's population, whose cameras differ from the nominal ones; null for the nominal device. */
+  populationSeed: number | null;
+  /** The drift of the stereo pair since its calibration: only what is not 0, as text, by the names in `Catalog.drift`. */
+  drift: Record<string, string>;
+  /** The brightness of the dot projector and of the scene's own light, for stereo engines. Night is an ambient of 0. */
+  projector: number;
+  ambient: number;
+  /** The number of the frame of a trajectory or an animation: frames differ in their noise. 0 for a frame on its own. */
+  frame: number;
+};
+
+/** A pose of the body in the world. */
+export type Pose = {
+  position: Vec3;
+  /** x, y, z, w. */
+  quaternion: [number, number, number, number];
+};
+
+/** An image of an OAK. */
+export type ImageName = "color" | "depth" | "reference" | "sensor" | "confidence" | "left" | "right" | "reason";
 
 /** Asks about a pixel of the last frame of an OAK. */
-export interface ProbeRequest {
+export type ProbeRequest = {
   type: "probe";
   id: number;
   oak: string;
   /** Fractions of the sensor's image: 0 is the left or top edge. */
   x: number;
   y: number;
-}
+};
 
-export type ClientMessage = FrameRequest | ProbeRequest;
+/** A message as text; frames are binary. */
+export type ServerMessage = { "type": "probe" } & ProbeAnswer | { "type": "error" } & Rejection;
 
-/**
- * A binary message: 4 bytes, the length N of the JSON in little endian; N bytes of JSON, which is this header; then the images.
- */
-export interface FrameHeader {
+/** A request that cannot be answered. */
+export type Rejection = {
   id: number;
   oak: string;
-  images: ImageHeader[];
+  /** `FILE: PLACE: what is wrong; what to do`. */
+  error: string;
+  /** The parameter or field at fault, if one is. */
+  field: string | null;
+  findings?: Finding[];
+};
+
+/** What a pixel shows. */
+export type ProbeAnswer = {
+  id: number;
+  oak: string;
+  /** The pixel of the sensor's image. */
+  pixel: [number, number];
+  trueM: number | null;
+  /** In pixels of the matcher; null without a stereo pair. */
+  disparityPx: number | null;
+  measuredM: number | null;
+  errorM: number | null;
+  /** The distance to the next depth that the sensor can report; null without disparity. */
+  stepM: number | null;
+  /** The code in `Catalog.reasons`. */
+  reason: number;
+  /** The prim in the pixel. */
+  object: string | null;
+  /** The prim that hides it from the other camera, for a reason of occlusion. */
+  occluder: string | null;
+  /** The point on the surface, in the world. */
+  point: Vec3 | null;
+};
+
+/** A binary message: 4 bytes, the length N of the JSON in little endian; N bytes of JSON, which is this header; then the images. */
+export type FrameHeader = {
+  id: number;
+  oak: string;
+  images: Array<ImageHeader>;
   /** The effective parameters of the engine, as text. */
   parameters: Record<string, string>;
   /** Those filters that ran, as text. */
-  filters: string[];
+  filters: Array<string>;
   findings: Finding[];
   statistics: Statistics;
   /** What the frame took on the server, ms. */
@@ -302,9 +322,9 @@ export interface FrameHeader {
   /** The horizontal field of view of the images. */
   hfovDeg: number;
   vfovDeg: number;
-}
+};
 
-export interface ImageHeader {
+export type ImageHeader = {
   name: ImageName;
   width: number;
   height: number;
@@ -317,10 +337,10 @@ export interface ImageHeader {
    * Whether the pixels are those of the last frame with this image that the server sent for this OAK. Such an image has a `length` of
    * 0, because the page still has it.
    */
-  unchanged?: boolean;
-}
+  unchanged: boolean;
+};
 
-export interface Statistics {
+export type Statistics = {
   /** The number of pixels in the region that show a surface. */
   pixels: number;
   /** The fraction of them with a value. */
@@ -331,94 +351,115 @@ export interface Statistics {
   medianAbsoluteErrorPercent: number | null;
   p95AbsoluteErrorM: number | null;
   /** The number of pixels of each reason, by its code. */
-  reasons: number[];
-  /** Errors in bins of equal width between the ends. */
-  histogram: { fromM: number; toM: number; counts: number[] };
-}
+  reasons: Array<number>;
+  histogram: Histogram;
+};
 
-export interface ProbeAnswer {
-  type: "probe";
-  id: number;
-  oak: string;
-  /** The pixel of the sensor's image. */
-  pixel: [number, number];
-  trueM: number | null;
-  /** In pixels of the matcher; null without a stereo pair. */
-  disparityPx: number | null;
-  measuredM: number | null;
-  errorM: number | null;
-  /** The distance to the next depth that the sensor can report; null without disparity. */
-  stepM: number | null;
-  /** The code in {@link Catalog.reasons}. */
-  reason: number;
-  /** The prim in the pixel. */
-  object: string | null;
-  /** The prim that hides it from the other camera, for a reason of occlusion. */
-  occluder: string | null;
-  /** The point on the surface, in the world. */
-  point: Vec3 | null;
-}
+/** Errors in bins of equal width between the ends. */
+export type Histogram = {
+  fromM: number;
+  toM: number;
+  counts: Array<number>;
+};
 
-/** A request that cannot be answered. */
-export interface Rejection extends Failure {
-  type: "error";
-  id: number;
-  oak: string;
-  /** The parameter or field that is at fault, if one is. */
-  field: string | null;
-}
+/**
+ * A binary mesh: 4 bytes, the length N of the JSON in little endian; N bytes of JSON, which is this header; padding with zeros to a
+ * multiple of 4; then float32 positions (3 per vertex), uint8 sRGB colours with alpha (4 per vertex), uint32 indices (3 per
+ * triangle), and for each triangle the uint32 index of its object in `SceneInfo.objects`. All little endian.
+ */
+export type MeshHeader = {
+  vertices: number;
+  triangles: number;
+  /** The number of triangles of the full scene. */
+  ofTriangles: number;
+};
 
-/** Binary messages are frames. */
-export type ServerMessage = ProbeAnswer | Rejection;
+/**
+ * Binary surfaces with textures, over those of the mesh; none if there are too many. Laid out like a mesh: after the header and its
+ * padding, for each group the float32 positions (3 per vertex) and coordinates (2 per vertex) of its triangles' corners; then the rgba8
+ * pixels of the textures, the lowest row first.
+ */
+export type TexturedHeader = {
+  groups: Array<TexturedGroup>;
+  textures: Array<TextureHeader>;
+};
 
-/** The accuracy by the vendor's method: the error of the median over distances. */
-export interface AccuracyCurve {
-  distancesM: number[];
-  /** The median error of the median unit, percent; null where nothing was measured. */
-  errorPercent: (number | null)[];
-  /** The fraction of the pixels with a value. */
-  fillRate: number[];
-  bands: { fromM: number; toM: number; percent: number }[];
-}
+export type TextureHeader = {
+  width: number;
+  height: number;
+  wrap: [TextureWrap, TextureWrap];
+};
 
-export interface ExportRequest {
-  what: "asset" | "robot" | "image" | "error" | "statistics" | "parameters" | "command" | "python";
+/** Triangles with one material. */
+export type TexturedGroup = {
+  vertices: number;
+  texture: number;
+  /** The linear factor of the texture. */
+  color: Vec3;
+};
+
+/** Asks for a file. */
+export type ExportRequest = {
+  what: Export;
   scene: string;
   state: OakState;
   size: [number, number] | null;
   /** For `image`. */
   image?: ImageName;
-  /** `usda` or `usdz` for an asset; a name of {@link Catalog.robotFormats} for `robot`, a zip archive; `npy` or `png` for an image; `json` or `csv` for statistics. */
+  /**
+   * `usda` or `usdz` for an asset; a name of `Catalog.robotFormats` for `robot`, a zip archive; `npy` or `png` for an image; `json` or
+   * `csv` for statistics.
+   */
   format?: string;
-  /** For `statistics`: the rectangle as fractions of the image, and the other OAKs. */
+  /** For `statistics`: the rectangle as fractions of the image. */
   region?: [number, number, number, number];
-  others?: { state: OakState; size: [number, number] | null }[];
-  /** For commands: the trajectory to which the state's frame belongs; and of an animated scene, the first time code and the step. */
+  /** For `statistics`: the other OAKs. */
+  others?: Array<SizedState>;
+  /** For commands: the trajectory to which the state's frame belongs. */
   trajectory?: string;
+  /** For commands of an animated scene: the first time code of its frames, and the time codes from frame to frame. */
   codes?: [number, number];
-}
+};
 
-export interface CoverageRequest {
+/** An OAK with the size of its images. */
+export type SizedState = {
+  state: OakState;
+  size: [number, number] | null;
+};
+
+/** What can be taken away. */
+export type Export = "asset" | "robot" | "image" | "error" | "statistics" | "parameters" | "command" | "python";
+
+/** The accuracy by the vendor's method: the error of the median over distances. */
+export type AccuracyCurve = {
+  distancesM: Array<number>;
+  /** The median error of the median unit, percent; null where nothing was measured. */
+  errorPercent: Array<number | null>;
+  /** The fraction of the pixels with a value. */
+  fillRate: Array<number>;
+  bands: Array<Band>;
+};
+
+export type CoverageRequest = {
   scene: string;
-  states: OakState[];
-  /** A box in the world, or the path of an object. */
-  region: { minimum: Vec3; maximum: Vec3 } | { object: string };
+  states: Array<OakState>;
+  /** A box in the world, or an object. */
+  region: CoverageRegion;
   /** The largest error of a point that counts as measured; null for any. */
   toleranceMm?: number | null;
-}
+};
 
-/**
- * Asks for the surface of a region in small triangles. In the mesh, the object of a triangle is the code of its outcome in
- * {@link Catalog.outcomes}; the colours mean nothing.
- */
-export interface SurfaceRequest {
-  scene: string;
-  state: OakState;
-  region: CoverageRequest["region"];
-}
+/** A box in the world, or the path of an object. */
+export type CoverageRegion = { minimum: [number, number, number], maximum: [number, number, number], } | { object: string, };
+
+/** For each of the states, and for all of them together. */
+export type CoverageAnswer = {
+  poses: Array<PoseCoverage>;
+  together: PoseCoverage;
+};
 
 /** What is measured of a region's surface. */
-export interface PoseCoverage {
+export type PoseCoverage = {
   /** The share of the surface that the camera sees, measured or not. */
   seen: number;
   /** The share that is measured. */
@@ -428,10 +469,110 @@ export interface PoseCoverage {
   lost: Record<string, number>;
   /** The share of the pixels that show the robot of the scene; null without a robot, and for all OAKs together. */
   ownRobot: number | null;
-}
+};
 
-/** For each of the states, and for all of them together. */
-export interface CoverageAnswer {
-  poses: PoseCoverage[];
-  together: PoseCoverage;
-}
+/**
+ * Asks for the surface of a region in small triangles. In the mesh, the object of a triangle is the code of its outcome in
+ * `Catalog.outcomes`; the colours mean nothing.
+ */
+export type SurfaceRequest = {
+  scene: string;
+  state: OakState;
+  region: CoverageRegion;
+};
+
+/** What a session has: the state of the page, which only the page understands, and the ids of what was dropped. */
+export type SaveRequest = {
+  document: unknown;
+  display: unknown;
+  scene: string;
+  calibrations: Array<string>;
+  trajectory: string | null;
+};
+
+/** What a page shows after a session was opened. */
+export type SessionInfo = {
+  document: unknown;
+  display: unknown;
+  scene: SceneInfo;
+  calibrations: Array<CalibrationInfo>;
+  trajectory: TrajectoryInfo | null;
+};
+
+export type SceneInfo = {
+  id: string;
+  /** The name of the file, or "demo room". */
+  name: string;
+  up: "y" | "z";
+  /** Metres per unit of a mesh file, which states no unit; null for a USD stage. */
+  scale: number | null;
+  triangles: number;
+  /** The corners of the bounding box. */
+  bounds: [Vec3, Vec3];
+  objects: Array<SceneObject>;
+  findings: Finding[];
+  /** A pose of the body that shows the scene. */
+  pose: Pose;
+  /** Null if nothing in it moves. */
+  animation: Animation | null;
+  /** The robot in the scene. The id of the scene in another posture is `ID~P1,P2,…`, with the position of each of the joints. */
+  robot: RobotInfo | null;
+};
+
+/** A robot, in the posture of its scene. */
+export type RobotInfo = {
+  name: string;
+  /** The joints that can be moved. */
+  joints: Array<RobotJoint>;
+  links: Array<RobotLink>;
+};
+
+export type RobotJoint = {
+  name: string;
+  /** Whether its positions are angles in radians; otherwise lengths in metres. */
+  isRevolute: boolean;
+  /** Null for a joint without limits. */
+  limits: [number, number] | null;
+  position: number;
+};
+
+export type RobotLink = {
+  name: string;
+  /** The path below which its objects are. */
+  path: string;
+  /** The pose of its frame in the world. */
+  pose: Pose;
+};
+
+export type SceneObject = {
+  /** The path of the prim. */
+  path: string;
+  bounds: [Vec3, Vec3];
+};
+
+/** The time codes of an animated scene. */
+export type Animation = {
+  first: number;
+  last: number;
+  codesPerSecond: number;
+  /** The time codes from frame to frame. */
+  step: number;
+};
+
+/** A calibration that was dropped onto the page. */
+export type CalibrationInfo = {
+  id: string;
+  name: string;
+  /** The model that the device says it is; null if it does not match a known one. */
+  model: string | null;
+  findings: Finding[];
+};
+
+/** A trajectory that was dropped onto the page. */
+export type TrajectoryInfo = {
+  id: string;
+  name: string;
+  poses: Array<Pose>;
+  /** The time of each pose, s, from 0. */
+  timesS: Array<number>;
+};

@@ -157,7 +157,7 @@ impl Device {
         let connection = connection.unwrap_or_else(|| self.connection());
         let name = match kind {
             DepthKind::Tof => TIME_OF_FLIGHT.to_owned(),
-            _ => mode.name(),
+            DepthKind::Stereo => mode.name(),
         };
         let generation = fold_name(&self.generation);
         let matches = |row: &&Row| {

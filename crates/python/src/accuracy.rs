@@ -7,8 +7,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use pyo3::{Borrowed, FromPyObject};
 
-use crate::arguments::{self, captures, optional};
-use crate::device::Device;
+use crate::arguments::{captures, optional};
+use crate::device::{self, Device};
 use crate::engine::{PythonEngine, serve_all};
 use crate::error::{error, reading, wrong};
 use crate::finding;
@@ -40,7 +40,7 @@ const ARGUMENTS: [&str; 11] = [
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub(crate) fn accuracy<'py>(
     py: Python<'py>,
-    #[pyo3(from_py_with = arguments::device)] device: Bound<'py, Device>,
+    #[pyo3(from_py_with = device::argument::required)] device: Bound<'py, Device>,
     sensor: Option<String>,
     distances: Option<Distances>,
     #[pyo3(from_py_with = optional::devices)] devices: Option<u32>,

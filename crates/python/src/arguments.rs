@@ -8,7 +8,6 @@ use pyo3::types::PyRange;
 use pyo3::{Borrowed, FromPyObject};
 
 use crate::array::numbers;
-use crate::device::Device;
 use crate::error::wrong;
 use crate::settings::{mistyped, strings, whole};
 
@@ -151,20 +150,6 @@ pub(crate) fn vector(argument: &str, object: &Bound<'_, PyAny>) -> PyResult<DVec
             "pass three numbers",
         )),
     }
-}
-
-/// Reads `device`, for which a name is a usual mistake.
-pub(crate) fn device<'py>(object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, Device>> {
-    object.cast().cloned().map_err(|_| {
-        let model = object.extract::<String>();
-        let model = model.as_deref().unwrap_or("OAK4-D");
-        mistyped("device", object, &format!("oaktwin.Device(\"{model}\")"))
-    })
-}
-
-/// Reads `device`, or None.
-pub(crate) fn optional_device<'py>(object: &Bound<'py, PyAny>) -> PyResult<Option<Bound<'py, Device>>> {
-    (!object.is_none()).then(|| device(object)).transpose()
 }
 
 /// Reads `frames`: a range without gaps, or its ends.

@@ -1,3 +1,4 @@
+pub(crate) mod argument;
 mod make;
 mod parts;
 

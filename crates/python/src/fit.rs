@@ -8,8 +8,8 @@ use pyo3::exceptions::PyFileNotFoundError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arguments::{self, optional};
-use crate::device::Device;
+use crate::arguments::optional;
+use crate::device::{self, Device};
 use crate::error::{error, wrong};
 use crate::finding;
 use crate::json;
@@ -38,10 +38,11 @@ const ARGUMENTS: [&str; 8] = [
 #[pyfunction]
 #[pyo3(signature = (device, recordings, *, sensor = None, region = REGION, depth_scale = 0.001, measured_from = 0.0,
     focal_px = None, width_px = None, fits_focal_length = false, progress = Report::default(), **options))]
+#[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub(crate) fn fit<'py>(
     py: Python<'py>,
-    #[pyo3(from_py_with = arguments::device)] device: Bound<'py, Device>,
+    #[pyo3(from_py_with = device::argument::required)] device: Bound<'py, Device>,
     recordings: Recorded,
     sensor: Option<String>,
     region: f64,

@@ -6,10 +6,9 @@ use oaktwin::scene::Up;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arguments;
 use crate::array::numbers;
 use crate::choice::named;
-use crate::device::Device;
+use crate::device::{self, Device};
 use crate::error::{error, text, wrong};
 use crate::finding;
 use crate::pose::Of;
@@ -37,10 +36,11 @@ const BATCH: usize = 1 << 16;
 /// Warns with oaktwin.FindingWarning. Raises oaktwin.Error for invalid input, and for a device without an inertial sensor.
 #[pyfunction]
 #[pyo3(signature = (device, times, poses, *, rate = None, part = None, seed = 0, up = "z"))]
+#[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
 #[expect(clippy::too_many_arguments, reason = "options of Python")]
 pub(crate) fn simulate_imu<'py>(
     py: Python<'py>,
-    #[pyo3(from_py_with = arguments::device)] device: Bound<'py, Device>,
+    #[pyo3(from_py_with = device::argument::required)] device: Bound<'py, Device>,
     times: &Bound<'py, PyAny>,
     poses: &Bound<'py, PyAny>,
     rate: Option<f64>,

@@ -12,10 +12,10 @@ use oaktwin::render::{
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arguments::{self, Annotators, FrameNumber, Size};
+use crate::arguments::{Annotators, FrameNumber, Size};
 use crate::camera::Camera;
 use crate::choice::named;
-use crate::device::Device;
+use crate::device::{self, Device};
 use crate::engine::{PythonEngine, serve_all};
 use crate::error::{error, wrong};
 use crate::finding;
@@ -90,7 +90,7 @@ impl Rig {
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn new(
         py: Python<'_>,
-        #[pyo3(from_py_with = arguments::device)] device: Bound<'_, Device>,
+        #[pyo3(from_py_with = device::argument::required)] device: Bound<'_, Device>,
         cameras: Option<&Bound<'_, PyAny>>,
         size: Option<Size>,
         annotators: Option<Annotators>,

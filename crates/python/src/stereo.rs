@@ -15,10 +15,9 @@ use oaktwin::stereo::{Matcher, Seen, StereoError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arguments;
 use crate::camera::Camera;
 use crate::choice::maybe_named;
-use crate::device::Device;
+use crate::device::{self, Device};
 use crate::engine::{PythonEngine, away};
 use crate::error::{error, wrong};
 use crate::finding::{self, Finding};
@@ -215,7 +214,7 @@ impl StereoMatcher {
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn new(
         py: Python<'_>,
-        #[pyo3(from_py_with = arguments::optional_device)] device: Option<Bound<'_, Device>>,
+        #[pyo3(from_py_with = device::argument::optional)] device: Option<Bound<'_, Device>>,
         sensor: Option<&str>,
         raw: Option<bool>,
         rectify: Option<&str>,

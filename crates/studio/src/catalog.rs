@@ -13,111 +13,159 @@ use serde::Serialize;
 use crate::protocol::Band;
 use crate::reasons::{self, Reason};
 
+/// What the server knows before any scene.
 #[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Catalog"))]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct CatalogInfo {
     version: &'static str,
+    /// The scene that is shown first.
     scene: String,
+    /// The model that is shown first.
     model: String,
     models: Vec<Model>,
     engines: Vec<Engine>,
+    /// The filters that can be chosen, with the parameters of each.
     filters: Vec<FilterInfo>,
+    /// The ways in which a stereo pair can have changed since its calibration; each is 0 by default.
     drift: Vec<Parameter>,
+    /// The formats of robots and simulators, each with one line about it.
     robot_formats: Vec<RobotFormat>,
+    /// The reasons why a pixel has no value, sorted by code; codes have gaps. Code 0 is a measured pixel.
     reasons: Vec<Reason>,
+    /// What can become of a point of a surface, sorted by code: code 0 is a measured one; the reasons, and others such as "hidden".
     outcomes: Vec<Reason>,
+    /// The largest file that can be dropped, bytes.
     max_upload_bytes: u64,
 }
 
 #[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 struct Model {
+    /// The name, which is its id: "OAK4-D".
     name: String,
     maker: String,
+    /// "RVC2", "RVC4".
     generation: String,
+    /// In the body frame.
     body: Body,
     cameras: Vec<Camera>,
+    /// Whether it has a dot projector.
     has_projector: bool,
+    /// Whether its left and right cameras have a fisheye description besides the pinhole one.
     has_fisheye: bool,
+    /// Empty for a model without depth.
     depth_sensors: Vec<DepthSensor>,
 }
 
 #[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 struct Body {
     /// Along x, y and z, metres.
+    #[cfg_attr(test, ts(type = "Vec3"))]
     size: [f64; 3],
+    #[cfg_attr(test, ts(type = "Vec3"))]
     centre: [f64; 3],
 }
 
+/// A camera of a device at its used resolution.
 #[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 struct Camera {
+    /// "rgb", "left", "right", "tof".
     role: &'static str,
     #[serde(flatten)]
     view: ViewInfo,
 }
 
 #[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "CameraView"))]
 #[serde(rename_all = "camelCase")]
 struct ViewInfo {
     resolution: [u32; 2],
     hfov_deg: f64,
     vfov_deg: f64,
+    /// Row-major 3 × 4: from the optical frame (x right, y down, z forward) to the body frame.
     body_from_camera: Vec<f64>,
 }
 
 #[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 struct DepthSensor {
+    /// `depth_stereo` or `depth_tof`; the prim if the device has several of the kind.
     id: String,
+    #[cfg_attr(test, ts(type = "\"stereo\" | \"tof\""))]
     kind: &'static str,
     #[serde(flatten)]
     view: ViewInfo,
+    /// The distances of the range shells; null where the maker publishes none.
+    #[cfg_attr(test, ts(type = "number | null"))]
     minimum_m: f64,
+    #[cfg_attr(test, ts(type = "[number, number] | null"))]
     ideal_m: [f64; 2],
+    #[cfg_attr(test, ts(type = "number | null"))]
     maximum_m: f64,
+    #[cfg_attr(test, ts(type = "number | null"))]
     baseline_m: f64,
+    /// The names of the engines that model it, the default first.
     engines: Vec<&'static str>,
+    /// The names of DepthAI's presets for it.
     presets: Vec<&'static str>,
+    /// The accuracy bands that the maker publishes.
     bands: Vec<Band>,
 }
 
 #[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 struct Engine {
+    /// "stereo-noise".
     name: &'static str,
     help: &'static str,
+    /// Whether it needs the images of both cameras, which take longer to render.
     is_matcher: bool,
     parameters: Vec<Parameter>,
 }
 
 #[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Filter"))]
 struct FilterInfo {
     name: &'static str,
     parameters: Vec<Parameter>,
 }
 
 #[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 struct RobotFormat {
     name: &'static str,
     help: &'static str,
 }
 
 #[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 struct Parameter {
     name: &'static str,
+    /// The heading to show it under.
     group: &'static str,
+    #[cfg_attr(test, ts(type = "\"number\" | \"integer\" | \"boolean\" | \"string\""))]
     r#type: &'static str,
     unit: Option<&'static str>,
     minimum: Option<f64>,
     maximum: Option<f64>,
-    /// The range of a slider.
+    /// The range that devices or experiments usually have, for a slider; null if it is the whole range.
     typical: Option<(f64, f64)>,
+    /// The step from the minimum to the next valid number; null if every number is valid.
     step: Option<f64>,
+    /// The values of a `string` parameter, if they are enumerated.
     choices: Option<&'static [&'static str]>,
+    /// The default as text. The effective default of a model may differ: `FrameHeader.parameters`.
     default: String,
     documentation: &'static str,
+    /// Where the default comes from: "DepthAI", "estimate", "camera", …
     source: String,
     is_estimate: bool,
 }

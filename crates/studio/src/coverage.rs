@@ -25,35 +25,49 @@ const MAX_RIGS: usize = 64;
 const MAX_TRIANGLES: u64 = 20_000_000;
 
 #[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub(crate) struct CoverageRequest {
     scene: String,
     states: Vec<OakState>,
+    /// A box in the world, or an object.
     region: RegionRequest,
+    /// The largest error of a point that counts as measured; null for any.
+    #[cfg_attr(test, ts(optional = nullable))]
     tolerance_mm: Option<f64>,
 }
 
+/// A box in the world, or the path of an object.
 #[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "CoverageRegion"))]
 #[serde(untagged)]
 enum RegionRequest {
     Box { minimum: [f64; 3], maximum: [f64; 3] },
     Object { object: String },
 }
 
+/// For each of the states, and for all of them together.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CoverageAnswer {
     poses: Vec<PoseCoverage>,
     together: PoseCoverage,
 }
 
+/// What is measured of a region's surface.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 struct PoseCoverage {
+    /// The share of the surface that the camera sees, measured or not.
     seen: f64,
+    /// The share that is measured.
     measured: f64,
     median_absolute_error_m: Option<f64>,
+    /// The shares that are not measured, by the name of the reason.
+    #[cfg_attr(test, ts(type = "Record<string, number>"))]
     lost: BTreeMap<&'static str, f64>,
-    /// The share of the pixels that show the robot of the scene.
+    /// The share of the pixels that show the robot of the scene; null without a robot, and for all OAKs together.
     own_robot: Option<f64>,
 }
 
@@ -75,8 +89,10 @@ impl RegionRequest {
     }
 }
 
-/// A region with the state that is assessed on its surface.
+/// Asks for the surface of a region in small triangles. In the mesh, the object of a triangle is the code of its outcome in
+/// `Catalog.outcomes`; the colours mean nothing.
 #[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub(crate) struct SurfaceRequest {
     scene: String,

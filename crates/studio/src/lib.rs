@@ -37,6 +37,8 @@ mod statistics;
 mod studio;
 mod task;
 mod trajectory;
+#[cfg(test)]
+mod typescript;
 mod unit;
 mod upload;
 mod wire;

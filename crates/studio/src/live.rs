@@ -8,13 +8,14 @@ use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use axum::extract::ws::{Message, WebSocket};
-use serde::Serialize;
 use tokio::task::JoinHandle;
 
 use crate::frame;
 use crate::job::{self, Job};
 use crate::probe;
-use crate::protocol::{Failure, FrameRequest, Kind, Pose, ProbeRequest, Rejection, RequestKind};
+use crate::protocol::{
+    Failure, FrameRequest, Kind, Pose, ProbeRequest, Rejection, RequestKind, ServerMessage,
+};
 use crate::station::Station;
 use crate::studio::Studio;
 
@@ -232,7 +233,7 @@ fn answer(studio: &Studio, stations: &Stations, request: &Request, job: &Job) ->
         Request::Probe(request) => {
             // A probe creates nothing: there may be any number of keys.
             match probe::probe(stations.get(&request.oak), request) {
-                Ok(answer) => text(&answer),
+                Ok(answer) => text(&ServerMessage::Probe(answer)),
                 Err(failure) => rejection(request.id, &request.oak, failure),
             }
         }
@@ -240,14 +241,14 @@ fn answer(studio: &Studio, stations: &Stations, request: &Request, job: &Job) ->
 }
 
 fn rejection(id: u64, oak: &str, failure: Failure) -> Message {
-    text(&Rejection {
+    text(&ServerMessage::Error(Rejection {
         id,
         oak: oak.to_owned(),
         failure,
-    })
+    }))
 }
 
-fn text(answer: &impl Serialize) -> Message {
+fn text(answer: &ServerMessage) -> Message {
     Message::Text(serde_json::to_string(answer).unwrap_or_default().into())
 }
 

@@ -9,8 +9,10 @@ use serde::Serialize;
 use crate::station::Measurement;
 
 #[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct Reason {
     code: u8,
+    /// Such as `too_near`.
     name: String,
     documentation: String,
 }

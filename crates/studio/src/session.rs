@@ -34,11 +34,14 @@ const MAX_CALIBRATIONS: usize = 16;
 /// The maximum size of a session, bytes: the largest scene that can be dropped, with the other files.
 pub(crate) const MAX_BYTES: u64 = upload::MAX_BYTES + (64 << 20);
 
-/// What a page wants to save.
+/// What a session has: the state of the page, which only the page understands, and the ids of what was dropped.
 #[derive(Debug, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub(crate) struct SaveRequest {
+    #[cfg_attr(test, ts(type = "unknown"))]
     document: Box<RawValue>,
+    #[cfg_attr(test, ts(type = "unknown"))]
     display: Box<RawValue>,
     scene: String,
     calibrations: Vec<String>,
@@ -47,8 +50,11 @@ pub(crate) struct SaveRequest {
 
 /// What a page shows after a session was opened.
 #[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SessionInfo {
+    #[cfg_attr(test, ts(type = "unknown"))]
     document: Box<RawValue>,
+    #[cfg_attr(test, ts(type = "unknown"))]
     display: Box<RawValue>,
     scene: SceneInfo,
     calibrations: Vec<CalibrationInfo>,

@@ -38,7 +38,7 @@ function failure(text: string, response: Response): Failure {
   } catch {
     // Not JSON.
   }
-  return { error: text.trim() || `The server answered ${response.status} ${response.statusText}.` };
+  return { error: text.trim() || `The server answered ${response.status} ${response.statusText}.`, field: null };
 }
 
 async function json<T>(path: string, init?: RequestInit): Promise<T> {

@@ -18,6 +18,9 @@ const SOURCES: [&str; 7] = ["rs", "py", "pyi", "ts", "tsx", "mjs", "css"];
 /// Folders without files that people write.
 const SKIPPED: [&str; 5] = ["target", "node_modules", "dist", "corpus", "regressions"];
 
+/// Files that a program writes.
+const MADE: [&str; 1] = ["protocol.ts"];
+
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap()
 }
@@ -26,7 +29,7 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_string_lossy();
-        if path.is_symlink() || name.starts_with('.') || SKIPPED.contains(&&*name) {
+        if path.is_symlink() || name.starts_with('.') || SKIPPED.contains(&&*name) || MADE.contains(&&*name) {
             continue;
         }
         if path.is_dir() {

@@ -329,7 +329,9 @@ impl<K: Key> Tile<'_, '_, K> {
             }
             if let Some(reasons) = &mut self.rows.reasons {
                 let reasons = &mut reasons[at.clone()];
-                outliers::columns(lone.missing).for_each(|x| reasons[x] = Reason::Measured.code());
+                for x in outliers::columns(lone.missing).filter(|&x| distance[x] > 0.0) {
+                    reasons[x] = Reason::Measured.code();
+                }
                 outliers::columns(lone.measured).for_each(|x| reasons[x] = Reason::Outlier.code());
             }
         }

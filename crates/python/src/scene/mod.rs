@@ -22,11 +22,11 @@ use pyo3::types::PyDict;
 use self::parts::{Parts, Stage};
 pub(crate) use self::parts::{path, unknown_part};
 use self::time::Animation;
-use crate::arguments::{self, Annotators, FrameNumber, Size, optional, subdivide};
+use crate::arguments::{Annotators, FrameNumber, Size, optional, subdivide};
 use crate::asset;
 use crate::camera::Camera;
 use crate::choice::{maybe_named, named};
-use crate::device::Device;
+use crate::device::{self, Device};
 use crate::error::{error, writing};
 use crate::finding::{self, Finding};
 use crate::mesh::Mesh;
@@ -319,11 +319,12 @@ impl Scene {
     /// pair or without the requested projector, an invalid pose, values out of range, and images that do not fit in memory.
     #[pyo3(signature = (device, world_from_body, *, sensor = None, size = None, projector = 0.0, ambient = 1.0, imager = None, seed = 0,
         device_seed = None, drift = None, frame = None))]
+    #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn render_pair<'py>(
         &self,
         py: Python<'py>,
-        #[pyo3(from_py_with = arguments::device)] device: Bound<'py, Device>,
+        #[pyo3(from_py_with = device::argument::required)] device: Bound<'py, Device>,
         world_from_body: &Bound<'py, PyAny>,
         sensor: Option<&str>,
         size: Option<Size>,

@@ -33,7 +33,7 @@ use units::Units;
 use crate::arguments::{self, Annotators, FrameNumber, Size};
 use crate::camera::Camera;
 use crate::choice::{maybe_named, named};
-use crate::device::Device;
+use crate::device::{self, Device};
 use crate::engine::PythonEngine;
 use crate::error::{error, wrong};
 use crate::finding::{self, Finding, Notices};
@@ -119,7 +119,7 @@ impl DepthSensor {
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn new(
         py: Python<'_>,
-        #[pyo3(from_py_with = arguments::device)] device: Bound<'_, Device>,
+        #[pyo3(from_py_with = device::argument::required)] device: Bound<'_, Device>,
         sensor: Option<&str>,
         fx: Option<f64>,
         hfov_deg: Option<f64>,
@@ -133,8 +133,7 @@ impl DepthSensor {
             ..sensor_options("DepthSensor", &ARGUMENTS, options, |_| true)?
         };
         options.seed = entropy.unwrap_or(options.seed);
-        let (whole, device) = (&device, device.get());
-        let twin = &device.twin;
+        let twin = &device.get().twin;
         let depth = depth_sensor(twin, sensor).map_err(error)?.clone();
         let camera = camera.map(|camera| camera.get().clone());
         let source = Source {
@@ -147,14 +146,14 @@ impl DepthSensor {
         let notices = Notices::default();
         notices.notice(py, hfov_deg.and_then(sensing::check_hfov))?;
         Ok(Self {
-            device: whole.clone().unbind(),
+            lens: device.get().lens,
+            device: device.unbind(),
             engine: PythonEngine::in_options(&source.options),
             shooting: Shooting::default(),
             // Reports invalid settings immediately.
             eye: Mutex::new(source.eye(None)?),
             source,
             camera,
-            lens: device.lens,
             next_frame: AtomicU64::new(0),
             memory: Memory::default(),
             notices,

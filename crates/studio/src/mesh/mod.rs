@@ -2,7 +2,7 @@
 //!
 //! The layout matches `MeshHeader` in `web/src/protocol.ts`.
 
-mod textured;
+pub(crate) mod textured;
 mod view;
 mod welded;
 

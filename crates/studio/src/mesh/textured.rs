@@ -20,25 +20,33 @@ const MAX_SIDE: u32 = 512;
 /// The number of textures: 48 MiB of the largest size.
 const MAX_TEXTURES: usize = 48;
 
+/// Binary surfaces with textures, over those of the mesh; none if there are too many. Laid out like a mesh: after the header and its
+/// padding, for each group the float32 positions (3 per vertex) and coordinates (2 per vertex) of its triangles' corners; then the rgba8
+/// pixels of the textures, the lowest row first.
 #[derive(Debug, Default, Serialize)]
-struct Header {
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "TexturedHeader"))]
+pub(crate) struct Header {
     groups: Vec<Group>,
     textures: Vec<TextureHeader>,
 }
 
 /// Triangles with one material.
 #[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "TexturedGroup"))]
 struct Group {
     vertices: usize,
     texture: usize,
     /// The linear factor of the texture.
+    #[cfg_attr(test, ts(type = "Vec3"))]
     color: [f32; 3],
 }
 
 #[derive(Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 struct TextureHeader {
     width: u32,
     height: u32,
+    #[cfg_attr(test, ts(type = "[TextureWrap, TextureWrap]"))]
     wrap: [&'static str; 2],
 }
 
