@@ -1,2 +1,2 @@
 #![no_main]
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| oaktwin_fuzz::run("ply", bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| oaktwin_fuzz::run(oaktwin_fuzz::check::ply, bytes));

@@ -11,7 +11,7 @@ use crate::workspace::{self, check, output, root};
 /// The options of libFuzzer: the limits on the memory and the time of one input, and its reports.
 const FLAGS: [&str; 5] = [
     "-rss_limit_mb=2048",
-    "-timeout=10",
+    "-timeout=25",
     "-print_final_stats=1",
     "-verbosity=1",
     "-use_value_profile=0",
@@ -30,6 +30,9 @@ pub(crate) struct Args {
     /// Replace the corpora in the repository by the smallest ones with the same coverage
     #[arg(long)]
     minimize: bool,
+    /// Build with this sanitizer, such as `address`, which halves the speed; for changes of unsafe code
+    #[arg(long, default_value = "none")]
+    sanitizer: String,
     /// Folder for the build
     #[arg(long)]
     target_dir: Option<PathBuf>,
@@ -66,6 +69,7 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
     installed()?;
     let build = args.target_dir.clone().unwrap_or_else(|| work.join("build"));
     let mut cargo = fuzzer("build", &build);
+    cargo.args(["--sanitizer", &args.sanitizer]);
     if let [only] = args.target.as_slice() {
         cargo.arg(only);
     }

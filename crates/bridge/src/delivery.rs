@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::fmt::Display;
 use std::time::{Duration, Instant};
 
+use oaktwin::catalog::Latency;
 use oaktwin::depth::random::{Numbers, Stage, Stream};
 use oaktwin::diagnostic::{message, opt};
 
@@ -30,6 +31,16 @@ pub struct Delivery {
 }
 
 impl Delivery {
+    /// Returns how the frames of a device of the catalog reach their subscribers.
+    #[must_use]
+    pub fn of(latency: &Latency) -> Self {
+        Self {
+            latency_s: (1e-3 * latency.ms.0, 1e-3 * latency.ms.1),
+            jitter_s: 1e-3 * latency.largest_jitter_ms(),
+            ..Self::default()
+        }
+    }
+
     /// Reads a latency, `SECONDS` or `LOW,HIGH`.
     ///
     /// # Errors

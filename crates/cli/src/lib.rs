@@ -5,6 +5,7 @@ mod args;
 mod commands;
 mod context;
 mod destination;
+mod number;
 mod output;
 mod plot;
 mod progress;

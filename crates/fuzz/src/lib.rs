@@ -27,6 +27,51 @@ use std::sync::{LazyLock, Mutex, Once, PoisonError};
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
+/// The functions of the targets. A binary names its own, so that it contains nothing of the others, whose counters of coverage would be read
+/// after every input.
+pub mod check {
+    macro_rules! checks {
+        ($($name:ident = $function:path),* $(,)?) => {
+            $(
+                #[doc = concat!("Checks an input of the target `", stringify!($name), "`.")]
+                pub fn $name(bytes: &[u8]) {
+                    $function(bytes);
+                }
+            )*
+        };
+    }
+
+    checks! {
+        calibration = crate::calibration::check,
+        catalog = crate::text::catalog,
+        curve = crate::list::curve,
+        depth_image = crate::codec::depth_image,
+        engines = crate::engine::depth,
+        filters = crate::filter::check,
+        foreign_calibration = crate::foreign::check,
+        gltf = crate::import::gltf,
+        materialx = crate::usd::materialx,
+        messages = crate::message::check,
+        npy = crate::codec::npy,
+        obj = crate::import::obj,
+        page = crate::page::check,
+        parameters = crate::text::parameters,
+        ply = crate::import::ply,
+        recipe = crate::recipe::check,
+        renderers = crate::renderer::check,
+        robot = crate::robot::check,
+        stereo = crate::engine::stereo,
+        stl = crate::import::stl,
+        texture = crate::codec::texture,
+        track = crate::list::track,
+        trajectory = crate::list::trajectory,
+        usd_emitter = crate::usd::emitter,
+        usda = crate::usd::usda,
+        usdc = crate::usd::usdc,
+        usdz = crate::usd::usdz,
+    }
+}
+
 /// A function to fuzz.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
@@ -48,198 +93,192 @@ pub const TARGETS: &[Target] = &[
         name: "calibration",
         about: "reads a calibration; the document round-trips, exports and twins are finite",
         max_len: 16384,
-        check: calibration::check,
+        check: check::calibration,
         seeds: calibration::seeds,
     },
     Target {
         name: "foreign-calibration",
         about: "imports calibrations of ROS, Kalibr and OpenCV; the document is finite and round-trips",
         max_len: 16384,
-        check: foreign::check,
+        check: check::foreign_calibration,
         seeds: foreign::seeds,
     },
     Target {
         name: "trajectory",
         about: "reads a trajectory; poses are rotations at finite places",
         max_len: 4096,
-        check: list::trajectory,
+        check: check::trajectory,
         seeds: list::trajectory_seeds,
     },
     Target {
         name: "curve",
         about: "reads a measured curve of errors; numbers are in the ranges of the manual",
         max_len: 4096,
-        check: list::curve,
+        check: check::curve,
         seeds: list::curve_seeds,
     },
     Target {
         name: "track",
         about: "reads positions over time; numbers are finite, and times increase",
         max_len: 4096,
-        check: list::track,
+        check: check::track,
         seeds: list::track_seeds,
     },
     Target {
         name: "filters",
         about: "runs chains of filters on two frames; sizes are as documented, the same bytes twice",
         max_len: 4096,
-        check: filter::check,
+        check: check::filters,
         seeds: filter::seeds,
     },
     Target {
         name: "npy",
         about: "decodes an array; its shape fits its values, and it round-trips",
         max_len: 4096,
-        check: codec::npy,
+        check: check::npy,
         seeds: codec::npy_seeds,
     },
     Target {
         name: "depth-image",
         about: "decodes PNG, EXR and PFM; images round-trip",
         max_len: 4096,
-        check: codec::depth_image,
+        check: check::depth_image,
         seeds: codec::depth_image_seeds,
     },
     Target {
         name: "texture",
         about: "decodes textures of all formats; colours are as large as the image",
         max_len: 8192,
-        check: codec::texture,
+        check: check::texture,
         seeds: codec::texture_seeds,
     },
     Target {
         name: "stl",
         about: "imports STL; every index and transform is valid",
         max_len: 4096,
-        check: import::stl,
+        check: check::stl,
         seeds: import::stl_seeds,
     },
     Target {
         name: "ply",
         about: "imports PLY, also with drawn headers; every index is valid",
         max_len: 4096,
-        check: import::ply,
+        check: check::ply,
         seeds: import::ply_seeds,
     },
     Target {
         name: "obj",
         about: "imports OBJ and MTL; every index is valid",
         max_len: 4096,
-        check: import::obj,
+        check: check::obj,
         seeds: import::obj_seeds,
     },
     Target {
         name: "gltf",
         about: "imports glTF and GLB, also with changed documents; every index and transform is valid",
         max_len: 8192,
-        check: import::gltf,
+        check: check::gltf,
         seeds: import::gltf_seeds,
     },
     Target {
         name: "parameters",
         about: "reads parameters, filters and drifts as text; filters and drifts round-trip",
         max_len: 1024,
-        check: text::parameters,
+        check: check::parameters,
         seeds: text::parameters_seeds,
     },
     Target {
         name: "engines",
         about: "measures depth with every engine and drawn parameters; no NaN, the same bytes twice",
         max_len: 4096,
-        check: engine::depth,
+        check: check::engines,
         seeds: engine::depth_seeds,
     },
     Target {
         name: "stereo",
         about: "matches drawn pairs with drawn parameters; no NaN, the same bytes twice",
         max_len: 4096,
-        check: engine::stereo,
+        check: check::stereo,
         seeds: engine::stereo_seeds,
     },
     Target {
         name: "renderers",
         about: "renders drawn triangles with both backends; both agree with the reference",
         max_len: 1024,
-        check: renderer::check,
+        check: check::renderers,
         seeds: renderer::seeds,
     },
     Target {
         name: "usda",
         about: "reads text stages, also drawn ones; every index and transform is valid",
         max_len: 4096,
-        check: usd::usda,
+        check: check::usda,
         seeds: usd::usda_seeds,
     },
     Target {
         name: "usdc",
         about: "reads binary stages; every index and transform is valid",
         max_len: 8192,
-        check: usd::usdc,
+        check: check::usdc,
         seeds: usd::usdc_seeds,
     },
     Target {
         name: "usdz",
         about: "reads packages, also of drawn layers; every index and transform is valid",
         max_len: 8192,
-        check: usd::usdz,
+        check: check::usdz,
         seeds: usd::usdz_seeds,
     },
     Target {
         name: "materialx",
         about: "converts MaterialX documents to layers",
         max_len: 4096,
-        check: usd::materialx,
+        check: check::materialx,
         seeds: usd::materialx_seeds,
     },
     Target {
         name: "usd-emitter",
         about: "emits layers of drawn values; they read back the same",
         max_len: 1024,
-        check: usd::emitter,
+        check: check::usd_emitter,
         seeds: usd::emitter_seeds,
     },
     Target {
         name: "catalog",
         about: "adds a file to the catalog; nominal twins are finite",
         max_len: 16384,
-        check: text::catalog,
+        check: check::catalog,
         seeds: text::catalog_seeds,
     },
     Target {
         name: "recipe",
         about: "reads a recipe and draws a frame; it round-trips, the same numbers twice",
         max_len: 4096,
-        check: recipe::check,
+        check: check::recipe,
         seeds: recipe::seeds,
     },
     Target {
         name: "robot",
         about: "reads URDF and MJCF, and moves the joints; links stay at finite places",
         max_len: 8192,
-        check: robot::check,
+        check: check::robot,
         seeds: robot::seeds,
     },
     Target {
         name: "messages",
         about: "reads images and camera info of ROS 2 and measures them; messages round-trip, sizes fit",
         max_len: 4096,
-        check: message::check,
+        check: check::messages,
         seeds: message::seeds,
     },
     Target {
         name: "page",
         about: "answers drawn requests of Studio's page, on its socket and over HTTP; none panics",
         max_len: 1024,
-        check: page::check,
+        check: check::page,
         seeds: page::seeds,
     },
 ];
-
-/// Returns the target of a name.
-#[must_use]
-pub fn target(name: &str) -> Option<&'static Target> {
-    TARGETS.iter().find(|target| target.name == name)
-}
 
 /// One thread, so that nothing waits for another, with the stack that reading stages needs.
 static POOL: LazyLock<ThreadPool> = LazyLock::new(|| {
@@ -250,11 +289,8 @@ static POOL: LazyLock<ThreadPool> = LazyLock::new(|| {
 static LAST_PANIC: Mutex<String> = Mutex::new(String::new());
 
 /// Runs a target under libFuzzer: aborts if the target panics, but not on panics that the library catches.
-///
-/// # Panics
-/// Panics if there is no such target.
 #[expect(clippy::print_stderr, reason = "for the log of the fuzzer")]
-pub fn run(name: &str, bytes: &[u8]) {
+pub fn run(check: fn(&[u8]), bytes: &[u8]) {
     static HOOK: Once = Once::new();
     // libFuzzer's own hook aborts on every panic.
     HOOK.call_once(|| {
@@ -262,9 +298,6 @@ pub fn run(name: &str, bytes: &[u8]) {
             *LAST_PANIC.lock().unwrap_or_else(PoisonError::into_inner) = info.to_string();
         }));
     });
-    let check = target(name)
-        .unwrap_or_else(|| panic!("there is no target {name}"))
-        .check;
     if catch_unwind(AssertUnwindSafe(|| POOL.install(|| check(bytes)))).is_err() {
         eprintln!("{}", LAST_PANIC.lock().unwrap_or_else(PoisonError::into_inner));
         std::process::abort();

@@ -1,4 +1,7 @@
+mod cells;
+mod tables;
 mod text;
+mod verdict;
 
 use std::path::Path;
 

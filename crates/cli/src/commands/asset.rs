@@ -1,9 +1,11 @@
+mod format;
+
 use std::path::{Path, PathBuf};
 
 use oaktwin::catalog::Twin;
 use oaktwin::diagnostic::Finding;
 use oaktwin::files;
-use oaktwin::usd::asset::{self, Asset, AssetOptions, Format, OverrideBase};
+use oaktwin::usd::asset::{self, Asset, AssetOptions, OverrideBase};
 use oaktwin::usd::stage;
 use serde::Serialize;
 
@@ -77,7 +79,7 @@ fn write(context: &Context, args: &AssetArgs) -> Result<Vec<Written>> {
 }
 
 fn write_one(twin: &Twin, calibration_findings: Vec<Finding>, args: &AssetArgs) -> Result<Written> {
-    let format = format(args)?;
+    let format = format::of(args)?;
     let options = args.options();
     let made = match &args.over {
         Some(base) => over(twin, &options, base, args)?,
@@ -93,33 +95,6 @@ fn write_one(twin: &Twin, calibration_findings: Vec<Finding>, args: &AssetArgs) 
         findings: made.findings,
         calibration_findings,
     })
-}
-
-/// Returns the format from `--format`, else from the output's extension.
-fn format(args: &AssetArgs) -> Result<Format> {
-    let requested = args.format;
-    if destination::names_folder(&args.output) {
-        return Ok(requested.unwrap_or_default());
-    }
-    let extension = args.output.extension().and_then(|e| e.to_str());
-    let from_name = extension.and_then(|e| {
-        [Format::Usda, Format::Usd, Format::Usdz]
-            .into_iter()
-            .find(|f| f.extension() == e)
-    });
-    let path = args.output.display();
-    match (requested, from_name, extension) {
-        (Some(requested), Some(from_name), _) if requested != from_name => Err(format!(
-            "{path}: --format {} contradicts the extension; omit one of them",
-            requested.extension()
-        )
-        .into()),
-        (None, None, Some(extension)) => Err(format!(
-            "{path}: .{extension} is not a USD format; use .usda, .usd or .usdz, or give --format",
-        )
-        .into()),
-        _ => Ok(requested.or(from_name).unwrap_or_default()),
-    }
 }
 
 /// Creates a layer of overrides on an existing asset, which it references relative to its own folder.

@@ -1,11 +1,14 @@
 mod asked;
 mod lights;
 mod motion;
+mod motion_text;
+mod rigs;
 mod text;
 
 use std::path::Path;
 
 use oaktwin::coverage::{self, Coverage, MeasuringRig};
+use oaktwin::diagnostic::Finding;
 use oaktwin::files::{OutputFiles, WrittenFile};
 use oaktwin::image::{Image, png};
 use oaktwin::render::Renderer;
@@ -35,26 +38,14 @@ pub(crate) fn run(context: &Context, args: &CoverageArgs) -> Result<Exit> {
     if args.robot.robot().is_some() {
         return motion::run(context, args, &region, &sweep);
     }
-    let models = asked::models(context, args, None)?;
+    let models = rigs::of_models(context, args, None)?;
     let mut scene = asked::scene(args)?;
     let mut findings = std::mem::take(&mut scene.findings);
     findings.extend(models.findings);
     let placements = asked::placements(args, &sweep, scene.scene.up)?;
-    let rigs: Vec<MeasuringRig> = if args.model.is_empty() {
-        let (rigs, more) = asked::own_rigs(args, &scene)?;
-        findings.extend(more);
-        rigs
-    } else {
-        models.rigs
-    };
+    let rigs = rigs::of(args, models.rigs, &scene, &mut findings)?;
     let candidates = asked::candidates(args, &rigs, &placements);
-    let mut files = args
-        .output
-        .as_deref()
-        .map(OutputFiles::in_folder)
-        .transpose()?
-        .unwrap_or_default();
-    files.protect([args.scene.as_path()].into_iter().chain(args.poses.as_deref()));
+    let mut files = asked::output_files(args)?;
     rigs.iter().try_for_each(MeasuringRig::check_memory)?;
     let renderer = Renderer::new(scene.scene);
     let measured = asked::measure(args, &renderer, &region, &candidates)?;
@@ -78,15 +69,27 @@ pub(crate) fn run(context: &Context, args: &CoverageArgs) -> Result<Exit> {
     } else {
         output::print(&text::report(&measured, files.files()))?;
     }
-    if let Some(calibration) = &args.unit.calibration {
-        output::say_findings(calibration, &models.calibration_findings);
+    let of_files = [
+        (
+            args.unit.calibration.as_deref(),
+            models.calibration_findings.as_slice(),
+        ),
+        (Some(args.scene.as_path()), &findings),
+    ];
+    Ok(finish(&of_files, measured.is_interrupted))
+}
+
+/// Says what was found in files, and how the command ends.
+fn finish(of_files: &[(Option<&Path>, &[Finding])], is_interrupted: bool) -> Exit {
+    for (file, findings) in of_files {
+        if let Some(file) = file {
+            output::say_findings(file, findings);
+        }
     }
-    output::say_findings(&args.scene, &findings);
-    Ok(if measured.is_interrupted {
-        Exit::Interrupted
-    } else {
-        Exit::Success
-    })
+    match is_interrupted {
+        true => Exit::Interrupted,
+        false => Exit::Success,
+    }
 }
 
 fn report<'a>(args: &'a CoverageArgs, coverage: &'a Coverage, files: &'a [WrittenFile]) -> Report<'a> {

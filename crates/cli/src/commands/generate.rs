@@ -1,3 +1,4 @@
+mod python;
 mod ray;
 
 use std::ops::ControlFlow;

@@ -24,7 +24,7 @@ fn invalid_requests_are_rejected() {
         &["--model", "OAK-D-Pro-PoE", "--latency", "0.2,0.1"],
         &["--model", "OAK-D-Pro-PoE", "--jitter", "-1"],
         &["--model", "OAK-D-Pro-PoE", "--drop", "1"],
-        &["--model", "OAK-D-ToF", "--latency", "catalog"],
+        &["--model", "RealSense-D435i", "--latency", "catalog"],
         // An address for documentation (RFC 5737).
         &["--model", "OAK-D-Pro-PoE", "--interface", "198.51.100.7"],
     ] {

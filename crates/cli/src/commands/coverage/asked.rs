@@ -2,27 +2,15 @@
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DVec3;
-use oaktwin::catalog::DepthKind;
-use oaktwin::coverage::{
-    self, Base, Candidate, Coverage, CoverageError, MeasuringRig, Options, Placement, Region, Sweep,
-};
-use oaktwin::diagnostic::Finding;
-use oaktwin::render::{OpenOptions, Renderer, RigError, RigSpec, SceneFile, trajectory};
+use oaktwin::coverage::{self, Base, Candidate, Coverage, MeasuringRig, Options, Placement, Region, Sweep};
+use oaktwin::files::OutputFiles;
+use oaktwin::render::{OpenOptions, Renderer, SceneFile, trajectory};
 use oaktwin::scene::{Bounds, Up};
-use oaktwin::sensor::{EngineInput, STEREO_MATCHING, depth_sensor};
 use oaktwin::usd::asset::LensChoice;
 
 use crate::args::CoverageArgs;
-use crate::context::{Context, Result};
-use crate::{progress, size};
-
-/// The models to compare.
-#[derive(Default)]
-pub(super) struct Models {
-    pub(super) rigs: Vec<MeasuringRig>,
-    pub(super) findings: Vec<Finding>,
-    pub(super) calibration_findings: Vec<Finding>,
-}
+use crate::context::Result;
+use crate::progress;
 
 pub(super) fn region(args: &CoverageArgs) -> Result<Region> {
     let within = args.region_box.as_deref().map(|numbers| {
@@ -91,63 +79,6 @@ pub(super) fn options(args: &CoverageArgs) -> Options {
     }
 }
 
-/// Creates the rigs of the models. In a light, which is a factor on the scene's, stereo pairs are matched by default.
-pub(super) fn models(context: &Context, args: &CoverageArgs, ambient: Option<f64>) -> Result<Models> {
-    let engine = args.engine.options()?;
-    let is_pair = engine
-        .engine
-        .as_deref()
-        .is_some_and(|engine| engine.input == EngineInput::Pair);
-    if !args.pair.imager.is_empty() && !is_pair {
-        return Err("--imager requires --engine stereo-matching".into());
-    }
-    let mut pair = args.pair.options(args.unit.lens)?;
-    pair.ambient = ambient.unwrap_or(pair.ambient);
-    let spec = RigSpec {
-        sensor: engine,
-        size: size::parse("--resolution", args.resolution.as_deref())?,
-        pair,
-        ..RigSpec::default()
-    };
-    let mut models = Models::default();
-    for name in &args.model {
-        let (twin, findings) = context.twin(name, &args.unit)?;
-        models.calibration_findings.extend(findings);
-        let mut spec = spec.clone();
-        let is_stereo = depth_sensor(&twin, args.sensor.as_deref())?.spec.kind == DepthKind::Stereo;
-        if ambient.is_some() && is_stereo && spec.sensor.engine.is_none() {
-            spec.sensor.engine = Some((&STEREO_MATCHING).into());
-        }
-        let (rig, findings) = MeasuringRig::new(&twin, args.sensor.as_deref(), args.pair.projector, &spec)?;
-        if !models.rigs.iter().any(|known| known.name() == rig.name()) {
-            models.rigs.push(rig);
-            models.findings.extend(findings);
-        }
-    }
-    Ok(models)
-}
-
-/// The depth sensors of the scene.
-pub(super) fn own_rigs(args: &CoverageArgs, scene: &SceneFile) -> Result<(Vec<MeasuringRig>, Vec<Finding>)> {
-    let spec = RigSpec {
-        sensor: args.engine.options()?,
-        ..RigSpec::default()
-    };
-    let made = MeasuringRig::of_stage(scene, &spec);
-    let (rigs, findings) = made.map_err(|error| match error {
-        CoverageError::Rig(RigError::Sensor(error)) => format!("{}: {error}", args.scene.display()).into(),
-        error => Box::<dyn std::error::Error>::from(error),
-    })?;
-    if rigs.is_empty() {
-        return Err(format!(
-            "{}: the scene has no depth sensor; place an OAK with --model and --look-at",
-            args.scene.display()
-        )
-        .into());
-    }
-    Ok((rigs, findings))
-}
-
 /// The poses of the models.
 pub(super) fn placements(args: &CoverageArgs, sweep: &Sweep, up: Up) -> Result<Vec<Placement>> {
     let base = if let Some(file) = &args.poses {
@@ -172,4 +103,13 @@ pub(super) fn candidates<'a>(
         return rigs.iter().map(own).collect();
     }
     coverage::candidates(rigs, placements)
+}
+
+/// The files of `--output`, none of which is an input.
+pub(super) fn output_files(args: &CoverageArgs) -> Result<OutputFiles> {
+    let folder = args.output.as_deref().map(OutputFiles::in_folder).transpose()?;
+    let mut files = folder.unwrap_or_default();
+    let inputs = [args.scene.as_path()].into_iter().chain(args.poses.as_deref());
+    files.protect(inputs.chain(args.robot.files()));
+    Ok(files)
 }

@@ -8,7 +8,8 @@ use oaktwin::files::OutputFiles;
 use oaktwin::image::png;
 use oaktwin::render::Renderer;
 
-use super::asked::{self, Models};
+use super::rigs::{self, Models};
+use super::{asked, finish, text};
 use crate::args::CoverageArgs;
 use crate::context::{Context, Exit, Result};
 use crate::output;
@@ -25,7 +26,7 @@ pub(super) fn run(
     let placements = asked::placements(args, sweep, scene.scene.up)?;
     let mut files = OutputFiles::in_folder(folder)?;
     files.protect([args.scene.as_path()].into_iter().chain(args.poses.as_deref()));
-    let of_light = |(_, ambient): (&str, f64)| asked::models(context, args, Some(ambient));
+    let of_light = |(_, ambient): (&str, f64)| rigs::of_models(context, args, Some(ambient));
     let models: Vec<Models> = LIGHTS.into_iter().map(of_light).collect::<Result<_>>()?;
     let renderer = Renderer::new(scene.scene);
     let mut lights = Vec::new();
@@ -70,17 +71,18 @@ pub(super) fn run(
         output::print(&format!(
             "By {}\n{}\n",
             in_light.name,
-            super::text::report(&in_light.coverage, &[])
+            text::report(&in_light.coverage, &[])
         ))?;
     }
-    for file in files.files() {
-        output::print(&format!("Written: {}\n", file.path.display()))?;
-    }
-    if let (Some(calibration), Some(models)) = (&args.unit.calibration, models.first()) {
-        output::say_findings(calibration, &models.calibration_findings);
-    }
-    output::say_findings(&args.scene, &findings);
-    Ok(Exit::Success)
+    output::print(&text::written(files.files()))?;
+    let calibration_findings = models
+        .first()
+        .map_or(&[][..], |models| &models.calibration_findings);
+    let of_files = [
+        (args.unit.calibration.as_deref(), calibration_findings),
+        (Some(args.scene.as_path()), &findings),
+    ];
+    Ok(finish(&of_files, false))
 }
 
 /// The name of the picture of a candidate in a light.

@@ -6,6 +6,7 @@ use oaktwin::catalog::Table;
 use oaktwin::coverage::{CandidateCoverage, Coverage, Occluder, SampledRegion, Shares};
 use oaktwin::files::WrittenFile;
 
+use crate::number::{millimetres, percent};
 use crate::output;
 
 /// The maximum number of candidates in the table.
@@ -20,10 +21,13 @@ pub(super) fn report(coverage: &Coverage, files: &[WrittenFile]) -> String {
         text += &output::number_table(&table(coverage));
         text += &remarks(coverage);
     }
-    for file in files {
-        let _ = writeln!(text, "Written: {}", file.path.display());
-    }
-    text
+    text + &written(files)
+}
+
+/// The files that were written, one on a line.
+pub(super) fn written(files: &[WrittenFile]) -> String {
+    let line = |file: &WrittenFile| format!("Written: {}\n", file.path.display());
+    files.iter().map(line).collect()
 }
 
 pub(super) fn region(region: &SampledRegion) -> String {
@@ -139,12 +143,4 @@ pub(super) fn losses(shares: &Shares) -> String {
         .map(|(name, share)| format!("{} {}", name.replace('_', " "), percent(*share)))
         .collect();
     losses.join(", ")
-}
-
-pub(super) fn percent(share: f64) -> String {
-    format!("{:.1} %", share * 100.0)
-}
-
-pub(super) fn millimetres(value: Option<f64>) -> String {
-    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.1} mm"))
 }

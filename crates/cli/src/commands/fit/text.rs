@@ -5,6 +5,7 @@ use std::fmt::Write;
 use oaktwin::catalog::Table;
 use oaktwin::fit::{FittedPoint, Parameter, Report, Target};
 
+use crate::number::fixed;
 use crate::output;
 
 /// The maximum number of targets that are listed.
@@ -145,8 +146,4 @@ fn targets(report: &Report) -> String {
         let _ = writeln!(text, "and {} more targets", report.targets.len() - MAX_TARGETS);
     }
     text
-}
-
-fn fixed(value: Option<f64>, digits: usize) -> String {
-    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
 }
