@@ -175,7 +175,7 @@ export interface SceneInfo {
   /** The name of the file, or "demo room". */
   name: string;
   up: "y" | "z";
-  /** Metres per unit of a mesh file, which does not say; null for a USD stage. */
+  /** Metres per unit of a mesh file that does not say; null for a USD stage and a Collada file. */
   scale: number | null;
   triangles: number;
   /** The corners of the bounding box. */

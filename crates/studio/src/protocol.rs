@@ -236,7 +236,7 @@ pub(crate) struct SceneInfo {
     pub(crate) id: String,
     pub(crate) name: String,
     pub(crate) up: &'static str,
-    /// Metres per unit of a mesh file, which states no unit; none for a USD stage.
+    /// Metres per unit of a mesh file that states no unit; none for others.
     pub(crate) scale: Option<f64>,
     pub(crate) triangles: usize,
     pub(crate) bounds: [[f64; 3]; 2],
