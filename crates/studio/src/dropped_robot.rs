@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use oaktwin::render::OpenOptions;
+use oaktwin::render::{OpenOptions, SceneFile};
 use tempfile::TempDir;
 
 use crate::protocol::{Failure, SceneInfo};
@@ -52,9 +52,15 @@ pub(crate) struct Received<'a> {
 
 impl<'a> Received<'a> {
     pub(crate) fn new(studio: &Studio, name: &'a str, bytes: &'a [u8]) -> Result<Self, Failure> {
-        if names_files(&String::from_utf8_lossy(bytes)) {
+        let is_stage = SceneFile::is_stage(name.as_ref());
+        if is_stage || names_files(&String::from_utf8_lossy(bytes)) {
             let error = format!(
-                "{name}: names other files, which a dropped one may not; open it with oaktwin studio SCENE --robot {name}"
+                "{name}: {}, which a dropped robot may not; open it with oaktwin studio SCENE --robot {name}",
+                if is_stage {
+                    "is a stage"
+                } else {
+                    "names other files"
+                }
             );
             return Err(Failure::of("robot", &error));
         }

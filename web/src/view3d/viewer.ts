@@ -11,8 +11,8 @@ import { type Box, BoxHandles } from "./boxhandles";
 import { makeMesh, makePainting } from "./meshes";
 import { Navigation } from "./navigation";
 import { dispose } from "./oakobject";
+import { OpenLine } from "./openline";
 import { RobotParts } from "./robotparts";
-import { RulerLine } from "./ruler";
 import { clipTextured, forgetTextures, makeTextured } from "./textured";
 import type { Textured } from "../net/textured";
 
@@ -40,6 +40,8 @@ export interface Hit {
 /** How far below a roof the scene is cut. */
 const ROOF_GAP = 0.03;
 const MARKER_COLOR = "#ff2d78";
+const RULER_COLOR = "#ffb000";
+const PATH_COLOR = "#7c3aed";
 /** A pointer that moved less than this between press and release, in pixels, clicked. */
 const CLICK = 4;
 /** The time between two looks at what is under the mouse, ms. */
@@ -82,7 +84,8 @@ export class Viewer {
   private target: Box3Helper | null = null;
   private painting: Mesh<BufferGeometry, MeshLambertMaterial> | null = null;
   private readonly box: BoxHandles;
-  private readonly ruler: RulerLine;
+  private readonly ruler: OpenLine;
+  private readonly path: OpenLine;
   private readonly textured = new Group();
   private objects: Uint32Array | null = null;
   private parts: RobotParts | null = null;
@@ -121,7 +124,8 @@ export class Viewer {
     }
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(canvas);
-    this.ruler = new RulerLine(this.scene);
+    this.ruler = new OpenLine(this.scene, RULER_COLOR, 8);
+    this.path = new OpenLine(this.scene, PATH_COLOR, 4);
     this.listenForClicks(handlers);
     this.listenForHover(handlers);
   }
@@ -290,6 +294,12 @@ export class Viewer {
   /** Shows up to two points and the line between them. */
   setRuler(points: readonly Vec3[]): void {
     this.ruler.set(points);
+    this.invalidate();
+  }
+
+  /** Shows the way of a trajectory. */
+  setPath(points: readonly Vec3[]): void {
+    this.path.set(points);
     this.invalidate();
   }
 
