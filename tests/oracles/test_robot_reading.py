@@ -240,3 +240,4 @@ def test_the_oak_sees_what_mujocos_rays_hit(workspace: Workspace, is_saved: bool
         assert off.mean() < 0.01, (number, off.mean())
         # The arm is nearer than the room.
         assert (expected < 1.5).mean() > 0.02
+

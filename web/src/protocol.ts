@@ -80,12 +80,8 @@ export type RobotFormat = {
   help: string;
 };
 
-export type Engine = {
-  /** "stereo-noise". */
+export type Filter = {
   name: string;
-  help: string;
-  /** Whether it needs the images of both cameras, which take longer to render. */
-  isMatcher: boolean;
   parameters: Array<Parameter>;
 };
 
@@ -111,8 +107,12 @@ export type Parameter = {
   isEstimate: boolean;
 };
 
-export type Filter = {
+export type Engine = {
+  /** "stereo-noise". */
   name: string;
+  help: string;
+  /** Whether it needs the images of both cameras, which take longer to render. */
+  isMatcher: boolean;
   parameters: Array<Parameter>;
 };
 
@@ -131,17 +131,6 @@ export type Model = {
   hasFisheye: boolean;
   /** Empty for a model without depth. */
   depthSensors: Array<DepthSensor>;
-};
-
-/** A camera of a device at its used resolution. */
-export type Camera = {
-  /** "rgb", "left", "right", "tof". */
-  role: string;
-  resolution: [number, number];
-  hfovDeg: number;
-  vfovDeg: number;
-  /** Row-major 3 × 4: from the optical frame (x right, y down, z forward) to the body frame. */
-  bodyFromCamera: Array<number>;
 };
 
 export type DepthSensor = {
@@ -171,6 +160,17 @@ export type Band = {
   fromM: number;
   toM: number;
   percent: number;
+};
+
+/** A camera of a device at its used resolution. */
+export type Camera = {
+  /** "rgb", "left", "right", "tof". */
+  role: string;
+  resolution: [number, number];
+  hfovDeg: number;
+  vfovDeg: number;
+  /** Row-major 3 × 4: from the optical frame (x right, y down, z forward) to the body frame. */
+  bodyFromCamera: Array<number>;
 };
 
 export type Body = {
@@ -218,6 +218,9 @@ export type FrameRequest = {
   isPreview?: boolean;
 };
 
+/** An image of an OAK. */
+export type ImageName = "color" | "depth" | "reference" | "sensor" | "confidence" | "left" | "right" | "reason";
+
 /** Everything that determines the outputs of one OAK. It is what a link to the page stores. */
 export type OakState = {
   model: string;
@@ -256,9 +259,6 @@ export type Pose = {
   quaternion: [number, number, number, number];
 };
 
-/** An image of an OAK. */
-export type ImageName = "color" | "depth" | "reference" | "sensor" | "confidence" | "left" | "right" | "reason";
-
 /** Asks about a pixel of the last frame of an OAK. */
 export type ProbeRequest = {
   type: "probe";
@@ -271,17 +271,6 @@ export type ProbeRequest = {
 
 /** A message as text; frames are binary. */
 export type ServerMessage = { "type": "probe" } & ProbeAnswer | { "type": "error" } & Rejection;
-
-/** A request that cannot be answered. */
-export type Rejection = {
-  id: number;
-  oak: string;
-  /** `FILE: PLACE: what is wrong; what to do`. */
-  error: string;
-  /** The parameter or field at fault, if one is. */
-  field: string | null;
-  findings?: Finding[];
-};
 
 /** What a pixel shows. */
 export type ProbeAnswer = {
@@ -304,6 +293,17 @@ export type ProbeAnswer = {
   occluder: string | null;
   /** The point on the surface, in the world. */
   point: Vec3 | null;
+};
+
+/** A request that cannot be answered. */
+export type Rejection = {
+  id: number;
+  oak: string;
+  /** `FILE: PLACE: what is wrong; what to do`. */
+  error: string;
+  /** The parameter or field at fault, if one is. */
+  field: string | null;
+  findings?: Finding[];
 };
 
 /** A binary message: 4 bytes, the length N of the JSON in little endian; N bytes of JSON, which is this header; then the images. */
@@ -421,14 +421,14 @@ export type ExportRequest = {
   codes?: [number, number];
 };
 
+/** What can be taken away. */
+export type Export = "asset" | "robot" | "image" | "error" | "statistics" | "parameters" | "command" | "python";
+
 /** An OAK with the size of its images. */
 export type SizedState = {
   state: OakState;
   size: [number, number] | null;
 };
-
-/** What can be taken away. */
-export type Export = "asset" | "robot" | "image" | "error" | "statistics" | "parameters" | "command" | "python";
 
 /** The accuracy by the vendor's method: the error of the median over distances. */
 export type AccuracyCurve = {
@@ -504,7 +504,7 @@ export type SceneInfo = {
   /** The name of the file, or "demo room". */
   name: string;
   up: "y" | "z";
-  /** Metres per unit of a mesh file, which states no unit; null for a USD stage. */
+  /** Metres per unit of a mesh file that states no unit; null for others. */
   scale: number | null;
   triangles: number;
   /** The corners of the bounding box. */
@@ -517,6 +517,21 @@ export type SceneInfo = {
   animation: Animation | null;
   /** The robot in the scene. The id of the scene in another posture is `ID~P1,P2,…`, with the position of each of the joints. */
   robot: RobotInfo | null;
+};
+
+export type SceneObject = {
+  /** The path of the prim. */
+  path: string;
+  bounds: [Vec3, Vec3];
+};
+
+/** The time codes of an animated scene. */
+export type Animation = {
+  first: number;
+  last: number;
+  codesPerSecond: number;
+  /** The time codes from frame to frame. */
+  step: number;
 };
 
 /** A robot, in the posture of its scene. */
@@ -542,21 +557,6 @@ export type RobotLink = {
   path: string;
   /** The pose of its frame in the world. */
   pose: Pose;
-};
-
-export type SceneObject = {
-  /** The path of the prim. */
-  path: string;
-  bounds: [Vec3, Vec3];
-};
-
-/** The time codes of an animated scene. */
-export type Animation = {
-  first: number;
-  last: number;
-  codesPerSecond: number;
-  /** The time codes from frame to frame. */
-  step: number;
 };
 
 /** A calibration that was dropped onto the page. */

@@ -1,12 +1,13 @@
-// Takes the pictures of the page: `npm run pictures -- FOLDER`, with the address of a server in OAKTWIN_STUDIO_URL. The manual's goes
-// into the folder, and those that the tests compare into `test/looks`.
-import { mkdir, writeFile } from "node:fs/promises";
+// Takes the pictures of the page: `npm run pictures -- FOLDER [NAME…]`, with the address of a server in OAKTWIN_STUDIO_URL. The manual's go
+// into the folder, and those that the tests compare into `test/looks`. With names, only those of the manual's steps are taken.
+import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { record } from "./film.mjs";
 import { FOLDER, LOOKS, openLook, small } from "./looks.mjs";
 import { scaled } from "./image.mjs";
 import { after, drop, launch, open, rest } from "./page.mjs";
 
-const [, , folder = "."] = process.argv;
+const [, , folder = ".", ...names] = process.argv;
+const ROBOT = new URL("../../examples/robots/gripper.urdf", import.meta.url);
 const browser = await launch();
 
 async function film() {
@@ -44,6 +45,18 @@ const STEPS = [
     },
   },
   {
+    name: "studio_robot",
+    show: async (page) => {
+      await after(page, async () => drop(page, "gripper.urdf", await readFile(ROBOT, "utf8")));
+      for (const [field, value] of [["joint-shoulder", -20], ["joint-elbow", 110], ["joint-grip", 0.03], ["position-x", 0.02], ["position-z", 0.64]]) {
+        await after(page, () => page.getByTestId(field).fill(String(value)));
+      }
+      await page.getByTestId("mount").selectOption("hand");
+      await after(page, () => page.getByTestId("joint-turn").fill("8"));
+      await page.getByTestId("notice").waitFor({ state: "detached" });
+    },
+  },
+  {
     name: "studio_place",
     colorScheme: "dark",
     show: async (page) => {
@@ -55,7 +68,8 @@ const STEPS = [
 ];
 
 async function steps() {
-  for (const { name, show, colorScheme = "light" } of STEPS) {
+  const wanted = STEPS.filter(({ name }) => names.length === 0 || names.includes(name));
+  for (const { name, show, colorScheme = "light" } of wanted) {
     const { page, context } = await open(browser, { viewport: { width: 1440, height: 900 }, colorScheme });
     await show(page);
     await rest(page);
@@ -65,6 +79,8 @@ async function steps() {
 }
 
 await steps();
-await film();
-await looks();
+if (names.length === 0) {
+  await film();
+  await looks();
+}
 await browser.close();

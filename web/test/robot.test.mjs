@@ -72,6 +72,28 @@ test("the 3D view and the coverage have the robot", { skip }, async () => {
   await context.close();
 });
 
+test("a session keeps the robot and its posture", { skip }, async () => {
+  const { page, context, errors } = await openRobot();
+  await after(page, () => page.getByTestId("joint-shoulder").fill("40"));
+  const [state, color] = [await page.evaluate(() => window.studio.document.get()), await pixels(page, "color")];
+  assert.match(state.scene, /~/);
+  await page.getByTestId("export").click();
+  const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("menuitem", { name: "Session" }).click()]);
+  const buffer = await readFile(await download.path());
+  assert.deepEqual(errors, []);
+  await context.close();
+
+  const other = await open(browser, { viewport: { width: 1440, height: 900 } });
+  await after(other.page, () => other.page.getByTestId("file").setInputFiles({ name: "arm.oaktwin", mimeType: "application/zip", buffer }));
+  await other.page.getByTestId("robot").waitFor();
+  await rest(other.page);
+  assert.deepEqual(await other.page.evaluate(() => window.studio.document.get()), state);
+  assert.equal(await other.page.getByTestId("joint-shoulder").inputValue(), "40");
+  assert.equal(await pixels(other.page, "color"), color);
+  assert.deepEqual(other.errors, []);
+  await other.context.close();
+});
+
 test("what is wrong with a robot is said", { skip }, async () => {
   const { page, context } = await open(browser);
   await page.evaluate(() => {

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after as afterAll, before, test } from "node:test";
+import { read } from "./image.mjs";
 import { after, drop, launch, open, pixels, rest, skip } from "./page.mjs";
 
 let browser;
@@ -38,6 +39,16 @@ def Mesh "Plate"
 }
 `;
 
+const PATH_COLOR = 0x7c3aed;
+
+/** The number of pixels of the 3D view with a colour. */
+async function drawnOf(page, color) {
+  const { data } = await read(page, await page.getByTestId("view").screenshot());
+  let count = 0;
+  for (let at = 0; at < data.length; at += 4) count += ((data[at] << 16) | (data[at + 1] << 8) | data[at + 2]) === color;
+  return count;
+}
+
 test("an OAK moves along a trajectory, whose frames differ in their noise", { skip }, async () => {
   const { page, context, errors } = await open(browser);
   await after(page, async () => drop(page, "path.txt", await path(page, 8, 0)));
@@ -51,7 +62,10 @@ test("an OAK moves along a trajectory, whose frames differ in their noise", { sk
   await after(page, () => page.keyboard.press("ArrowLeft"));
   assert.equal(await pixels(page, "sensor"), first, "a frame is always the same");
 
+  assert.equal(await drawnOf(page, PATH_COLOR), 0, "a standing OAK has no way");
   await after(page, async () => drop(page, "way.txt", await path(page, 12, 0.05)));
+  await rest(page);
+  assert.ok((await drawnOf(page, PATH_COLOR)) > 10, "the 3D view shows the way");
   const start = (await shown(page)).oaks[0].state.pose.position[0];
   await page.evaluate(() => {
     window.seen = [];

@@ -50,9 +50,11 @@ pub(crate) const ROBOT: Environment = Environment {
     name: "robot",
     versions: ((3, 11), Some((3, 13))),
     tests: &[
+        "tests/oracles/test_collada.py",
         "tests/oracles/test_heaps.py",
         "tests/oracles/test_robot.py",
         "tests/oracles/test_robot_reading.py",
+        "tests/oracles/test_robot_usd.py",
     ],
 };
 

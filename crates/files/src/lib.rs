@@ -6,6 +6,7 @@ pub mod memory;
 mod named;
 mod output;
 mod temporary;
+pub mod xml;
 
 use std::fs::{self, File};
 use std::io::{self, Read};

@@ -129,6 +129,42 @@ pub(crate) fn obj_seeds() -> Vec<Vec<u8>> {
     ]
 }
 
+pub(crate) fn dae(bytes: &[u8]) {
+    import(bytes.to_vec(), Path::new("no-such-folder/x.dae"));
+}
+
+pub(crate) fn dae_seeds() -> Vec<Vec<u8>> {
+    let source = |id: &str, numbers: &str, count: usize, params: &str| {
+        format!(
+            "<source id='{id}'><float_array id='{id}a'>{numbers}</float_array><technique_common><accessor source='#{id}a' count='{count}' stride='{}'>{params}</accessor></technique_common></source>",
+            params.matches("<param").count()
+        )
+    };
+    let xyz = "<param name='X'/><param name='Y'/><param name='Z'/>";
+    let mesh = [
+        source("p", "0 0 0 1 0 0 1 1 0 0 1e0 0", 4, xyz),
+        source("n", "0 0 1", 1, xyz),
+        source("t", "0 0 1 1", 2, "<param name='S'/><param name='T'/>"),
+        "<vertices id='v'><input semantic='POSITION' source='#p'/></vertices>".to_owned(),
+    ]
+    .concat();
+    let vertex = "<input semantic='VERTEX' source='#v' offset='0'/>";
+    let all = format!(
+        "{vertex}<input semantic='NORMAL' source='#n' offset='1'/><input semantic='TEXCOORD' source='#t' offset='2' set='1'/>"
+    );
+    let primitives = format!(
+        "<polylist material='M' count='1'>{all}<vcount>4</vcount><p>0 0 0 1 0 1 2 0 1 3 0 0</p></polylist><triangles count='1'>{vertex}<p>0 1 2</p></triangles><tristrips>{vertex}<p>0 1 3 2</p></tristrips><trifans>{vertex}<p>0 1 2 3</p></trifans><polygons>{vertex}<ph><p>0 1 2</p><h>0</h></ph></polygons><lines/>"
+    );
+    let effect = "<effect id='e'><profile_COMMON><newparam sid='s'><surface><init_from>i</init_from></surface></newparam><newparam sid='m'><sampler2D><source>s</source></sampler2D></newparam><technique><phong><emission><color>0 0 0 1</color></emission><diffuse><texture texture='m' texcoord='U'/></diffuse><transparent opaque='RGB_ZERO'><color>0.5 0.5 0.5 1</color></transparent><transparency><float>0.5</float></transparency><index_of_refraction><float>1.4</float></index_of_refraction></phong></technique></profile_COMMON></effect>";
+    let nodes = "<node id='a'><matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix><translate>1 2 3</translate><rotate>0 0 1 30</rotate><scale>1 -1 0</scale><lookat>1 2 3 0 0 0 0 0 1</lookat><instance_geometry url='#g'><bind_material><technique_common><instance_material symbol='M' target='#m'><bind_vertex_input semantic='U' input_semantic='TEXCOORD' input_set='1'/></instance_material></technique_common></bind_material></instance_geometry><instance_node url='#b'/><instance_light url='#l'/></node>";
+    let whole = format!(
+        "<COLLADA version='1.4.1'><asset><unit meter='0.01'/><up_axis>Y_UP</up_axis></asset><library_images><image id='i'><init_from>a%20b.png</init_from></image></library_images><library_effects>{effect}</library_effects><library_materials><material id='m'><instance_effect url='#e'/></material></library_materials><library_geometries><geometry id='g'><mesh>{mesh}{primitives}</mesh></geometry></library_geometries><library_nodes><node id='b'><instance_geometry url='#g'/></node></library_nodes><library_visual_scenes><visual_scene id='z'>{nodes}</visual_scene></library_visual_scenes><scene><instance_visual_scene url='#z'/></scene></COLLADA>"
+    );
+    // A node that contains itself.
+    let cycle = whole.replace("<node id='b'>", "<node id='b'><instance_node url='#b'/>");
+    vec![whole.into_bytes(), cycle.into_bytes()]
+}
+
 /// A document with most features, whose buffer has 512 bytes.
 static GLTF: LazyLock<Value> = LazyLock::new(|| {
     json!({

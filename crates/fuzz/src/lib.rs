@@ -174,6 +174,13 @@ pub const TARGETS: &[Target] = &[
         seeds: import::obj_seeds,
     },
     Target {
+        name: "dae",
+        about: "imports Collada; every index and transform is valid",
+        max_len: 8192,
+        check: import::dae,
+        seeds: import::dae_seeds,
+    },
+    Target {
         name: "gltf",
         about: "imports glTF and GLB, also with changed documents; every index and transform is valid",
         max_len: 8192,

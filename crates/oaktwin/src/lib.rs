@@ -5,7 +5,7 @@
 //! | the numbers of a model, each with its source | [`catalog::Catalog`] |
 //! | one device, from its DepthAI calibration | [`unit::open`] |
 //! | a USD asset for Isaac Sim | [`usd::asset`] |
-//! | exact depth and colour of a USD, glTF, OBJ, STL or PLY scene | [`render::SceneFile`], [`render::Renderer`] |
+//! | exact depth and colour of a USD, glTF, Collada, OBJ, STL or PLY scene | [`render::SceneFile`], [`render::Renderer`] |
 //! | cameras of an OAK or a stage in a scene, with what their depth sensors report | [`render::Rig`] |
 //! | what the depth sensor reports of exact depth | [`render::Rig::measure`], [`sensor::sensor`] |
 //! | depth from a stereo pair, as the device matches it | [`stereo::Matcher`] |

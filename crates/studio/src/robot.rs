@@ -4,6 +4,7 @@
 //! request for images, a link or an export, names a posture, too.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::diagnostic::Finding;
@@ -36,6 +37,17 @@ pub(crate) struct SceneRobot {
     pub(crate) arguments: Vec<String>,
     /// The position of each joint.
     pub(crate) positions: Vec<f64>,
+    /// The file, if it was dropped onto the page.
+    pub(crate) dropped: Option<Arc<DroppedFile>>,
+}
+
+/// A robot's file that was dropped onto the page.
+#[derive(Debug)]
+pub(crate) struct DroppedFile {
+    pub(crate) name: String,
+    pub(crate) bytes: Vec<u8>,
+    /// The id of the scene that the robot was put into.
+    pub(crate) base: String,
 }
 
 impl SceneRobot {
@@ -51,6 +63,7 @@ impl SceneRobot {
             placed,
             arguments: file.arguments.clone(),
             positions,
+            dropped: None,
         };
         Ok((robot, findings))
     }
@@ -109,6 +122,11 @@ impl SceneRobot {
         }
         Ok(robot.followed(positions))
     }
+}
+
+/// Returns the id of a scene in a posture.
+pub(crate) fn posed(id: &str, posture: &str) -> String {
+    format!("{id}{POSTURE}{posture}")
 }
 
 /// Separates the id of a scene in a posture from the posture.

@@ -93,7 +93,7 @@ impl LoadedScene {
                 Up::Y => "y",
                 Up::Z => "z",
             },
-            scale: (!SceneFile::is_stage(path)).then(|| options.scale.unwrap_or(1.0)),
+            scale: (!SceneFile::states_unit(path)).then(|| options.scale.unwrap_or(1.0)),
             triangles: mesh::triangles(&scene),
             bounds: corners(bounds),
             objects: objects(&scene),

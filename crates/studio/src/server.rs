@@ -30,8 +30,6 @@ use crate::{
 
 /// The maximum length of a request's JSON, and of a calibration, bytes.
 const MAX_JSON_BYTES: usize = 1 << 20;
-/// The maximum size of a dropped robot, bytes; its meshes are in files of their own.
-const MAX_ROBOT_BYTES: usize = 16 << 20;
 /// How long the JSON of a request, or a calibration, may take to arrive.
 const JSON_TIME: Duration = Duration::from_secs(60);
 /// The maximum number of triangles in a mesh of the page: its full detail.
@@ -231,7 +229,7 @@ async fn received(body: Body, limit: usize, error: &str) -> Result<Bytes, Respon
 
 async fn drop_robot(State(studio): Server, Query(query): Query<RobotQuery>, body: Body) -> Response {
     let too_large = "the dropped file is too large for a robot, or did not arrive; drop a URDF or MJCF file";
-    let bytes = match received(body, MAX_ROBOT_BYTES, too_large).await {
+    let bytes = match received(body, dropped_robot::MAX_BYTES, too_large).await {
         Ok(bytes) => bytes,
         Err(response) => return response,
     };

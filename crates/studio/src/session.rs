@@ -2,21 +2,23 @@
 //!
 //! It is a ZIP archive: `session.json` has the state of the page, and names the files beside it.
 
-use std::fs::File as DiskFile;
-use std::io::Read;
+mod archive;
+
 use std::path::Path;
+use std::sync::Arc;
 
 use oaktwin::render::OpenOptions;
 use oaktwin::scene::Up;
 use oaktwin::usd::usdz;
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
 use serde_json::value::RawValue;
-use zip::ZipArchive;
-use zip::result::ZipError;
 
+use archive::Archive;
+
+use crate::dropped_robot::{self, Received};
 use crate::file::File;
 use crate::protocol::{CalibrationInfo, Failure, SceneInfo, TrajectoryInfo};
+use crate::robot::{posed, split};
 use crate::scene::LoadedScene;
 use crate::studio::Studio;
 use crate::{calibration, trajectory, upload};
@@ -25,8 +27,6 @@ use crate::{calibration, trajectory, upload};
 const VERSION: u64 = 1;
 /// The file with the state.
 const STATE: &str = "session.json";
-/// The maximum length of that file, bytes.
-const MAX_STATE_BYTES: u64 = 4 << 20;
 /// The maximum length of a calibration, bytes.
 const MAX_CALIBRATION_BYTES: u64 = 1 << 20;
 /// The maximum number of calibrations: one for each OAK of a page.
@@ -84,6 +84,12 @@ struct SceneEntry {
     scale: Option<f64>,
     /// The place in the archive; none of a scene that the command line named, which may refer to other files.
     file: Option<String>,
+    /// A robot that was dropped into the scene. A robot of the command line belongs to its scene.
+    #[serde(default)]
+    robot: Option<Entry>,
+    /// The positions of the robot's joints, as they are in the id of the scene.
+    #[serde(default)]
+    posture: Option<String>,
 }
 
 /// A dropped file.
@@ -99,14 +105,18 @@ pub(crate) fn save(studio: &Studio, request: SaveRequest) -> Result<File, Failur
     if request.calibrations.len() > MAX_CALIBRATIONS {
         return Err(Failure::of("calibrations", "are too many; load the page again"));
     }
-    let scene = studio.scenes.get(&request.scene)?;
-    if let Some(robot) = &scene.info.robot {
-        let error = format!(
-            "a session does not keep a robot, such as {}; save it without, and drop the robot again",
-            robot.name
-        );
-        return Err(Failure::of("scene", &error));
-    }
+    let shown = studio.scenes.get(&request.scene)?;
+    let dropped = shown.robot.as_ref().and_then(|robot| robot.dropped.clone());
+    let (own, posture) = match split(&request.scene) {
+        Some((own, posture)) => (own, Some(posture.to_owned())),
+        None => (request.scene.as_str(), None),
+    };
+    // The scene as its file has it; a robot that was dropped is a file of its own.
+    let scene = match (&dropped, &posture) {
+        (Some(dropped), _) => studio.scenes.as_opened(&dropped.base)?,
+        (None, Some(_)) => studio.scenes.as_opened(own)?,
+        (None, None) => Arc::clone(&shown),
+    };
     let mut files = Vec::new();
     let (up, scale) = scene.given;
     let mut entry = SceneEntry {
@@ -116,7 +126,18 @@ pub(crate) fn save(studio: &Studio, request: SaveRequest) -> Result<File, Failur
         up: up.map(|up| up.name().to_owned()),
         scale,
         file: None,
+        robot: None,
+        posture,
     };
+    if let Some(dropped) = dropped {
+        let file = format!("robot/{}", dropped.name);
+        files.push((file.clone(), dropped.bytes.clone()));
+        entry.robot = Some(Entry {
+            id: own.to_owned(),
+            name: dropped.name.clone(),
+            file,
+        });
+    }
     if scene.kept.is_some() {
         let place = format!("scene/{}", entry.name);
         files.push((place.clone(), scene.file()?));
@@ -171,6 +192,15 @@ pub(crate) fn open(studio: &Studio, path: &Path, name: &str) -> Result<SessionIn
         None => Scene::Known(first(studio, &state.scene, name)?),
         Some(file) => dropped_scene(studio, &mut archive, &state.scene, file)?,
     };
+    let robot = match &state.scene.robot {
+        Some(entry) => with_robot(studio, &mut archive, entry, scene.get())?,
+        None => None,
+    };
+    if let Some(posture) = &state.scene.posture {
+        let posed = robot.as_ref().unwrap_or(scene.get()).robot.as_ref();
+        let posed = posed.ok_or_else(|| archive.wrong("has a posture, but no robot"))?;
+        posed.parse(posture)?;
+    }
     if state.calibrations.len() > MAX_CALIBRATIONS {
         return Err(archive.wrong("has too many calibrations"));
     }
@@ -192,10 +222,7 @@ pub(crate) fn open(studio: &Studio, path: &Path, name: &str) -> Result<SessionIn
     Ok(SessionInfo {
         document: state.document,
         display: state.display,
-        scene: match scene {
-            Scene::Known(info) => *info,
-            Scene::New(scene) => studio.scenes.add(*scene).info.clone(),
-        },
+        scene: kept(studio, scene, robot, state.scene.posture.as_deref())?,
         calibrations: (calibrations.into_iter())
             .map(|dropped| studio.calibrations.add(dropped))
             .collect(),
@@ -205,15 +232,62 @@ pub(crate) fn open(studio: &Studio, path: &Path, name: &str) -> Result<SessionIn
 
 /// The scene of a session.
 enum Scene {
-    Known(Box<SceneInfo>),
+    Known(Arc<LoadedScene>),
     New(Box<LoadedScene>),
 }
 
+impl Scene {
+    fn get(&self) -> &LoadedScene {
+        match self {
+            Self::Known(scene) => scene,
+            Self::New(scene) => scene,
+        }
+    }
+}
+
+/// Returns a scene with the robot of a session, unless it is known.
+fn with_robot(
+    studio: &Studio,
+    archive: &mut Archive<'_>,
+    entry: &Entry,
+    scene: &LoadedScene,
+) -> Result<Option<LoadedScene>, Failure> {
+    let bytes = archive.file(&entry.file, dropped_robot::MAX_BYTES as u64)?;
+    let name = upload::file_name(&entry.name)?;
+    let received = Received::new(studio, &name, &bytes)?;
+    archive.check_id(&entry.id, &received.id_in(scene), &entry.name)?;
+    received.put_into(scene).map(Some)
+}
+
+/// Keeps the scenes of a session, and returns what the page knows about the one that it shows.
+fn kept(
+    studio: &Studio,
+    scene: Scene,
+    robot: Option<LoadedScene>,
+    posture: Option<&str>,
+) -> Result<SceneInfo, Failure> {
+    let scene = match scene {
+        Scene::Known(scene) => scene,
+        Scene::New(scene) => studio.scenes.add(*scene),
+    };
+    let shown = match robot {
+        Some(robot) => studio.scenes.add(robot),
+        None => scene,
+    };
+    match posture {
+        Some(posture) => {
+            let id = posed(&shown.info.id, posture);
+            Ok(studio.scenes.get(&id)?.info.clone())
+        }
+        None => Ok(shown.info.clone()),
+    }
+}
+
 /// Returns the scene of the command line, if the session shows the same one.
-fn first(studio: &Studio, entry: &SceneEntry, session: &str) -> Result<Box<SceneInfo>, Failure> {
+fn first(studio: &Studio, entry: &SceneEntry, session: &str) -> Result<Arc<LoadedScene>, Failure> {
     let first = &studio.scenes.first().info;
     match first.id == entry.id && first.name == entry.name && first.triangles == entry.triangles {
-        true => Ok(Box::new(first.clone())),
+        true => studio.scenes.as_opened(&first.id),
         false => Err(Failure::from(format!(
             "{session}: shows the scene {} with {} triangles, which was named on the command line and is not in the file; start `oaktwin studio` with that scene, and open the session there",
             entry.name, entry.triangles
@@ -244,7 +318,7 @@ fn dropped_scene(
     let id = upload::content_id(&name, &options, &path)?;
     archive.check_id(&entry.id, &id, &name)?;
     if let Some(known) = studio.scenes.dropped(&id) {
-        return Ok(Scene::Known(Box::new(known.info.clone())));
+        return Ok(Scene::Known(known));
     }
     let scene = LoadedScene::open(&path, &options, (&id, &name, &name))?;
     scene.check_triangles()?;
@@ -255,88 +329,11 @@ fn up(name: &str) -> Result<Up, Failure> {
     oaktwin::depth::parameters::choose("up", name).map_err(|error| Failure::of("up", &error))
 }
 
-/// The archive of a session.
-struct Archive<'a> {
-    name: &'a str,
-    zip: ZipArchive<DiskFile>,
-}
-
-impl<'a> Archive<'a> {
-    fn open(path: &Path, name: &'a str) -> Result<Self, Failure> {
-        let failed = |error: &dyn ToString| {
-            Failure::from(format!(
-                "{name}: is not a session of Studio, or not all of it ({}); open a file that Studio saved",
-                error.to_string()
-            ))
-        };
-        let file = DiskFile::open(path).map_err(|error| failed(&error))?;
-        let zip = ZipArchive::new(file).map_err(|error| failed(&error))?;
-        Ok(Self { name, zip })
-    }
-
-    fn state(&mut self) -> Result<State, Failure> {
-        if self.zip.index_for_name(STATE).is_none() {
-            return Err(self.wrong(&format!("has no {STATE}, so it is not a session of Studio")));
-        }
-        let bytes = self.file(STATE, MAX_STATE_BYTES)?;
-        let invalid = |error: serde_json::Error| format!("{STATE}: {error}");
-        let json: Value = serde_json::from_slice(&bytes).map_err(|error| self.wrong(&invalid(error)))?;
-        match json.get("oaktwinSession").and_then(Value::as_u64) {
-            // Numbers of the page's state keep their last digit.
-            Some(VERSION) => serde_json::from_slice(&bytes).map_err(|error| self.wrong(&invalid(error))),
-            Some(version) => Err(Failure::from(format!(
-                "{}: has version {version} of the format, but this program reads version {VERSION}; update oaktwin",
-                self.name
-            ))),
-            None => Err(self.wrong(&format!(
-                "{STATE} has no version, so it is not a session of Studio"
-            ))),
-        }
-    }
-
-    /// Reads a file, which must not be longer than `limit`.
-    fn file(&mut self, place: &str, limit: u64) -> Result<Vec<u8>, Failure> {
-        let name = self.name;
-        let damaged = |what: &dyn ToString| {
-            Failure::from(format!(
-                "{name}: {place}: {}; the file is damaged, save it again",
-                what.to_string()
-            ))
-        };
-        let entry = match self.zip.by_name(place) {
-            Ok(entry) => entry,
-            Err(ZipError::FileNotFound) => return Err(damaged(&"is missing")),
-            Err(error) => return Err(damaged(&error)),
-        };
-        let mut bytes = Vec::new();
-        let read = entry.take(limit + 1).read_to_end(&mut bytes);
-        read.map_err(|error| damaged(&error))?;
-        match bytes.len() as u64 > limit {
-            true => Err(damaged(&format!(
-                "is larger than {}",
-                oaktwin::memory::size(limit)
-            ))),
-            false => Ok(bytes),
-        }
-    }
-
-    /// The state refers to files by what they contain.
-    fn check_id(&self, expected: &str, found: &str, name: &str) -> Result<(), Failure> {
-        match expected == found {
-            true => Ok(()),
-            false => Err(self.wrong(&format!("{name} is not the file that was saved"))),
-        }
-    }
-
-    fn wrong(&self, what: &str) -> Failure {
-        Failure::from(format!("{}: {what}; open a file that Studio saved", self.name))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::studio::tests::studio;
+    use serde_json::Value;
     use serde_json::value::to_raw_value;
 
     const PATH: &str = "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n";
@@ -387,6 +384,34 @@ mod tests {
         );
         assert_eq!(info.trajectory.unwrap().poses.len(), 2);
         assert!(other.scenes.get(&info.scene.id).is_ok());
+    }
+
+    #[test]
+    fn a_session_keeps_a_robot_and_its_posture() {
+        let one = studio();
+        saved(&one);
+        let part = one.scenes.first().info.id.clone();
+        let robot = "<robot name='r'><link name='a'/><link name='b'><visual><geometry><sphere radius='0.1'/></geometry></visual></link>
+            <joint name='j' type='prismatic'><parent link='a'/><child link='b'/><axis xyz='1 0 0'/><limit lower='0' upper='2'/></joint></robot>";
+        let placed = dropped_robot::dropped(&one, &part, "r.urdf", robot.as_bytes()).unwrap();
+        let id = posed(&placed.id, "1.5");
+        let request = SaveRequest {
+            document: to_raw_value(&serde_json::json!({ "scene": id })).unwrap(),
+            display: to_raw_value(&Value::Null).unwrap(),
+            scene: id.clone(),
+            calibrations: Vec::new(),
+            trajectory: None,
+        };
+        let bytes = save(&one, request).unwrap().bytes;
+        let other = studio();
+        let info = opened(&other, &bytes).unwrap();
+        assert_eq!(info.scene.id, id);
+        assert_eq!(info.scene.robot.unwrap().joints[0].position, 1.5);
+        let text = String::from_utf8_lossy(&bytes).replace("\"1.5\"", "\"9.5\"");
+        let state = &text[text.find('{').unwrap()..=text.rfind('}').unwrap()];
+        let files = [(STATE, state.as_bytes()), ("robot/r.urdf", robot.as_bytes())];
+        let error = opened(&other, &usdz::pack(&files).unwrap()).unwrap_err();
+        assert!(error.contains("outside its limits"), "{error}");
     }
 
     #[test]

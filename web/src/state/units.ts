@@ -1,7 +1,7 @@
 import type { SceneInfo, Vec3 } from "../protocol";
 import type { UpAxis } from "../util/pose";
 
-/** How a mesh file, which does not say, is read. */
+/** How a mesh file that does not say is read. */
 export interface Units {
   /** Metres per unit. */
   scale: number;

@@ -11,7 +11,7 @@ import { Store } from "../util/store";
 import { makeCloud, placeCloud, showThrough } from "../view3d/cloud";
 import type { GizmoMode } from "../view3d/gizmo";
 import { makeOak, matrix, place } from "../view3d/oakobject";
-import { type Hit, isDrawnBySoftware, Viewer } from "../view3d/viewer";
+import { type Hit, Viewer } from "../view3d/viewer";
 import { Painting } from "./painting";
 import { visiblePixel } from "./project";
 import { unposed } from "./robot";
@@ -56,8 +56,6 @@ export class SceneView {
   readonly viewer: Viewer;
   /** What the selected OAK measures of the region's surface. */
   readonly painting: Painting;
-  /** Whether a processor draws the view. */
-  private readonly isSlow = isDrawnBySoftware();
   private readonly bodies = new Map<string, Mesh | null>();
   private groups: { oak: Oak; group: Group }[] = [];
   private readonly seen = new Map<string, readonly unknown[]>();
@@ -87,6 +85,7 @@ export class SceneView {
     scene.subscribe(() => void this.loadScene());
     for (const store of [document, display, this.gizmo, this.isRiding]) store.subscribe(() => this.follow());
     document.subscribe(() => this.followTime());
+    studio.timeline.trajectories.subscribe(() => this.follow());
     studio.timeline.isPlaying.subscribe(() => void this.loadTextures(this.loaded));
     frames.subscribe(() => this.followClouds());
     probe.subscribe(() => this.followProbe());
@@ -116,7 +115,7 @@ export class SceneView {
   /** Couples the selected OAK with the view, or releases it. */
   setRiding(isOn: boolean): void {
     if (isOn) this.lookThrough();
-    this.viewer.pace = isOn && this.isSlow ? FLIGHT_PACE : 0;
+    this.viewer.pace = isOn && this.viewer.isSlow ? FLIGHT_PACE : 0;
     this.isRiding.set(isOn);
   }
 
@@ -201,6 +200,8 @@ export class SceneView {
       const isBox = state.target !== null && "minimum" in state.target;
       this.viewer.setTarget(targetBounds(state.target, info), isBox, info?.up ?? "z");
     }
+    const path = this.studio.timeline.trajectory();
+    if (this.isNew("path", path)) this.viewer.setPath(path?.poses.map(({ position }) => position) ?? []);
     if (this.isNew("background", info, shown.showGrid, shown.theme)) this.paintBackground();
     this.followClouds();
   }
@@ -232,7 +233,7 @@ export class SceneView {
       const { arePosesLinked } = this.studio.document.get();
       entry.group.visible = !isRiding || (entry.oak.key !== selected && !arePosesLinked);
     }
-    this.viewer.invalidate();
+    this.viewer.move();
   }
 
   private makeGroup(oak: Oak, index: number, isSelected: boolean, shown: Display): { oak: Oak; group: Group }[] {

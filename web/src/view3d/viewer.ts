@@ -11,8 +11,8 @@ import { type Box, BoxHandles } from "./boxhandles";
 import { makeMesh, makePainting } from "./meshes";
 import { Navigation } from "./navigation";
 import { dispose } from "./oakobject";
+import { OpenLine } from "./openline";
 import { RobotParts } from "./robotparts";
-import { RulerLine } from "./ruler";
 import { clipTextured, forgetTextures, makeTextured } from "./textured";
 import type { Textured } from "../net/textured";
 
@@ -40,13 +40,18 @@ export interface Hit {
 /** How far below a roof the scene is cut. */
 const ROOF_GAP = 0.03;
 const MARKER_COLOR = "#ff2d78";
+const RULER_COLOR = "#ffb000";
+const PATH_COLOR = "#7c3aed";
 /** A pointer that moved less than this between press and release, in pixels, clicked. */
 const CLICK = 4;
 /** The time between two looks at what is under the mouse, ms. */
 const HOVER_PACE = 60;
 
+/** How long after the last movement a processor draws textures again, ms. They take two thirds of the time of an image. */
+const SETTLE = 250;
+
 /** Whether a processor draws instead of a graphics card: it has no time to smooth edges. */
-export function isDrawnBySoftware(): boolean {
+function isDrawnBySoftware(): boolean {
   const gl = document.createElement("canvas").getContext("webgl2");
   if (!gl) return true;
   const info = gl.getExtension("WEBGL_debug_renderer_info");
@@ -61,6 +66,8 @@ export class Viewer {
   drawn = 0;
   /** The minimum time between two images, ms. */
   pace = 0;
+  /** Whether a processor draws the view. */
+  readonly isSlow = isDrawnBySoftware();
   readonly navigation: Navigation;
   readonly gizmo: Gizmo;
   private readonly renderer: WebGLRenderer;
@@ -77,21 +84,25 @@ export class Viewer {
   private target: Box3Helper | null = null;
   private painting: Mesh<BufferGeometry, MeshLambertMaterial> | null = null;
   private readonly box: BoxHandles;
-  private readonly ruler: RulerLine;
+  private readonly ruler: OpenLine;
+  private readonly path: OpenLine;
   private readonly textured = new Group();
   private objects: Uint32Array | null = null;
   private parts: RobotParts | null = null;
   private isWaiting = false;
   private lastDraw = 0;
+  private isShown = true;
+  /** The timer that ends a movement; 0 while nothing moves. */
+  private settling = 0;
 
   constructor(private readonly canvas: HTMLCanvasElement, handlers: ViewerHandlers) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: !isDrawnBySoftware(), powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({ canvas, antialias: !this.isSlow, powerPreference: "high-performance" });
     this.renderer.localClippingEnabled = true;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.scene.add(new HemisphereLight("#ffffff", "#8a8f98", 1.9), this.lamp, this.oaks, this.clouds, this.textured);
     const invalidate = () => this.invalidate();
     this.navigation = new Navigation(this.camera, canvas, () => {
-      this.invalidate();
+      this.move();
       handlers.onView();
     });
     this.gizmo = new Gizmo(this.camera, canvas, this.scene, this.navigation, handlers.onPose, invalidate);
@@ -113,12 +124,14 @@ export class Viewer {
     }
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(canvas);
-    this.ruler = new RulerLine(this.scene);
+    this.ruler = new OpenLine(this.scene, RULER_COLOR, 8);
+    this.path = new OpenLine(this.scene, PATH_COLOR, 4);
     this.listenForClicks(handlers);
     this.listenForHover(handlers);
   }
 
   close(): void {
+    window.clearTimeout(this.settling);
     this.observer.disconnect();
     dispose(this.scene);
     this.renderer.dispose();
@@ -133,19 +146,32 @@ export class Viewer {
     else this.draw();
   }
 
+  /** Asks for an image of something that moves: without a graphics card, textures come back when nothing moves any more. */
+  move(): void {
+    if (this.isSlow && this.textured.children.length) {
+      window.clearTimeout(this.settling);
+      this.settling = window.setTimeout(() => {
+        this.settling = 0;
+        this.invalidate();
+      }, SETTLE);
+    }
+    this.invalidate();
+  }
+
   private draw(): void {
     requestAnimationFrame(() => {
       this.isWaiting = false;
       this.lastDraw = performance.now();
       this.lamp.position.copy(this.camera.position);
       this.box.fit(this.camera);
+      this.textured.visible = this.isShown && !this.settling;
       this.renderer.render(this.scene, this.camera);
       this.drawn++;
     });
   }
 
   get isIdle(): boolean {
-    return !this.isWaiting;
+    return !this.isWaiting && !this.settling;
   }
 
   setBackground(color: string, gridColor: string): void {
@@ -186,12 +212,12 @@ export class Viewer {
   /** Moves the robot of the scene to its posture. */
   moveRobot(info: SceneInfo): void {
     if (info.robot && this.parts?.isOf(info)) this.parts.move(info.robot);
-    this.invalidate();
+    this.move();
   }
 
   showScene(isShown: boolean): void {
     if (this.mesh) this.mesh.visible = isShown;
-    this.textured.visible = isShown;
+    this.isShown = isShown;
     this.invalidate();
   }
 
@@ -271,8 +297,15 @@ export class Viewer {
     this.invalidate();
   }
 
+  /** Shows the way of a trajectory. */
+  setPath(points: readonly Vec3[]): void {
+    this.path.set(points);
+    this.invalidate();
+  }
+
   /** Returns what the view shows as a PNG. */
   picture(): Promise<Blob | null> {
+    this.textured.visible = this.isShown;
     // Within one task: a canvas is empty once the page has shown it.
     this.renderer.render(this.scene, this.camera);
     return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));

@@ -33,7 +33,7 @@ fn after_help() -> String {
     after_help = after_help()
 )]
 pub(crate) struct CoverageArgs {
-    /// The scene: USD (usda, usdc, usd, usdz), glTF (gltf, glb), OBJ, STL or PLY
+    /// The scene: USD (usda, usdc, usd, usdz), glTF (gltf, glb), Collada (dae), OBJ, STL or PLY
     #[arg(value_hint = ValueHint::FilePath)]
     pub(crate) scene: PathBuf,
 

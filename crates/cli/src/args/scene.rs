@@ -24,11 +24,11 @@ pub(crate) struct SceneArgs {
     )]
     pub(crate) subdivide: u32,
 
-    /// The up axis of a glTF, OBJ, STL or PLY file [default: its format's]
+    /// The up axis of a glTF, Collada, OBJ, STL or PLY file [default: the file's or its format's]
     #[arg(long, value_parser = parser::<Up>())]
     pub(crate) up: Option<Up>,
 
-    /// Metres per unit of a glTF, OBJ, STL or PLY file [default: 1]
+    /// Metres per unit of a mesh file, or per unit that it states [default: 1]
     #[arg(long, value_name = "METRES")]
     pub(crate) scale: Option<f64>,
 

@@ -10,7 +10,7 @@ use super::{RobotPlaceArgs, ThreadArgs, limit};
 
 #[derive(Args, Debug)]
 pub(crate) struct StudioArgs {
-    /// The scene: USD, glTF (gltf, glb), OBJ, STL or PLY [default: the room of `oaktwin demo`]
+    /// The scene: USD, glTF, Collada, OBJ, STL or PLY [default: the room of `oaktwin demo`]
     #[arg(value_hint = ValueHint::FilePath)]
     pub(crate) scene: Option<PathBuf>,
 
@@ -30,11 +30,11 @@ pub(crate) struct StudioArgs {
     #[arg(long)]
     pub(crate) no_open: bool,
 
-    /// The up axis of a glTF, OBJ, STL or PLY file [default: its format's]
+    /// The up axis of a glTF, Collada, OBJ, STL or PLY file [default: the file's or its format's]
     #[arg(long, requires = "scene", value_parser = parser::<Up>())]
     pub(crate) up: Option<Up>,
 
-    /// Metres per unit of a glTF, OBJ, STL or PLY file [default: 1]
+    /// Metres per unit of a mesh file, or per unit that it states [default: 1]
     #[arg(long, requires = "scene", value_name = "METRES")]
     pub(crate) scale: Option<f64>,
 

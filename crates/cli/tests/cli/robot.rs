@@ -14,6 +14,9 @@ const COVERAGE: &str = "coverage room.usda --region /World/Box --robot arm.urdf 
                         --robot-pose -1.2 0 0.2 0 0 0 1 --mount hand --model oak-d-sr --resolution 160x100 --samples 500 \
                         --param confidenceThreshold=0 --pose 0.05 0 0.03 0 -0.7071067811865476 0 0.7071067811865476";
 
+/// An OAK that passes by the box and looks at it.
+const PATH: &str = "0 -1.2 0 0.4 0 0 0 1\n0.1 -1.2 0.05 0.4 0 0 0 1\n";
+
 fn program() -> Program {
     let program = Program::new();
     program.put("room.usda", ROOM);
@@ -119,6 +122,26 @@ fn a_frame_for_each_posture() {
 }
 
 #[test]
+fn the_robot_stands_still_along_a_trajectory() {
+    let program = program();
+    program.put("path.txt", PATH);
+    program.put("one.csv", "shoulder,elbow,grip\n0.3,1.6,0.04\n");
+    let render = "render room.usda --robot arm.urdf --robot-pose -0.5 0 0.2 0 0 0 1 --joints one.csv --model oak-d-sr \
+                  --camera left --resolution 160x100 --annotators distance_to_image_plane,instance_id_segmentation";
+    program.good(&words(&format!("{render} --trajectory path.txt -o along")));
+    program.good(&words(&format!(
+        "{render} --pose -1.2 0.05 0.4 0 0 0 1 -o second"
+    )));
+    let read = |path: &str| std::fs::read(program.path(path)).unwrap();
+    let frame =
+        |folder: &str, number: u32| read(&format!("{folder}/distance_to_image_plane_{number:04}.npy"));
+    assert_eq!(frame("along", 1), frame("second", 0));
+    assert_ne!(frame("along", 0), frame("along", 1));
+    let labels = String::from_utf8(read("along/instance_id_segmentation_mapping_0001.json")).unwrap();
+    assert!(labels.contains("/arm/upper/visual_0"), "{labels}");
+}
+
+#[test]
 fn invalid_requests_are_rejected() {
     let program = program();
     program.put("empty.csv", "");
@@ -126,6 +149,7 @@ fn invalid_requests_are_rejected() {
     program.put("limits.csv", "shoulder,elbow\n0,1\n0,3\n");
     program.put("ragged.csv", "shoulder,elbow\n0,1\n0\n");
     program.put("nan.csv", "shoulder\nnan\n");
+    program.put("path.txt", PATH);
     program.put("broken.urdf", "<robot><link name='a'/></robot");
     program.put(
         "mesh.urdf",
@@ -149,7 +173,9 @@ fn invalid_requests_are_rejected() {
         "coverage room.usda --robot no.urdf --mount hand --model oak4-d".to_owned(),
         "coverage room.usda --robot room.usda --mount hand --model oak4-d".to_owned(),
         format!("coverage room.usda {place} --robot-pose 0 0 0 0 0 0 2"),
-        format!("render room.usda {place} --trajectory poses.csv"),
+        format!("render room.usda {place} --trajectory path.txt"),
+        "render room.usda --robot arm.urdf --joints poses.csv --model oak4-d --trajectory path.txt"
+            .to_owned(),
         format!("render room.usda {place} --frames 0:10"),
     ];
     let mut all = String::new();

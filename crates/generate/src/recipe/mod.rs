@@ -90,14 +90,14 @@ impl Recipe {
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct SceneRule {
-    /// The up axis of glTF, OBJ, STL and PLY files.
+    /// The up axis of glTF, Collada, OBJ, STL and PLY files.
     #[serde(
         with = "crate::recipe::choice::optional",
         skip_serializing_if = "Option::is_none"
     )]
     #[schemars(with = "Option<String>", extend("enum" = ["z", "y"]))]
     pub up: Option<Up>,
-    /// The metres per unit of glTF, OBJ, STL and PLY files.
+    /// The metres per unit of glTF, Collada, OBJ, STL and PLY files.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub scale: Option<f64>,
     /// The subdivision level of the meshes of USD stages.

@@ -23,7 +23,7 @@ choice! {
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct ObjectRule {
-    /// Files (USD, glTF, OBJ, STL or PLY) and folders of them, relative to the recipe. Each object is one of these files.
+    /// Files (USD, glTF, Collada, OBJ, STL or PLY) and folders of them, relative to the recipe. Each object is one of these files.
     pub files: Texts,
     /// The label of the objects; by default the name of the file without its extension.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -34,7 +34,7 @@ pub struct ObjectRule {
     /// different units. `scale` multiplies it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub size_m: Option<Quantity>,
-    /// The up axis of glTF, OBJ, STL and PLY files.
+    /// The up axis of glTF, Collada, OBJ, STL and PLY files.
     #[serde(with = "super::choice::optional", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<String>", extend("enum" = ["z", "y"]))]
     pub up: Option<Up>,

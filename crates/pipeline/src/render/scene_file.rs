@@ -70,7 +70,7 @@ pub enum SceneFileError {
 }
 
 impl SceneFile {
-    /// Opens a USD stage (`usd`, `usda`, `usdc`, `usdz`), or a mesh file (`gltf`, `glb`, `obj`, `stl`, `ply`).
+    /// Opens a USD stage (`usd`, `usda`, `usdc`, `usdz`), or a mesh file (`gltf`, `glb`, `dae`, `obj`, `stl`, `ply`).
     ///
     /// # Errors
     /// Returns an error if the file cannot be read, its kind is unknown or an option does not apply to it. Missing or
@@ -158,6 +158,12 @@ impl SceneFile {
     #[must_use]
     pub fn is_stage(path: &Path) -> bool {
         USD.contains(&extension(path).as_str())
+    }
+
+    /// Returns whether a file states the length of its unit, by its extension.
+    #[must_use]
+    pub fn states_unit(path: &Path) -> bool {
+        Self::is_stage(path) || import::states_unit(path)
     }
 
     /// Returns whether [`SceneFile::open_animated`] takes a file, by its extension.
@@ -412,6 +418,6 @@ fn unknown_kind(path: &Path, extension: &str) -> FileError {
     FileError::new(
         path,
         message,
-        "give a usd, usda, usdc, usdz, gltf, glb, obj, stl or ply file",
+        "give a usd, usda, usdc, usdz, gltf, glb, dae, obj, stl or ply file",
     )
 }

@@ -81,7 +81,7 @@ class Scene:
         micro_texture: bool = False,
         mount: str | None = None,
     ) -> Scene:
-        """Opens a USD stage (usd, usda, usdc, usdz) or a mesh file (gltf, glb, obj, stl, ply).
+        """Opens a USD stage (usd, usda, usdc, usdz) or a mesh file (gltf, glb, dae, obj, stl, ply).
 
         path: the file.
         time: the time code of a USD stage; by default the default values, or the first time samples. See `set_time`.

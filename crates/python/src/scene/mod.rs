@@ -65,7 +65,7 @@ enum Origin {
 
 #[pymethods]
 impl Scene {
-    /// Opens a USD stage (usd, usda, usdc, usdz) or a mesh file (gltf, glb, obj, stl, ply).
+    /// Opens a USD stage (usd, usda, usdc, usdz) or a mesh file (gltf, glb, dae, obj, stl, ply).
     ///
     /// path: the file.
     /// time: the time code of a USD stage; by default the default values, or the first time samples. See `set_time`.

@@ -1,7 +1,7 @@
-use std::path::{Path, PathBuf};
-
 use oaktwin_base::diagnostic::Message;
 use oaktwin_files::FileError;
+use oaktwin_files::xml::XmlError;
+use oaktwin_usd::stage::StageError;
 
 /// A robot's file that cannot be read or used.
 #[derive(Debug, thiserror::Error)]
@@ -10,29 +10,12 @@ pub enum RobotFileError {
     #[error(transparent)]
     File(#[from] FileError),
     /// A mistake in a file: `FILE: PLACE: what is wrong; what to do`.
-    #[error("{}: {place}: {message}; {remedy}", file.display())]
-    At {
-        /// The file.
-        file: PathBuf,
-        /// The line and element.
-        place: String,
-        /// What is wrong.
-        message: String,
-        /// What to do.
-        remedy: String,
-    },
+    #[error(transparent)]
+    At(#[from] XmlError),
+    /// The file is not a valid USD stage.
+    #[error(transparent)]
+    Stage(#[from] StageError),
     /// An argument that does not fit the robot.
     #[error("{0}")]
     Option(Message),
-}
-
-impl RobotFileError {
-    pub(super) fn new(file: &Path, place: String, message: String, remedy: String) -> Self {
-        Self::At {
-            file: file.to_owned(),
-            place,
-            message,
-            remedy,
-        }
-    }
 }

@@ -2,11 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use super::RobotFileError;
-use super::document::Element;
+use super::document::{Element, XmlError};
 
 /// Returns the path of the file that an element names as `package://NAME/PATH`, `model://NAME/PATH`, `file://PATH`, or a path relative to its own file.
-pub(super) fn file(element: &Element, name: &str, packages: &[PathBuf]) -> Result<PathBuf, RobotFileError> {
+pub(super) fn file(element: &Element, name: &str, packages: &[PathBuf]) -> Result<PathBuf, XmlError> {
     let folder = element.file().parent().unwrap_or(Path::new(""));
     let in_package = ["package://", "model://"]
         .into_iter()

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use oaktwin_base::diagnostic::{Finding, add_new, message, nearest, opt, suggestion};
 use oaktwin_camera::RigidTransform;
@@ -9,7 +10,7 @@ use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
 use oaktwin_image::srgb;
 use oaktwin_scene::import::{self, ImportOptions};
 use oaktwin_scene::shape::{self, Axis};
-use oaktwin_scene::{Instance, Material, MaterialSpan, Mesh, Scene, Up};
+use oaktwin_scene::{Instance, Material, MaterialSpan, Mesh, Scene, Texture, Up};
 
 use super::RobotFileError;
 use super::robot::{LinkVisual, Robot, Shape};
@@ -56,6 +57,7 @@ impl PlacedRobot {
         let mut builder = Builder {
             scene,
             files: HashMap::new(),
+            stages: Vec::new(),
             colors: HashMap::new(),
             findings: Vec::new(),
         };
@@ -180,6 +182,8 @@ struct Builder<'a> {
     scene: &'a mut Scene,
     /// What was read of each file, for each colour that its surfaces get.
     files: HashMap<(PathBuf, u32), Meshes>,
+    /// The addresses of stages, with the index of their first mesh.
+    stages: Vec<(usize, u32)>,
     colors: HashMap<[u32; 3], u32>,
     findings: Vec<Finding>,
 }
@@ -190,11 +194,22 @@ impl Builder<'_> {
         let pose = &visual.link_from_shape;
         let link_from_shape = DAffine3::from_mat3_translation(pose.rotation, pose.translation);
         let color = self.color(visual.color.unwrap_or([0.5; 3]));
+        let mut labels = Vec::new();
         let (meshes, shape_from_file) = match &visual.shape {
             Shape::Mesh {
                 file,
                 shape_from_file,
             } => (self.file(file, color)?, *shape_from_file),
+            Shape::Instance {
+                scene,
+                instance,
+                link_from_mesh,
+            } => {
+                let instance = &scene.instances[*instance];
+                let first = self.stage(scene, color);
+                labels.clone_from(&instance.labels);
+                (vec![(first + instance.mesh, *link_from_mesh)], DAffine3::IDENTITY)
+            }
             shape => self.solid(shape, color),
         };
         let mut transforms = Vec::new();
@@ -207,7 +222,7 @@ impl Builder<'_> {
                     format!("{path}_part_{number}")
                 },
                 world_from_mesh: DAffine3::IDENTITY,
-                labels: Vec::new(),
+                labels: labels.clone(),
                 material_offset: 0,
             });
             transforms.push(link_from_shape * shape_from_file * file_from_mesh);
@@ -223,7 +238,7 @@ impl Builder<'_> {
             Shape::Cylinder { radius, length } => (shape::cylinder(radius, length, Axis::Z), DVec3::ONE),
             Shape::Capsule { radius, length } => (shape::capsule(radius, length, Axis::Z), DVec3::ONE),
             Shape::Rectangle { width, length } => (shape::plane(width, length, Axis::Z), DVec3::ONE),
-            Shape::Mesh { .. } => (Mesh::default(), DVec3::ONE),
+            Shape::Mesh { .. } | Shape::Instance { .. } => (Mesh::default(), DVec3::ONE),
         };
         self.scene.meshes.push(painted(mesh, color));
         let mesh = count(self.scene.meshes.len() - 1);
@@ -239,16 +254,49 @@ impl Builder<'_> {
         let imported = import::open(file, &ImportOptions::default())
             .map_err(|error| RobotFileError::Option(error.to_string().into()))?;
         add_new(&mut self.findings, imported.findings);
-        let own = imported.scene;
+        let first = self.merge(
+            imported.scene.meshes,
+            imported.scene.materials,
+            imported.scene.textures,
+            color,
+        );
+        let instances = imported.scene.instances.iter();
+        let meshes: Meshes = instances
+            .map(|one| (first + one.mesh, one.world_from_mesh))
+            .collect();
+        self.files.insert(key, meshes.clone());
+        Ok(meshes)
+    }
+
+    /// Returns the index of the first mesh of a stage, which is added when it is first used.
+    fn stage(&mut self, scene: &Arc<Scene>, color: u32) -> u32 {
+        let key = Arc::as_ptr(scene).addr();
+        if let Some((_, first)) = self.stages.iter().find(|(known, _)| *known == key) {
+            return *first;
+        }
+        let (meshes, materials) = (scene.meshes.clone(), scene.materials.clone());
+        let first = self.merge(meshes, materials, scene.textures.clone(), color);
+        self.stages.push((key, first));
+        first
+    }
+
+    /// Adds meshes with their materials and textures, and returns the index of the first one. Surfaces without a material get the colour.
+    fn merge(
+        &mut self,
+        meshes: Vec<Mesh>,
+        own_materials: Vec<Material>,
+        own_textures: Vec<Texture>,
+        color: u32,
+    ) -> u32 {
         let materials = count(self.scene.materials.len());
         let textures = count(self.scene.textures.len());
         let first = count(self.scene.meshes.len());
-        self.scene.textures.extend(own.textures);
-        let moved = own.materials.into_iter();
+        self.scene.textures.extend(own_textures);
+        let moved = own_materials.into_iter();
         self.scene
             .materials
             .extend(moved.map(|material| material.after_textures(textures)));
-        for mut mesh in own.meshes {
+        for mut mesh in meshes {
             for span in &mut mesh.materials {
                 span.material = Some(span.material.map_or(color, |material| materials + material));
             }
@@ -257,12 +305,7 @@ impl Builder<'_> {
                 false => mesh,
             });
         }
-        let instances = own.instances.iter();
-        let meshes: Meshes = instances
-            .map(|one| (first + one.mesh, one.world_from_mesh))
-            .collect();
-        self.files.insert(key, meshes.clone());
-        Ok(meshes)
+        first
     }
 
     /// Returns the material of a colour, sRGB.

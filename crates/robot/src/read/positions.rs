@@ -6,6 +6,7 @@ use oaktwin_base::diagnostic::suggest;
 use oaktwin_files as files;
 
 use super::RobotFileError;
+use super::document::XmlError;
 use super::robot::{JointKind, Robot};
 
 /// The maximum size of a file in bytes: some million positions.
@@ -45,7 +46,13 @@ impl JointPositions {
     /// Returns the errors of [`read`](Self::read).
     pub fn parse(path: &Path, bytes: &[u8], robot: &Robot) -> Result<Self, RobotFileError> {
         let wrong = |line: u64, message: String, remedy: String| {
-            RobotFileError::new(path, format!("line {line}"), message, remedy)
+            let (file, place) = (path.to_owned(), format!("line {line}"));
+            RobotFileError::At(XmlError {
+                file,
+                place,
+                message,
+                remedy,
+            })
         };
         let mut reader = csv::ReaderBuilder::new()
             .has_headers(false)

@@ -1,10 +1,12 @@
 //! What all formats of robots share.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DAffine3, DVec3};
+use oaktwin_scene::Scene;
 
 /// A robot: links that joints move. Lengths are in metres, angles in radians.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -117,6 +119,15 @@ pub enum Shape {
         width: f64,
         /// The length along y.
         length: f64,
+    },
+    /// An instance of a stage.
+    Instance {
+        /// What the stage contains, in metres.
+        scene: Arc<Scene>,
+        /// The index of the instance.
+        instance: usize,
+        /// The transform of its mesh to the link.
+        link_from_mesh: DAffine3,
     },
     /// A mesh file.
     Mesh {

@@ -8,9 +8,9 @@ use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DAffine3, DVec3};
 use oaktwin_scene::import;
 
-use super::document::Element;
+use super::document::{Element, Vectors, XmlError};
 use super::robot::{Joint, JointKind, Link, LinkVisual, Mimic, Robot, Shape};
-use super::{RobotFileError, locate, turn};
+use super::{locate, turn};
 
 /// The maximum number of links and joints.
 const MAX_ELEMENTS: usize = 10_000;
@@ -28,7 +28,7 @@ struct Reader<'a> {
     findings: Vec<Finding>,
 }
 
-pub(super) fn read(root: &Element, packages: &[PathBuf]) -> Result<Robot, RobotFileError> {
+pub(super) fn read(root: &Element, packages: &[PathBuf]) -> Result<Robot, XmlError> {
     let mut colors = HashMap::new();
     for material in root.all("material") {
         if let (Some(name), Some(color)) = (material.get("name"), color(material)?) {
@@ -72,7 +72,7 @@ pub(super) fn read(root: &Element, packages: &[PathBuf]) -> Result<Robot, RobotF
 }
 
 /// Rejects files that xacro has not expanded.
-fn reject_macros(root: &Element) -> Result<(), RobotFileError> {
+fn reject_macros(root: &Element) -> Result<(), XmlError> {
     match root.children.iter().find(|child| child.tag.starts_with("xacro:")) {
         Some(found) => Err(found.wrong(
             "the file has macros of xacro",
@@ -83,7 +83,7 @@ fn reject_macros(root: &Element) -> Result<(), RobotFileError> {
 }
 
 /// Returns the links, parents first, with the joint that carries each.
-fn ordered(root: &Element) -> Result<Vec<(&Element, Option<Edge<'_>>)>, RobotFileError> {
+fn ordered(root: &Element) -> Result<Vec<(&Element, Option<Edge<'_>>)>, XmlError> {
     let mut links: HashMap<&str, &Element> = HashMap::new();
     if root.children.len() > MAX_ELEMENTS {
         let what = format!("more than {MAX_ELEMENTS} links and joints are too many");
@@ -150,7 +150,7 @@ fn end<'a>(
     joint: &'a Element,
     tag: &str,
     links: &HashMap<&'a str, &'a Element>,
-) -> Result<&'a str, RobotFileError> {
+) -> Result<&'a str, XmlError> {
     let missing = || joint.wrong(format!("<{tag}> is missing"), format!("add <{tag} link=\"…\"/>"));
     let name = joint.child(tag).ok_or_else(missing)?.required("link")?;
     if links.contains_key(name) {
@@ -162,7 +162,7 @@ fn end<'a>(
 }
 
 /// Sets the joints that follow others.
-fn follow(robot: &mut Robot, root: &Element) -> Result<(), RobotFileError> {
+fn follow(robot: &mut Robot, root: &Element) -> Result<(), XmlError> {
     let names: Vec<String> = robot.joints.iter().map(|joint| joint.name.clone()).collect();
     let index = |name: &str| names.iter().position(|own| own == name);
     for element in root.all("joint") {
@@ -206,7 +206,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Returns a joint that moves; `None` of one that is fixed.
-    fn joint(&mut self, element: &Element) -> Result<Option<Joint>, RobotFileError> {
+    fn joint(&mut self, element: &Element) -> Result<Option<Joint>, XmlError> {
         let kind = element.required("type")?;
         let kind = match kind {
             "fixed" => return Ok(None),
@@ -265,7 +265,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Returns the visual shapes of a link. If one of its meshes cannot be read, its collision shapes replace it.
-    fn visuals(&mut self, link: &'a Element) -> Result<Vec<LinkVisual>, RobotFileError> {
+    fn visuals(&mut self, link: &'a Element) -> Result<Vec<LinkVisual>, XmlError> {
         let mut visuals = Vec::new();
         let mut unread = 0;
         for (number, element) in (0..).zip(link.all("visual")) {
@@ -291,13 +291,13 @@ impl<'a> Reader<'a> {
                 "a mesh cannot be read; the link's collision shapes are shown instead",
             ),
         };
-        let remedy = "convert the mesh to glTF, OBJ or STL for its true shape";
+        let remedy = "convert the mesh to glTF, Collada, OBJ or STL for its true shape";
         self.note("mesh-format", level, link, what.to_owned(), remedy);
         Ok(if stand_ins.is_empty() { visuals } else { stand_ins })
     }
 
     /// Returns a shape; `None` of a mesh in a format that is not supported.
-    fn visual(&mut self, element: &'a Element, number: u32) -> Result<Option<LinkVisual>, RobotFileError> {
+    fn visual(&mut self, element: &'a Element, number: u32) -> Result<Option<LinkVisual>, XmlError> {
         let shape = element
             .child("geometry")
             .and_then(|geometry| geometry.children.first())
@@ -354,7 +354,7 @@ impl<'a> Reader<'a> {
         }))
     }
 
-    fn color(&mut self, element: &'a Element) -> Result<Option<[f32; 3]>, RobotFileError> {
+    fn color(&mut self, element: &'a Element) -> Result<Option<[f32; 3]>, XmlError> {
         let Some(material) = element.child("material") else {
             return Ok(None);
         };
@@ -374,7 +374,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-fn color(material: &Element) -> Result<Option<[f32; 3]>, RobotFileError> {
+fn color(material: &Element) -> Result<Option<[f32; 3]>, XmlError> {
     let Some(color) = material.child("color") else {
         return Ok(None);
     };
@@ -385,7 +385,7 @@ fn color(material: &Element) -> Result<Option<[f32; 3]>, RobotFileError> {
 }
 
 /// The pose of an element in its parent's frame.
-fn origin(element: &Element) -> Result<RigidTransform, RobotFileError> {
+fn origin(element: &Element) -> Result<RigidTransform, XmlError> {
     let Some(origin) = element.child("origin") else {
         return Ok(RigidTransform::IDENTITY);
     };

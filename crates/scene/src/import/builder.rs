@@ -57,6 +57,17 @@ impl Builder {
             .push(Finding::new(code, Level::Note, place, message, ""));
     }
 
+    /// Sets the unit of a file that states it.
+    pub(super) fn set_unit(&mut self, unit: MetersPerUnit) {
+        self.scale = unit.0;
+        self.scene.meters_per_unit = unit;
+    }
+
+    /// Sets the up axis of a file that states it.
+    pub(super) fn set_up(&mut self, up: Up) {
+        self.scene.up = up;
+    }
+
     /// Converts the file's unit to metres.
     pub(super) fn world_from_file(&self) -> DAffine3 {
         DAffine3::from_scale(DVec3::splat(self.scale))

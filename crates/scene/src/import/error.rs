@@ -1,6 +1,7 @@
 use std::path::{Path, PathBuf};
 
 use oaktwin_base::diagnostic::Message;
+use oaktwin_files::xml::XmlError;
 
 /// An error that occurred while importing a file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -51,5 +52,11 @@ impl Fault {
             message: self.message,
             remedy: self.remedy,
         }
+    }
+}
+
+impl From<XmlError> for Fault {
+    fn from(error: XmlError) -> Self {
+        Self::new(error.place, error.message, error.remedy)
     }
 }

@@ -1,14 +1,15 @@
-//! Importers for glTF, OBJ, STL and PLY files.
+//! Importers for glTF, Collada, OBJ, STL and PLY files.
 //!
-//! The world keeps the file's axes. The up axis is y in glTF and OBJ and z in STL and PLY, unless
-//! [`ImportOptions::up`] overrides it; nothing is rotated. The file's unit is taken to be the metre, times
-//! [`ImportOptions::scale`].
+//! The world keeps the file's axes. The up axis is y in glTF and OBJ, z in STL and PLY, and what the file says in Collada, unless
+//! [`ImportOptions::up`] overrides it; nothing is rotated. The file's unit is the one that a Collada file states, and otherwise taken to be the
+//! metre, times [`ImportOptions::scale`].
 //!
 //! A missing image is a finding; a file that contradicts itself is an error. Only regular files are opened. Files that
 //! a glTF file names must be in its folder or below, unless [`ImportOptions::allow_outside`] is set: a buffer may have any
-//! content, which would become coordinates. The images and material libraries of an OBJ file may be anywhere.
+//! content, which would become coordinates. The images of a Collada file, and the images and material libraries of an OBJ file, may be anywhere.
 
 mod builder;
+mod dae;
 mod error;
 mod gltf;
 mod obj;
@@ -16,6 +17,7 @@ mod origin;
 mod ply;
 mod stl;
 mod text;
+mod uri;
 mod weld;
 
 use std::path::Path;
@@ -35,7 +37,7 @@ use crate::{Scene, Up};
 pub struct ImportOptions {
     /// The up axis; `None` for the format's default.
     pub up: Option<Up>,
-    /// The metres per unit of the file: positive and finite.
+    /// The metres per unit of the file, or what the unit of a Collada file is multiplied by: positive and finite.
     pub scale: f64,
     /// Whether a glTF file may name buffers and images outside its folder.
     pub allow_outside: bool,
@@ -84,10 +86,11 @@ pub struct ImportedCamera {
 const MAX_BYTES: u64 = 1 << 40;
 
 /// The file name extensions that [`open`] supports.
-pub const EXTENSIONS: [&str; 5] = ["glb", "gltf", "obj", "ply", "stl"];
+pub const EXTENSIONS: [&str; 6] = ["dae", "glb", "gltf", "obj", "ply", "stl"];
 
 #[derive(Clone, Copy)]
 enum Format {
+    Dae,
     Gltf,
     Obj,
     Ply,
@@ -100,6 +103,7 @@ impl Format {
             .extension()
             .map(|extension| extension.to_string_lossy().to_ascii_lowercase());
         match extension.as_deref() {
+            Some("dae") => Ok(Self::Dae),
             Some("glb" | "gltf") => Ok(Self::Gltf),
             Some("obj") => Ok(Self::Obj),
             Some("ply") => Ok(Self::Ply),
@@ -110,14 +114,15 @@ impl Format {
                     Some(extension) => format!(".{extension} files are not supported"),
                     None => "the name has no extension".into(),
                 },
-                "use a file that ends in .glb, .gltf, .obj, .ply or .stl",
+                "use a file that ends in .dae, .glb, .gltf, .obj, .ply or .stl",
             )),
         }
     }
 
+    /// The up axis of a file that does not state it.
     const fn up(self) -> Up {
         match self {
-            Self::Gltf | Self::Obj => Up::Y,
+            Self::Dae | Self::Gltf | Self::Obj => Up::Y,
             Self::Ply | Self::Stl => Up::Z,
         }
     }
@@ -127,6 +132,12 @@ impl Format {
 #[must_use]
 pub fn is_importable(path: &Path) -> bool {
     Format::of(path).is_ok()
+}
+
+/// Whether files with this name's extension state their unit.
+#[must_use]
+pub fn states_unit(path: &Path) -> bool {
+    matches!(Format::of(path), Ok(Format::Dae))
 }
 
 /// Imports a file in the format of its extension.
@@ -165,6 +176,7 @@ fn decode(bytes: Vec<u8>, format: Format, path: &Path, options: &ImportOptions) 
     let up = options.up.unwrap_or(format.up());
     let mut builder = Builder::new(path, up, options.scale);
     match format {
+        Format::Dae => dae::read(&bytes, path, options, &mut builder)?,
         Format::Gltf => gltf::read(bytes, path, options, &mut builder)?,
         Format::Obj => obj::read(&bytes, path, &mut builder)?,
         Format::Ply => ply::read(&bytes, &mut builder)?,

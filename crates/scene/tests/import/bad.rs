@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use crate::support::{Files, check};
-use crate::{gltf_builder, ply, stl};
+use crate::{dae, gltf_builder, ply, stl};
 
 fn whole_files() -> Vec<(&'static str, Vec<u8>)> {
     let obj = "o a\nv 0 0 0\nv 1 0 0 1 0 0\nv 1 1 0\nvt 0 0\nvn 0 0 1\nusemtl x\nf 1/1/1 2/1/1 -1/1/1\ng b\nf 1 2 3 2\n";
@@ -18,6 +18,7 @@ fn whole_files() -> Vec<(&'static str, Vec<u8>)> {
             "a.gltf",
             gltf_builder::Builder::everything().embedded().into_bytes(),
         ),
+        ("a.dae", dae::everything().into_bytes()),
         ("a.glb", gltf_builder::Builder::everything().binary()),
     ]
 }
@@ -55,7 +56,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(96))]
 
     #[test]
-    fn changed_bytes_never_panic(file in 0..8_usize, changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6)) {
+    fn changed_bytes_never_panic(file in 0..9_usize, changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6)) {
         let (name, mut bytes) = whole_files().swap_remove(file);
         for (at, byte) in changes {
             let at = at.index(bytes.len());

@@ -9,6 +9,7 @@
 
 mod bad;
 mod compressed;
+mod dae;
 mod gltf;
 mod gltf_animations;
 mod gltf_builder;

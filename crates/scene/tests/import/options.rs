@@ -42,11 +42,11 @@ fn units_become_metres_and_axes_stay() {
 fn extensions_determine_the_format() {
     assert_eq!(
         error("a.fbx", "x"),
-        "a.fbx: .fbx files are not supported; use a file that ends in .glb, .gltf, .obj, .ply or .stl"
+        "a.fbx: .fbx files are not supported; use a file that ends in .dae, .glb, .gltf, .obj, .ply or .stl"
     );
     assert_eq!(
         error("mesh", "x"),
-        "mesh: the name has no extension; use a file that ends in .glb, .gltf, .obj, .ply or .stl"
+        "mesh: the name has no extension; use a file that ends in .dae, .glb, .gltf, .obj, .ply or .stl"
     );
     assert_eq!(error("a.obj", ""), "a.obj: is empty; export it again");
     let files = Files::new().with("a.OBJ", TRIANGLE).with("folder.stl/a", "");

@@ -14,7 +14,7 @@ pub(crate) struct SceneInfo {
     pub(crate) name: String,
     #[cfg_attr(test, ts(type = "\"y\" | \"z\""))]
     pub(crate) up: &'static str,
-    /// Metres per unit of a mesh file, which states no unit; null for a USD stage.
+    /// Metres per unit of a mesh file that states no unit; null for others.
     pub(crate) scale: Option<f64>,
     pub(crate) triangles: usize,
     /// The corners of the bounding box.

@@ -12,14 +12,15 @@ use super::error::one_line;
 use super::inspect::Inspected;
 use super::motion::Motion;
 use super::packages::Packages;
+use super::physics::PhysicsReader;
 use super::plain::{api_schemas, plain_prim, plain_targets, plain_value};
 use super::reader::{Outcome, Reader, Record};
 use super::resolver::InspectingResolver;
 use super::scene::{Builder, Children, Context, Findings, pose};
 use super::walk::{VisitedPrim, Visitor, Walk, Which};
 use super::{
-    Prim, RenderProduct, SceneCamera, SceneLimit, SceneOptions, Stage, StageError, StageMetadata, StageScene,
-    StageTiming, Value, composition,
+    Physics, Prim, RenderProduct, SceneCamera, SceneLimit, SceneOptions, Stage, StageError, StageMetadata,
+    StageScene, StageTiming, Value, composition,
 };
 use crate::nvidia::{CAMERA_NAMESPACE, PRODUCT_NAMESPACE};
 
@@ -79,6 +80,20 @@ pub(super) fn scene(
     Ok(scene)
 }
 
+/// Opens and composes `path`, and builds a scene with its bodies and joints.
+pub(super) fn physics(
+    file: &str,
+    path: &str,
+    layer: Inspected,
+    options: SceneOptions,
+) -> Result<(StageScene, Physics), StageError> {
+    let opened = Opened::new(file, path, layer, options)?;
+    let (unit, _) = meters_per_unit(&metadata(&opened.reader.stage));
+    let mut physics = PhysicsReader::new(unit);
+    let scene = opened.extracted(None, Some(&mut physics))?;
+    Ok((scene, physics.finish()))
+}
+
 /// A composed stage, from which scenes are built.
 pub(super) struct Opened {
     file: String,
@@ -125,6 +140,14 @@ impl Opened {
 
     /// Builds the scene at the reader's time, and notes what moves.
     pub(super) fn scene(&self, motion: Option<&mut Motion>) -> Result<StageScene, StageError> {
+        self.extracted(motion, None)
+    }
+
+    fn extracted(
+        &self,
+        motion: Option<&mut Motion>,
+        physics: Option<&mut PhysicsReader>,
+    ) -> Result<StageScene, StageError> {
         let reader = &self.reader;
         let metadata = metadata(&reader.stage);
         let (meters_per_unit, invalid_unit) = meters_per_unit(&metadata);
@@ -135,6 +158,7 @@ impl Opened {
         let builder = Builder::new(self.options, meters_per_unit, up);
         let mut extraction = Extraction::new(meters_per_unit, Some(builder));
         extraction.motion = motion;
+        extraction.physics = physics;
         extraction
             .run(reader)
             .map_err(|error| failed(&self.file, &error))?;
@@ -212,6 +236,8 @@ struct Extraction<'a> {
     builder: Option<Builder>,
     /// What moves; `None` if nobody asks.
     motion: Option<&'a mut Motion>,
+    /// Bodies and joints; `None` if nobody asks.
+    physics: Option<&'a mut PhysicsReader>,
     cameras: Vec<SceneCamera>,
     products: Vec<RenderProduct>,
     others: Vec<Prim>,
@@ -224,6 +250,7 @@ impl Extraction<'_> {
             meters_per_unit,
             builder,
             motion: None,
+            physics: None,
             cameras: Vec::new(),
             products: Vec::new(),
             others: Vec::new(),
@@ -277,6 +304,9 @@ impl Visitor for Extraction<'_> {
             if let (Some(node), "Camera") = (inner.node, prim.type_name.as_str()) {
                 motion.camera(node, self.cameras.len());
             }
+        }
+        if let Some(physics) = &mut self.physics {
+            physics.visit(reader, prim, path, &inner);
         }
         match prim.type_name.as_str() {
             "Camera" => self.camera(plain_prim(reader, prim, path), &inner),

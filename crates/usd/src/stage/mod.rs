@@ -18,6 +18,7 @@ mod motion;
 mod opinion;
 mod own;
 mod packages;
+mod physics;
 mod plain;
 mod prim;
 mod reader;
@@ -38,6 +39,7 @@ use serde::Serialize;
 pub use animated::{AnimatedStage, StageChange, StageContents, StageTiming};
 pub use error::StageError;
 pub use limit::SceneLimit;
+pub use physics::{JointEnd, Physics, PhysicsBody, PhysicsJoint};
 pub use prim::{Attribute, Prim, RenderProduct, SceneCamera, Target, Value};
 pub use scene::{SceneOptions, StageScene};
 
@@ -96,6 +98,19 @@ pub fn open(path: impl AsRef<Path>, limit: SceneLimit) -> Result<Stage, StageErr
 pub fn open_scene(path: impl AsRef<Path>, options: &SceneOptions) -> Result<StageScene, StageError> {
     contained(path.as_ref(), |name, utf8, layer| {
         extract::scene(name, utf8, layer, *options)
+    })
+}
+
+/// Opens a stage like [`open_scene`], with the rigid bodies and joints of `UsdPhysics`.
+///
+/// # Errors
+/// Returns an error in the cases of [`open`].
+pub fn open_physics(
+    path: impl AsRef<Path>,
+    options: &SceneOptions,
+) -> Result<(StageScene, Physics), StageError> {
+    contained(path.as_ref(), |name, utf8, layer| {
+        extract::physics(name, utf8, layer, *options)
     })
 }
 

@@ -70,10 +70,10 @@ impl Opened {
 
     /// Opens a scene, and puts the robot into it.
     fn with_robot(args: &RenderArgs, options: &OpenOptions) -> Result<Self> {
+        let follows = args.trajectory.is_some();
         let others = [
             ("--frames", args.frames.is_some()),
-            ("--trajectory", args.trajectory.is_some()),
-            ("--imu", args.imu.imu.is_some()),
+            ("--imu", args.imu.imu.is_some() && !follows),
         ];
         if let Some((option, _)) = others.into_iter().find(|(_, is_given)| *is_given) {
             return Err(
@@ -82,6 +82,16 @@ impl Opened {
         }
         let mut scene = SceneFile::open(&args.scene, options)?;
         let robot = args.robot.open(&mut scene.scene, args.mount.as_deref())?;
+        let postures = robot.as_ref().map_or(0, |robot| robot.positions.positions.len());
+        if follows && (postures > 1 || args.mount.is_some()) {
+            let what = match args.mount {
+                Some(_) => "the OAK follows it or the link of --mount; remove one of them".to_owned(),
+                None => format!(
+                    "the robot stands still along it, and --joints has {postures} postures; give a table with one"
+                ),
+            };
+            return Err(format!("--trajectory: {what}").into());
+        }
         if let (Some(file), Some(robot)) = (args.robot.robot(), &robot) {
             output::say_findings(file, &robot.findings);
             let warning = robot
@@ -123,7 +133,7 @@ impl Opened {
 
     /// Returns the time of each frame, s.
     pub(super) fn times_s(&self, args: &RenderArgs, path: &[TimedPose]) -> Vec<Option<f64>> {
-        if let Some(robot) = &self.robot {
+        if let Some(robot) = self.robot.as_ref().filter(|_| args.trajectory.is_none()) {
             return robot.positions.times_s.clone();
         }
         match (&self.animated, &self.times) {
@@ -141,7 +151,15 @@ impl Opened {
         outputs: Outputs<'_>,
     ) -> Result<Written> {
         if let Some(robot) = &self.robot {
-            let renderer = Renderer::new(self.scene.scene);
+            let mut renderer = Renderer::new(self.scene.scene);
+            if args.trajectory.is_some() {
+                let links = robot.placed.world_from_links(&robot.positions.positions[0]);
+                renderer.set_poses(robot.placed.poses(&links));
+                let written = progress::watched(|watch| {
+                    write_frames(&renderer, rig, path, args.strict, outputs, watch)
+                })?;
+                return Ok(written);
+            }
             let own_pose = rig.cameras().first().map(|camera| camera.world_from_mount);
             let mount = robot.link.zip(own_pose);
             let mut carried = Carried::new(renderer, &robot.placed, &robot.positions, mount);

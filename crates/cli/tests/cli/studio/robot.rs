@@ -92,6 +92,40 @@ fn the_exported_command_has_the_posture() {
 }
 
 #[test]
+fn the_exported_command_has_a_trajectory_beside_the_robot() {
+    let program = program();
+    let server = server(&program);
+    let mut state = state();
+    let numbers = state["pose"]["quaternion"].as_array().unwrap().iter();
+    let turn: Vec<String> = numbers.map(Value::to_string).collect();
+    let path: String = (0..3)
+        .map(|k| format!("{k} 0.{k} -2 0.5 {}\n", turn.join(" ")))
+        .collect();
+    program.put("path.txt", path.as_str());
+    let (_, dropped) = server.post("/api/trajectories?name=path.txt", path.as_bytes());
+    (state["pose"], state["frame"]) = (dropped["poses"][2].clone(), json!(2));
+    let scene = "first~0.1,0.5,1.2,0.03";
+    let request = |what: &str| {
+        json!({"what": what, "scene": scene, "state": state, "size": [160, 100], "trajectory": dropped["id"],
+               "format": if what == "image" { json!("npy") } else { Value::Null }, "image": "sensor"})
+    };
+    let shown = posted(&server, "/api/export", &request("image"));
+    let command = String::from_utf8(posted(&server, "/api/export", &request("command"))).unwrap();
+    let render = command
+        .lines()
+        .find(|line| line.starts_with("oaktwin render"))
+        .unwrap();
+    assert!(
+        render.contains("--joints posture.csv") && render.contains("--trajectory path.txt"),
+        "{command}"
+    );
+    program.put("posture.csv", "turn,shoulder,elbow,grip\n0.1,0.5,1.2,0.03\n");
+    program.good(&render.split(' ').skip(1).collect::<Vec<_>>());
+    let written = std::fs::read(program.path("oak/depth_sensor_distance_0002.npy")).unwrap();
+    assert!(written == shown, "{command}");
+}
+
+#[test]
 fn the_coverage_has_the_share_of_the_own_robot() {
     let program = program();
     let server = server(&program);

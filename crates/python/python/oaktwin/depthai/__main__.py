@@ -66,7 +66,7 @@ def _parser() -> argparse.ArgumentParser:
     which = parser.add_mutually_exclusive_group(required=True)
     which.add_argument("--model", help="the name of a model, see `oaktwin models`")
     which.add_argument("--calibration", metavar="FILE", help="the calibration of one unit, .json")
-    parser.add_argument("--scene", metavar="FILE", required=True, help="the scene: USD, glTF, OBJ, STL or PLY")
+    parser.add_argument("--scene", metavar="FILE", required=True, help="the scene: USD, glTF, Collada, OBJ, STL or PLY")
     where = parser.add_mutually_exclusive_group()
     where.add_argument(
         "--look-at", nargs=6, type=float, metavar="M", help="the position of the device and the point that it faces, in metres"

@@ -153,7 +153,7 @@ def make_world(scene: World | Scene | str | PathLike[str] | None, **motion: Any)
             raise Error("scene: this world has a pose already; leave out pose and look_at")
         return scene
     if scene is None:
-        raise Error("scene: it is missing; pass an oaktwin.Scene, or the path of a USD, glTF, OBJ, STL or PLY file")
+        raise Error("scene: it is missing; pass an oaktwin.Scene, or the path of a USD, glTF, Collada, OBJ, STL or PLY file")
     return World(scene, **motion)
 
 

@@ -4,8 +4,7 @@ use std::collections::HashMap;
 
 use oaktwin_base::diagnostic::suggest;
 
-use super::super::RobotFileError;
-use super::super::document::Element;
+use super::super::document::{Element, XmlError};
 
 type Attributes = Vec<(String, String)>;
 
@@ -17,7 +16,7 @@ const MAIN: &str = "main";
 pub(super) struct Classes(HashMap<String, HashMap<String, Attributes>>);
 
 impl Classes {
-    pub(super) fn new(root: &Element) -> Result<Self, RobotFileError> {
+    pub(super) fn new(root: &Element) -> Result<Self, XmlError> {
         let mut classes = Self::default();
         classes.0.insert(MAIN.to_owned(), HashMap::new());
         for default in root.all("default") {
@@ -27,7 +26,7 @@ impl Classes {
     }
 
     /// Adds a class within another one, and the classes within it.
-    fn add(&mut self, default: &Element, parent: &str, unnamed: &str) -> Result<(), RobotFileError> {
+    fn add(&mut self, default: &Element, parent: &str, unnamed: &str) -> Result<(), XmlError> {
         let name = default.get("class").unwrap_or(unnamed);
         if name.is_empty() {
             return Err(default.wrong("has no class", "add class=\"…\""));
@@ -51,11 +50,7 @@ impl Classes {
     }
 
     /// Returns an element with the attributes that its class, or the one around it, gives it.
-    pub(super) fn complete(
-        &self,
-        element: &Element,
-        around: Option<&str>,
-    ) -> Result<Element, RobotFileError> {
+    pub(super) fn complete(&self, element: &Element, around: Option<&str>) -> Result<Element, XmlError> {
         let name = element.get("class").or(around).unwrap_or(MAIN);
         let Some(class) = self.0.get(name) else {
             let mut known: Vec<&str> = self.0.keys().map(String::as_str).collect();

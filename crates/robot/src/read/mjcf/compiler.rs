@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DMat3, DQuat, DVec3};
 
-use super::super::RobotFileError;
-use super::super::document::Element;
+use super::super::document::{Element, Vectors, XmlError};
 use super::super::turn;
 
 /// The settings of `<compiler>`.
@@ -22,7 +21,7 @@ pub(super) struct Compiler {
 }
 
 impl Compiler {
-    pub(super) fn new(root: &Element, folder: &Path) -> Result<Self, RobotFileError> {
+    pub(super) fn new(root: &Element, folder: &Path) -> Result<Self, XmlError> {
         let mut compiler = Self {
             angle: 1f64.to_radians(),
             euler: sequence("xyz").unwrap_or_default(),
@@ -73,7 +72,7 @@ impl Compiler {
     }
 
     /// Returns the range of a joint that has limits, in the file's unit.
-    pub(super) fn limits(&self, joint: &Element) -> Result<Option<[f64; 2]>, RobotFileError> {
+    pub(super) fn limits(&self, joint: &Element) -> Result<Option<[f64; 2]>, XmlError> {
         let range = joint.exactly::<2>("range")?;
         let is_limited = match joint.get("limited").unwrap_or("auto") {
             "auto" => range.is_some() && self.limits_ranges,
@@ -89,12 +88,12 @@ impl Compiler {
     }
 
     /// Returns the pose of an element in its parent.
-    pub(super) fn pose(&self, element: &Element) -> Result<RigidTransform, RobotFileError> {
+    pub(super) fn pose(&self, element: &Element) -> Result<RigidTransform, XmlError> {
         let position = element.vector("pos")?.unwrap_or(DVec3::ZERO);
         Ok(RigidTransform::new(self.rotation(element)?, position))
     }
 
-    fn rotation(&self, element: &Element) -> Result<DMat3, RobotFileError> {
+    fn rotation(&self, element: &Element) -> Result<DMat3, XmlError> {
         let no_direction =
             |name: &str| element.wrong(format!("{name} has no direction"), "give other numbers");
         if let Some(quat) = element.exactly::<4>("quat")? {

@@ -11,8 +11,7 @@ use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::DVec3;
 
-use super::RobotFileError;
-use super::document::Element;
+use super::document::{Element, Vectors, XmlError};
 use super::robot::{Joint, JointKind, Link, LinkVisual, Robot};
 use classes::Classes;
 use compiler::Compiler;
@@ -55,7 +54,7 @@ struct Place<'a> {
     class: Option<&'a str>,
 }
 
-pub(super) fn read(root: Element) -> Result<Robot, RobotFileError> {
+pub(super) fn read(root: Element) -> Result<Robot, XmlError> {
     let folder = root.file().parent().map(ToOwned::to_owned).unwrap_or_default();
     let root = include::expanded(root, &folder)?;
     let compiler = Compiler::new(&root, &folder)?;
@@ -120,7 +119,7 @@ pub(super) fn read(root: Element) -> Result<Robot, RobotFileError> {
 
 impl Reader {
     /// Reads what is in a body, or in a frame of it.
-    fn contents(&mut self, parent: &Element, place: &Place<'_>) -> Result<(), RobotFileError> {
+    fn contents(&mut self, parent: &Element, place: &Place<'_>) -> Result<(), XmlError> {
         for element in &parent.children {
             match element.tag.as_str() {
                 "frame" => {
@@ -148,7 +147,7 @@ impl Reader {
         Ok(())
     }
 
-    fn body(&mut self, element: &Element, place: &Place<'_>) -> Result<(), RobotFileError> {
+    fn body(&mut self, element: &Element, place: &Place<'_>) -> Result<(), XmlError> {
         if self.robot.links.len() >= MAX_BODIES {
             return Err(element.wrong(
                 format!("more than {MAX_BODIES} bodies are too many"),
@@ -190,7 +189,7 @@ impl Reader {
         ));
     }
 
-    fn joint(&mut self, element: &Element, place: &Place<'_>) -> Result<(), RobotFileError> {
+    fn joint(&mut self, element: &Element, place: &Place<'_>) -> Result<(), XmlError> {
         let joint = self.classes.complete(element, place.class)?;
         let kind = match joint.get("type").unwrap_or("hinge") {
             "hinge" => JointKind::Revolute,
@@ -245,7 +244,7 @@ impl Reader {
         Ok(())
     }
 
-    fn geom(&mut self, element: &Element, place: &Place<'_>) -> Result<(), RobotFileError> {
+    fn geom(&mut self, element: &Element, place: &Place<'_>) -> Result<(), XmlError> {
         let geom = self.classes.complete(element, place.class)?;
         let [r, g, b, alpha] = self.assets.color(&geom)?;
         if alpha <= 0.0 {

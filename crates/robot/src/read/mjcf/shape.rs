@@ -8,8 +8,7 @@ use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
 use oaktwin_scene::import;
 
-use super::super::RobotFileError;
-use super::super::document::Element;
+use super::super::document::{Element, Vectors, XmlError};
 use super::super::robot::Shape;
 use super::super::turn;
 use super::classes::Classes;
@@ -34,11 +33,7 @@ enum Mesh {
 }
 
 impl Assets {
-    pub(super) fn new(
-        root: &Element,
-        compiler: &Compiler,
-        classes: &Classes,
-    ) -> Result<Self, RobotFileError> {
+    pub(super) fn new(root: &Element, compiler: &Compiler, classes: &Classes) -> Result<Self, XmlError> {
         let mut assets = Self::default();
         for asset in root.all("asset").flat_map(|section| &section.children) {
             match asset.tag.as_str() {
@@ -57,7 +52,7 @@ impl Assets {
         Ok(assets)
     }
 
-    fn mesh(&mut self, mesh: &Element, compiler: &Compiler) -> Result<(), RobotFileError> {
+    fn mesh(&mut self, mesh: &Element, compiler: &Compiler) -> Result<(), XmlError> {
         let file = mesh.get("file");
         let stem = || file.and_then(|file| Path::new(file).file_stem()?.to_str());
         let name = mesh.get("name").or_else(stem);
@@ -81,7 +76,7 @@ impl Assets {
     }
 
     /// Returns the colour of a geom with its opacity.
-    pub(super) fn color(&self, geom: &Element) -> Result<[f32; 4], RobotFileError> {
+    pub(super) fn color(&self, geom: &Element) -> Result<[f32; 4], XmlError> {
         if let Some(own) = color(geom)? {
             return Ok(own);
         }
@@ -98,7 +93,7 @@ impl Assets {
         geom: &Element,
         compiler: &Compiler,
         findings: &mut Vec<Finding>,
-    ) -> Result<Option<(Shape, RigidTransform)>, RobotFileError> {
+    ) -> Result<Option<(Shape, RigidTransform)>, XmlError> {
         let kind = geom.get("type").unwrap_or("sphere");
         let mut unsupported = |what: String| {
             let remedy =
@@ -137,7 +132,7 @@ impl Assets {
 }
 
 /// Returns a shape without a mesh, and its pose in the frame of the geom's parent.
-fn solid(geom: &Element, kind: &str, compiler: &Compiler) -> Result<(Shape, RigidTransform), RobotFileError> {
+fn solid(geom: &Element, kind: &str, compiler: &Compiler) -> Result<(Shape, RigidTransform), XmlError> {
     let size = geom.numbers("size")?.unwrap_or_default();
     let at = |index: usize| {
         let found = size.get(index).copied().filter(|size| *size > 0.0);
@@ -199,7 +194,7 @@ fn solid(geom: &Element, kind: &str, compiler: &Compiler) -> Result<(Shape, Rigi
 }
 
 /// Returns the pose and the length of a shape between two points, its z axis from the second to the first as in `MuJoCo`.
-fn segment(geom: &Element) -> Result<Option<(RigidTransform, f64)>, RobotFileError> {
+fn segment(geom: &Element) -> Result<Option<(RigidTransform, f64)>, XmlError> {
     let Some([a, b, c, d, e, f]) = geom.exactly::<6>("fromto")? else {
         return Ok(None);
     };
@@ -213,7 +208,7 @@ fn segment(geom: &Element) -> Result<Option<(RigidTransform, f64)>, RobotFileErr
 }
 
 /// Returns the transform of a mesh's vertices: the reference pose is removed, then the scale applied.
-fn transform(mesh: &Element) -> Result<DAffine3, RobotFileError> {
+fn transform(mesh: &Element) -> Result<DAffine3, XmlError> {
     let scale = mesh.vector("scale")?.unwrap_or(DVec3::ONE);
     if scale.cmpeq(DVec3::ZERO).any() {
         return Err(mesh.wrong("the scale is 0", "give another scale"));
@@ -228,7 +223,7 @@ fn transform(mesh: &Element) -> Result<DAffine3, RobotFileError> {
     Ok(DAffine3::from_scale(scale) * back)
 }
 
-fn color(element: &Element) -> Result<Option<[f32; 4]>, RobotFileError> {
+fn color(element: &Element) -> Result<Option<[f32; 4]>, XmlError> {
     #[expect(clippy::cast_possible_truncation, reason = "a colour")]
     let narrow = |share: f64| share.clamp(0.0, 1.0) as f32;
     Ok(element.exactly::<4>("rgba")?.map(|rgba| rgba.map(narrow)))
@@ -239,7 +234,7 @@ fn unknown<'a>(
     what: &str,
     name: &str,
     known: impl Iterator<Item = &'a String>,
-) -> RobotFileError {
+) -> XmlError {
     let mut known: Vec<&str> = known.map(String::as_str).collect();
     known.sort_unstable();
     element.wrong(format!("there is no {what} '{name}'"), suggest(name, known))

@@ -6,9 +6,9 @@ use ::gltf::json::{Root, deserialize};
 use oaktwin_files as files;
 use serde_json::Value;
 
+use super::super::uri::{self, Folder, Target};
 use super::channel::Channel;
 use super::placement::{Instancing, Placement, Skin};
-use super::uri::{self, Folder, Target};
 use super::{compressed, glb, json};
 use crate::import::MAX_BYTES;
 use crate::import::error::Fault;

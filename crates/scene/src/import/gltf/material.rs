@@ -7,8 +7,8 @@ use json::texture::WrappingMode;
 use json::validation::Checked;
 use oaktwin_base::diagnostic::{Message, message};
 
+use super::super::uri::{self, Target};
 use super::document::Document;
-use super::uri::{self, Target};
 use crate::import::builder::Builder;
 use crate::{ColorSpace, Mask, Material, Opacity, Texture, TextureSource, TextureUse, Transmission, Wrap};
 

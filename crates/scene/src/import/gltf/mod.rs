@@ -22,15 +22,14 @@ mod morph;
 mod node;
 mod placement;
 mod skin;
-mod uri;
 
 use std::path::Path;
 
 use self::document::Document;
-use self::uri::Folder;
 use super::ImportOptions;
 use super::builder::Builder;
 use super::error::Fault;
+use super::uri::Folder;
 
 pub(super) fn read(
     bytes: Vec<u8>,

@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a test")]
 
+mod usd;
+
 use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
 
@@ -10,10 +12,10 @@ use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_robot::{JointPositions, PlacedRobot, Robot, RobotFileError, Shape};
 use oaktwin_scene::{Scene, Up};
 
-const ARM: &str = include_str!("../../../examples/robots/gripper.urdf");
+const ARM: &str = include_str!("../../../../examples/robots/gripper.urdf");
 
 /// A folder with a file, and what a reading of it gives.
-fn open(name: &str, text: &str) -> Result<Robot, String> {
+pub(crate) fn open(name: &str, text: &str) -> Result<Robot, String> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(name);
     std::fs::write(&path, text).unwrap();
@@ -144,7 +146,7 @@ fn packages_are_found_around_the_file() {
 fn what_is_not_supported_is_found() {
     let codes = |robot: Robot| -> Vec<&str> { robot.findings.iter().map(|finding| finding.code).collect() };
     let mesh =
-        "<robot><link name='a'><visual><geometry><mesh filename='a.dae'/></geometry></visual></link></robot>";
+        "<robot><link name='a'><visual><geometry><mesh filename='a.3ds'/></geometry></visual></link></robot>";
     assert_eq!(codes(urdf(mesh).unwrap()), ["mesh-format"]);
     assert_eq!(urdf(mesh).unwrap().links[0].visuals, []);
     let with_collision = mesh.replace(
@@ -338,13 +340,4 @@ fn tables_of_positions_are_checked() {
         let error = of(text).unwrap_err();
         assert!(error.contains(expected), "{text:?}: {error}");
     }
-}
-
-#[test]
-fn a_stage_is_not_a_file_of_joints() {
-    let error = open("a.usda", "#usda 1.0\n").unwrap_err();
-    assert!(
-        error.starts_with("a.usda: file: a robot in USD") && error.contains("--mount"),
-        "{error}"
-    );
 }
