@@ -12,7 +12,7 @@ use crate::context::Result;
 /// A robot in the scene, and its place.
 #[derive(Args, Debug)]
 pub(crate) struct RobotPlaceArgs {
-    /// Put this robot into the scene: URDF, MJCF, or USD with joints of UsdPhysics
+    /// Put this robot into the scene: URDF, MJCF, or USD with physical joints
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(crate) robot: Option<PathBuf>,
 

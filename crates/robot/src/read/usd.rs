@@ -129,8 +129,8 @@ impl Builder<'_> {
         self.hang(None, &of_world, &mut used, &mut waiting);
         self.drain(&joints_of_body, &mut used, &mut waiting);
         for wanted in [false, true] {
-            for body in 0..count {
-                if self.link_of_body[body].is_none() && is_moved[body] == wanted {
+            for (body, moved) in is_moved.iter().enumerate() {
+                if self.link_of_body[body].is_none() && *moved == wanted {
                     let pose = self.physics.bodies[body].world_from_body;
                     self.place(body, 0, pose, None);
                     waiting.push_back(body);

@@ -272,6 +272,100 @@ fn what_is_left_out_is_said() {
     assert_eq!((findings[0].code, findings.len()), ("texture-missing", 1));
 }
 
+/// What replaces a part of the file with everything, and the error.
+const MISTAKES: &[(&str, &str, &str)] = &[
+    (
+        "<COLLADA xmlns",
+        "<X3D xmlns",
+        "line 46: ill-formed document: expected `</X3D>`, but `</COLLADA>` was found",
+    ),
+    (
+        "0 2 0</float_array>",
+        "0 NaN 0</float_array>",
+        "line 16: <float_array id=\"points-array\">: 'NaN' is not a finite number",
+    ),
+    (
+        "count=\"12\">0 0 0",
+        "count=\"4000000000\">0 0 0",
+        "line 16: <float_array id=\"points-array\">: the count is 4000000000, but there are 12 numbers",
+    ),
+    (
+        "count=\"4\" stride=\"3\">\n        <param name=\"X\" type",
+        "count=\"4294967295\" stride=\"4294967295\">\n        <param name=\"X\" type",
+        "line 17: <accessor>: 4294967295 values of 4294967295 numbers from 0 do not fit into the 12 numbers of the array",
+    ),
+    (
+        "source=\"#points\"",
+        "source=\"#pints\"",
+        "line 29: <polylist>: the mesh has no <source id=\"pints\">",
+    ),
+    (
+        "source=\"#vertices\"",
+        "source=\"#verts\"",
+        "line 29: <input>: the mesh has no <vertices id=\"verts\">",
+    ),
+    (
+        "url=\"#square\"><bind",
+        "url=\"#circle\"><bind",
+        "line 38: <instance_geometry>: url: there is no <geometry id=\"circle\">",
+    ),
+    (
+        "target=\"#red-material\"",
+        "target=\"#blue-material\"",
+        "line 39: <instance_material>: target: there is no <material id=\"blue-material\">",
+    ),
+    (
+        "url=\"#Scene\"",
+        "url=\"#scene\"",
+        "line 45: <instance_visual_scene>: url: there is no <visual_scene id=\"scene\">",
+    ),
+    (
+        "<vcount>4</vcount>",
+        "<vcount>5</vcount>",
+        "line 30: <vcount>: the polygons need more than the 4 corners",
+    ),
+    (
+        "<vcount>4</vcount>",
+        "<vcount>3</vcount>",
+        "line 30: <vcount>: the polygons use 3 of 4 corners",
+    ),
+    (
+        "0 0 1 0 2 0 3 0</p>",
+        "0 0 1 0 2 0 3</p>",
+        "line 30: <p>: the numbers are no multiple of 2, as its inputs require",
+    ),
+    (
+        "<p>0 0 0 1 1 0 2 2 0</p>",
+        "<p>0 0 0 1 1 0</p>",
+        "line 33: <p>: 2 corners are no whole number of triangles",
+    ),
+    (
+        "material=\"W\" count=\"1\"",
+        "material=\"W\" count=\"2\"",
+        "line 31: <triangles>: the count is 2, but there are 1",
+    ),
+    (
+        "0 3  0 0 0 1</matrix>",
+        "0 3  0 0 1 1</matrix>",
+        "line 43: <matrix>: the last row of the matrix is not 0 0 0 1",
+    ),
+    (
+        "<translate>10 0 0",
+        "<translate>10 0",
+        "line 37: <translate>: 2 numbers instead of 3",
+    ),
+    (
+        "meter=\"0.01\"",
+        "meter=\"0\"",
+        "line 3: <unit name=\"centimeter\">: the unit is 0 metres",
+    ),
+    (
+        "</scene>\n</COLLADA>",
+        "",
+        "line 45: <scene> of line 45 is not closed",
+    ),
+];
+
 #[test]
 fn mistakes_are_errors_with_their_place() {
     let changed = |from: &str, to: &str| {
@@ -280,98 +374,7 @@ fn mistakes_are_errors_with_their_place() {
         error("a.dae", whole.replace(from, to))
     };
     let damaged = "the file is damaged: export or copy it again";
-    for (from, to, expected) in [
-        (
-            "<COLLADA xmlns",
-            "<X3D xmlns",
-            "line 46: ill-formed document: expected `</X3D>`, but `</COLLADA>` was found",
-        ),
-        (
-            "0 2 0</float_array>",
-            "0 NaN 0</float_array>",
-            "line 16: <float_array id=\"points-array\">: 'NaN' is not a finite number",
-        ),
-        (
-            "count=\"12\">0 0 0",
-            "count=\"4000000000\">0 0 0",
-            "line 16: <float_array id=\"points-array\">: the count is 4000000000, but there are 12 numbers",
-        ),
-        (
-            "count=\"4\" stride=\"3\">\n        <param name=\"X\" type",
-            "count=\"4294967295\" stride=\"4294967295\">\n        <param name=\"X\" type",
-            "line 17: <accessor>: 4294967295 values of 4294967295 numbers from 0 do not fit into the 12 numbers of the array",
-        ),
-        (
-            "source=\"#points\"",
-            "source=\"#pints\"",
-            "line 29: <polylist>: the mesh has no <source id=\"pints\">",
-        ),
-        (
-            "source=\"#vertices\"",
-            "source=\"#verts\"",
-            "line 29: <input>: the mesh has no <vertices id=\"verts\">",
-        ),
-        (
-            "url=\"#square\"><bind",
-            "url=\"#circle\"><bind",
-            "line 38: <instance_geometry>: url: there is no <geometry id=\"circle\">",
-        ),
-        (
-            "target=\"#red-material\"",
-            "target=\"#blue-material\"",
-            "line 39: <instance_material>: target: there is no <material id=\"blue-material\">",
-        ),
-        (
-            "url=\"#Scene\"",
-            "url=\"#scene\"",
-            "line 45: <instance_visual_scene>: url: there is no <visual_scene id=\"scene\">",
-        ),
-        (
-            "<vcount>4</vcount>",
-            "<vcount>5</vcount>",
-            "line 30: <vcount>: the polygons need more than the 4 corners",
-        ),
-        (
-            "<vcount>4</vcount>",
-            "<vcount>3</vcount>",
-            "line 30: <vcount>: the polygons use 3 of 4 corners",
-        ),
-        (
-            "0 0 1 0 2 0 3 0</p>",
-            "0 0 1 0 2 0 3</p>",
-            "line 30: <p>: the numbers are no multiple of 2, as its inputs require",
-        ),
-        (
-            "<p>0 0 0 1 1 0 2 2 0</p>",
-            "<p>0 0 0 1 1 0</p>",
-            "line 33: <p>: 2 corners are no whole number of triangles",
-        ),
-        (
-            "material=\"W\" count=\"1\"",
-            "material=\"W\" count=\"2\"",
-            "line 31: <triangles>: the count is 2, but there are 1",
-        ),
-        (
-            "0 3  0 0 0 1</matrix>",
-            "0 3  0 0 1 1</matrix>",
-            "line 43: <matrix>: the last row of the matrix is not 0 0 0 1",
-        ),
-        (
-            "<translate>10 0 0",
-            "<translate>10 0",
-            "line 37: <translate>: 2 numbers instead of 3",
-        ),
-        (
-            "meter=\"0.01\"",
-            "meter=\"0\"",
-            "line 3: <unit name=\"centimeter\">: the unit is 0 metres",
-        ),
-        (
-            "</scene>\n</COLLADA>",
-            "",
-            "line 45: <scene> of line 45 is not closed",
-        ),
-    ] {
+    for (from, to, expected) in MISTAKES {
         let message = changed(from, to);
         if !message.starts_with(&format!("a.dae: {expected}; ")) {
             eprintln!("GOT {message}\nEXP {expected}");

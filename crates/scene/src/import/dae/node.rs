@@ -254,39 +254,42 @@ impl<'a> Walk<'a, '_> {
 fn parent_from_node(node: &Element) -> Result<DAffine3, XmlError> {
     let mut whole = DAffine3::IDENTITY;
     for element in &node.children {
-        whole = whole
-            * match element.tag.as_str() {
-                "matrix" => matrix(element)?,
-                "translate" => DAffine3::from_translation(DVec3::from(numbers::<3>(element)?)),
-                "scale" => DAffine3::from_scale(DVec3::from(numbers::<3>(element)?)),
-                "rotate" => {
-                    let [x, y, z, degrees] = numbers::<4>(element)?;
-                    let axis = DVec3::new(x, y, z).normalize_or_zero();
-                    if axis == DVec3::ZERO && degrees != 0.0 {
-                        let remedy = "give the axis of the rotation";
-                        return Err(element.wrong("the axis has no direction", remedy));
-                    }
-                    turn(axis, degrees.to_radians())
-                }
-                "lookat" => {
-                    let [ex, ey, ez, x, y, z, ux, uy, uz] = numbers::<9>(element)?;
-                    look_at(
-                        DVec3::new(ex, ey, ez),
-                        DVec3::new(x, y, z),
-                        DVec3::new(ux, uy, uz),
-                    )
-                    .ok_or_else(|| {
-                        element.wrong("the directions of <lookat> coincide", "correct its points")
-                    })?
-                }
-                "skew" => {
-                    let remedy = "export the node with a <matrix>";
-                    return Err(element.wrong("<skew> is not supported", remedy));
-                }
-                _ => DAffine3::IDENTITY,
-            };
+        whole *= transform(element)?;
     }
     Ok(whole)
+}
+
+/// Reads a transform; the identity of any other element.
+fn transform(element: &Element) -> Result<DAffine3, XmlError> {
+    Ok(match element.tag.as_str() {
+        "matrix" => matrix(element)?,
+        "translate" => DAffine3::from_translation(DVec3::from(numbers::<3>(element)?)),
+        "scale" => DAffine3::from_scale(DVec3::from(numbers::<3>(element)?)),
+        "rotate" => {
+            let [x, y, z, degrees] = numbers::<4>(element)?;
+            let axis = DVec3::new(x, y, z).normalize_or_zero();
+            if axis == DVec3::ZERO && degrees != 0.0 {
+                let remedy = "give the axis of the rotation";
+                return Err(element.wrong("the axis has no direction", remedy));
+            }
+            turn(axis, degrees.to_radians())
+        }
+        "lookat" => {
+            let [ex, ey, ez, x, y, z, ux, uy, uz] = numbers::<9>(element)?;
+            let (eye, point, up) = (
+                DVec3::new(ex, ey, ez),
+                DVec3::new(x, y, z),
+                DVec3::new(ux, uy, uz),
+            );
+            look_at(eye, point, up)
+                .ok_or_else(|| element.wrong("the directions of <lookat> coincide", "correct its points"))?
+        }
+        "skew" => {
+            let remedy = "export the node with a <matrix>";
+            return Err(element.wrong("<skew> is not supported", remedy));
+        }
+        _ => DAffine3::IDENTITY,
+    })
 }
 
 fn numbers<const N: usize>(element: &Element) -> Result<[f64; N], XmlError> {
