@@ -52,6 +52,58 @@ export interface Finding {
 /** Messages of the page on the WebSocket. */
 export type ClientMessage = FrameRequest | ProbeRequest;
 
+/** The accuracy by the vendor's method: the error of the median over distances. */
+export type AccuracyCurve = {
+  distancesM: Array<number>;
+  /** The median error of the median unit, percent; null where nothing was measured. */
+  errorPercent: Array<number | null>;
+  /** The fraction of the pixels with a value. */
+  fillRate: Array<number>;
+  bands: Array<Band>;
+};
+
+/** The time codes of an animated scene. */
+export type Animation = {
+  first: number;
+  last: number;
+  codesPerSecond: number;
+  /** The time codes from frame to frame. */
+  step: number;
+};
+
+/** An accuracy that the maker publishes: an error of at most `percent`. */
+export type Band = {
+  fromM: number;
+  toM: number;
+  percent: number;
+};
+
+export type Body = {
+  /** Along x, y and z, metres. */
+  size: Vec3;
+  centre: Vec3;
+};
+
+/** A calibration that was dropped onto the page. */
+export type CalibrationInfo = {
+  id: string;
+  name: string;
+  /** The model that the device says it is; null if it does not match a known one. */
+  model: string | null;
+  findings: Finding[];
+};
+
+/** A camera of a device at its used resolution. */
+export type Camera = {
+  /** "rgb", "left", "right", "tof". */
+  role: string;
+  resolution: [number, number];
+  hfovDeg: number;
+  vfovDeg: number;
+  /** Row-major 3 × 4: from the optical frame (x right, y down, z forward) to the body frame. */
+  bodyFromCamera: Array<number>;
+};
+
 /** What the server knows before any scene. */
 export type Catalog = {
   version: string;
@@ -75,62 +127,22 @@ export type Catalog = {
   maxUploadBytes: number;
 };
 
-export type RobotFormat = {
-  name: string;
-  help: string;
+/** For each of the states, and for all of them together. */
+export type CoverageAnswer = {
+  poses: Array<PoseCoverage>;
+  together: PoseCoverage;
 };
 
-export type Filter = {
-  name: string;
-  parameters: Array<Parameter>;
-};
+/** A box in the world, or the path of an object. */
+export type CoverageRegion = { minimum: [number, number, number], maximum: [number, number, number], } | { object: string, };
 
-export type Parameter = {
-  name: string;
-  /** The heading to show it under. */
-  group: string;
-  type: "number" | "integer" | "boolean" | "string";
-  unit: string | null;
-  minimum: number | null;
-  maximum: number | null;
-  /** The range that devices or experiments usually have, for a slider; null if it is the whole range. */
-  typical: [number, number] | null;
-  /** The step from the minimum to the next valid number; null if every number is valid. */
-  step: number | null;
-  /** The values of a `string` parameter, if they are enumerated. */
-  choices: Array<string> | null;
-  /** The default as text. The effective default of a model may differ: `FrameHeader.parameters`. */
-  default: string;
-  documentation: string;
-  /** Where the default comes from: "DepthAI", "estimate", "camera", … */
-  source: string;
-  isEstimate: boolean;
-};
-
-export type Engine = {
-  /** "stereo-noise". */
-  name: string;
-  help: string;
-  /** Whether it needs the images of both cameras, which take longer to render. */
-  isMatcher: boolean;
-  parameters: Array<Parameter>;
-};
-
-export type Model = {
-  /** The name, which is its id: "OAK4-D". */
-  name: string;
-  maker: string;
-  /** "RVC2", "RVC4". */
-  generation: string;
-  /** In the body frame. */
-  body: Body;
-  cameras: Array<Camera>;
-  /** Whether it has a dot projector. */
-  hasProjector: boolean;
-  /** Whether its left and right cameras have a fisheye description besides the pinhole one. */
-  hasFisheye: boolean;
-  /** Empty for a model without depth. */
-  depthSensors: Array<DepthSensor>;
+export type CoverageRequest = {
+  scene: string;
+  states: Array<OakState>;
+  /** A box in the world, or an object. */
+  region: CoverageRegion;
+  /** The largest error of a point that counts as measured; null for any. */
+  toleranceMm?: number | null;
 };
 
 export type DepthSensor = {
@@ -155,35 +167,39 @@ export type DepthSensor = {
   bodyFromCamera: Array<number>;
 };
 
-/** An accuracy that the maker publishes: an error of at most `percent`. */
-export type Band = {
-  fromM: number;
-  toM: number;
-  percent: number;
-};
-
-/** A camera of a device at its used resolution. */
-export type Camera = {
-  /** "rgb", "left", "right", "tof". */
-  role: string;
-  resolution: [number, number];
-  hfovDeg: number;
-  vfovDeg: number;
-  /** Row-major 3 × 4: from the optical frame (x right, y down, z forward) to the body frame. */
-  bodyFromCamera: Array<number>;
-};
-
-export type Body = {
-  /** Along x, y and z, metres. */
-  size: Vec3;
-  centre: Vec3;
-};
-
-export type Reason = {
-  code: number;
-  /** Such as `too_near`. */
+export type Engine = {
+  /** "stereo-noise". */
   name: string;
-  documentation: string;
+  help: string;
+  /** Whether it needs the images of both cameras, which take longer to render. */
+  isMatcher: boolean;
+  parameters: Array<Parameter>;
+};
+
+/** What can be taken away. */
+export type Export = "asset" | "robot" | "image" | "error" | "statistics" | "parameters" | "command" | "python";
+
+/** Asks for a file. */
+export type ExportRequest = {
+  what: Export;
+  scene: string;
+  state: OakState;
+  size: [number, number] | null;
+  /** For `image`. */
+  image?: ImageName;
+  /**
+   * `usda` or `usdz` for an asset; a name of `Catalog.robotFormats` for `robot`, a zip archive; `npy` or `png` for an image; `json` or
+   * `csv` for statistics.
+   */
+  format?: string;
+  /** For `statistics`: the rectangle as fractions of the image. */
+  region?: [number, number, number, number];
+  /** For `statistics`: the other OAKs. */
+  others?: Array<SizedState>;
+  /** For commands: the trajectory to which the state's frame belongs. */
+  trajectory?: string;
+  /** For commands of an animated scene: the first time code of its frames, and the time codes from frame to frame. */
+  codes?: [number, number];
 };
 
 /** What is wrong with a request. */
@@ -193,6 +209,29 @@ export type Failure = {
   /** The parameter or field at fault, if one is. */
   field: string | null;
   findings?: Finding[];
+};
+
+export type Filter = {
+  name: string;
+  parameters: Array<Parameter>;
+};
+
+/** A binary message: 4 bytes, the length N of the JSON in little endian; N bytes of JSON, which is this header; then the images. */
+export type FrameHeader = {
+  id: number;
+  oak: string;
+  images: Array<ImageHeader>;
+  /** The effective parameters of the engine, as text. */
+  parameters: Record<string, string>;
+  /** Those filters that ran, as text. */
+  filters: Array<string>;
+  findings: Finding[];
+  statistics: Statistics;
+  /** What the frame took on the server, ms. */
+  milliseconds: number;
+  /** The horizontal field of view of the images. */
+  hfovDeg: number;
+  vfovDeg: number;
 };
 
 /** Asks for the images of an OAK. */
@@ -218,8 +257,60 @@ export type FrameRequest = {
   isPreview?: boolean;
 };
 
+/** Errors in bins of equal width between the ends. */
+export type Histogram = {
+  fromM: number;
+  toM: number;
+  counts: Array<number>;
+};
+
+export type ImageHeader = {
+  name: ImageName;
+  width: number;
+  height: number;
+  /** `u16mm`: millimetres, 0 for none, 65535 for 65.535 m and beyond. */
+  format: "rgba8" | "u16mm" | "u8";
+  /** The place in the payload after the header. The bytes are an LZ4 block of the little-endian pixels, row by row. */
+  offset: number;
+  length: number;
+  /**
+   * Whether the pixels are those of the last frame with this image that the server sent for this OAK. Such an image has a `length` of
+   * 0, because the page still has it.
+   */
+  unchanged: boolean;
+};
+
 /** An image of an OAK. */
 export type ImageName = "color" | "depth" | "reference" | "sensor" | "confidence" | "left" | "right" | "reason";
+
+/**
+ * A binary mesh: 4 bytes, the length N of the JSON in little endian; N bytes of JSON, which is this header; padding with zeros to a
+ * multiple of 4; then float32 positions (3 per vertex), uint8 sRGB colours with alpha (4 per vertex), uint32 indices (3 per
+ * triangle), and for each triangle the uint32 index of its object in `SceneInfo.objects`. All little endian.
+ */
+export type MeshHeader = {
+  vertices: number;
+  triangles: number;
+  /** The number of triangles of the full scene. */
+  ofTriangles: number;
+};
+
+export type Model = {
+  /** The name, which is its id: "OAK4-D". */
+  name: string;
+  maker: string;
+  /** "RVC2", "RVC4". */
+  generation: string;
+  /** In the body frame. */
+  body: Body;
+  cameras: Array<Camera>;
+  /** Whether it has a dot projector. */
+  hasProjector: boolean;
+  /** Whether its left and right cameras have a fisheye description besides the pinhole one. */
+  hasFisheye: boolean;
+  /** Empty for a model without depth. */
+  depthSensors: Array<DepthSensor>;
+};
 
 /** Everything that determines the outputs of one OAK. It is what a link to the page stores. */
 export type OakState = {
@@ -252,6 +343,28 @@ export type OakState = {
   frame: number;
 };
 
+export type Parameter = {
+  name: string;
+  /** The heading to show it under. */
+  group: string;
+  type: "number" | "integer" | "boolean" | "string";
+  unit: string | null;
+  minimum: number | null;
+  maximum: number | null;
+  /** The range that devices or experiments usually have, for a slider; null if it is the whole range. */
+  typical: [number, number] | null;
+  /** The step from the minimum to the next valid number; null if every number is valid. */
+  step: number | null;
+  /** The values of a `string` parameter, if they are enumerated. */
+  choices: Array<string> | null;
+  /** The default as text. The effective default of a model may differ: `FrameHeader.parameters`. */
+  default: string;
+  documentation: string;
+  /** Where the default comes from: "DepthAI", "estimate", "camera", … */
+  source: string;
+  isEstimate: boolean;
+};
+
 /** A pose of the body in the world. */
 export type Pose = {
   position: Vec3;
@@ -259,18 +372,18 @@ export type Pose = {
   quaternion: [number, number, number, number];
 };
 
-/** Asks about a pixel of the last frame of an OAK. */
-export type ProbeRequest = {
-  type: "probe";
-  id: number;
-  oak: string;
-  /** Fractions of the sensor's image: 0 is the left or top edge. */
-  x: number;
-  y: number;
+/** What is measured of a region's surface. */
+export type PoseCoverage = {
+  /** The share of the surface that the camera sees, measured or not. */
+  seen: number;
+  /** The share that is measured. */
+  measured: number;
+  medianAbsoluteErrorM: number | null;
+  /** The shares that are not measured, by the name of the reason. */
+  lost: Record<string, number>;
+  /** The share of the pixels that show the robot of the scene; null without a robot, and for all OAKs together. */
+  ownRobot: number | null;
 };
-
-/** A message as text; frames are binary. */
-export type ServerMessage = { "type": "probe" } & ProbeAnswer | { "type": "error" } & Rejection;
 
 /** What a pixel shows. */
 export type ProbeAnswer = {
@@ -295,6 +408,23 @@ export type ProbeAnswer = {
   point: Vec3 | null;
 };
 
+/** Asks about a pixel of the last frame of an OAK. */
+export type ProbeRequest = {
+  type: "probe";
+  id: number;
+  oak: string;
+  /** Fractions of the sensor's image: 0 is the left or top edge. */
+  x: number;
+  y: number;
+};
+
+export type Reason = {
+  code: number;
+  /** Such as `too_near`. */
+  name: string;
+  documentation: string;
+};
+
 /** A request that cannot be answered. */
 export type Rejection = {
   id: number;
@@ -306,179 +436,34 @@ export type Rejection = {
   findings?: Finding[];
 };
 
-/** A binary message: 4 bytes, the length N of the JSON in little endian; N bytes of JSON, which is this header; then the images. */
-export type FrameHeader = {
-  id: number;
-  oak: string;
-  images: Array<ImageHeader>;
-  /** The effective parameters of the engine, as text. */
-  parameters: Record<string, string>;
-  /** Those filters that ran, as text. */
-  filters: Array<string>;
-  findings: Finding[];
-  statistics: Statistics;
-  /** What the frame took on the server, ms. */
-  milliseconds: number;
-  /** The horizontal field of view of the images. */
-  hfovDeg: number;
-  vfovDeg: number;
+export type RobotFormat = {
+  name: string;
+  help: string;
 };
 
-export type ImageHeader = {
-  name: ImageName;
-  width: number;
-  height: number;
-  /** `u16mm`: millimetres, 0 for none, 65535 for 65.535 m and beyond. */
-  format: "rgba8" | "u16mm" | "u8";
-  /** The place in the payload after the header. The bytes are an LZ4 block of the little-endian pixels, row by row. */
-  offset: number;
-  length: number;
-  /**
-   * Whether the pixels are those of the last frame with this image that the server sent for this OAK. Such an image has a `length` of
-   * 0, because the page still has it.
-   */
-  unchanged: boolean;
+/** A robot, in the posture of its scene. */
+export type RobotInfo = {
+  name: string;
+  /** The joints that can be moved. */
+  joints: Array<RobotJoint>;
+  links: Array<RobotLink>;
 };
 
-export type Statistics = {
-  /** The number of pixels in the region that show a surface. */
-  pixels: number;
-  /** The fraction of them with a value. */
-  fillRate: number;
-  /** Of the measured ones; null if there are none. Errors are measured minus true. */
-  medianErrorM: number | null;
-  medianAbsoluteErrorM: number | null;
-  medianAbsoluteErrorPercent: number | null;
-  p95AbsoluteErrorM: number | null;
-  /** The number of pixels of each reason, by its code. */
-  reasons: Array<number>;
-  histogram: Histogram;
+export type RobotJoint = {
+  name: string;
+  /** Whether its positions are angles in radians; otherwise lengths in metres. */
+  isRevolute: boolean;
+  /** Null for a joint without limits. */
+  limits: [number, number] | null;
+  position: number;
 };
 
-/** Errors in bins of equal width between the ends. */
-export type Histogram = {
-  fromM: number;
-  toM: number;
-  counts: Array<number>;
-};
-
-/**
- * A binary mesh: 4 bytes, the length N of the JSON in little endian; N bytes of JSON, which is this header; padding with zeros to a
- * multiple of 4; then float32 positions (3 per vertex), uint8 sRGB colours with alpha (4 per vertex), uint32 indices (3 per
- * triangle), and for each triangle the uint32 index of its object in `SceneInfo.objects`. All little endian.
- */
-export type MeshHeader = {
-  vertices: number;
-  triangles: number;
-  /** The number of triangles of the full scene. */
-  ofTriangles: number;
-};
-
-/**
- * Binary surfaces with textures, over those of the mesh; none if there are too many. Laid out like a mesh: after the header and its
- * padding, for each group the float32 positions (3 per vertex) and coordinates (2 per vertex) of its triangles' corners; then the rgba8
- * pixels of the textures, the lowest row first.
- */
-export type TexturedHeader = {
-  groups: Array<TexturedGroup>;
-  textures: Array<TextureHeader>;
-};
-
-export type TextureHeader = {
-  width: number;
-  height: number;
-  wrap: [TextureWrap, TextureWrap];
-};
-
-/** Triangles with one material. */
-export type TexturedGroup = {
-  vertices: number;
-  texture: number;
-  /** The linear factor of the texture. */
-  color: Vec3;
-};
-
-/** Asks for a file. */
-export type ExportRequest = {
-  what: Export;
-  scene: string;
-  state: OakState;
-  size: [number, number] | null;
-  /** For `image`. */
-  image?: ImageName;
-  /**
-   * `usda` or `usdz` for an asset; a name of `Catalog.robotFormats` for `robot`, a zip archive; `npy` or `png` for an image; `json` or
-   * `csv` for statistics.
-   */
-  format?: string;
-  /** For `statistics`: the rectangle as fractions of the image. */
-  region?: [number, number, number, number];
-  /** For `statistics`: the other OAKs. */
-  others?: Array<SizedState>;
-  /** For commands: the trajectory to which the state's frame belongs. */
-  trajectory?: string;
-  /** For commands of an animated scene: the first time code of its frames, and the time codes from frame to frame. */
-  codes?: [number, number];
-};
-
-/** What can be taken away. */
-export type Export = "asset" | "robot" | "image" | "error" | "statistics" | "parameters" | "command" | "python";
-
-/** An OAK with the size of its images. */
-export type SizedState = {
-  state: OakState;
-  size: [number, number] | null;
-};
-
-/** The accuracy by the vendor's method: the error of the median over distances. */
-export type AccuracyCurve = {
-  distancesM: Array<number>;
-  /** The median error of the median unit, percent; null where nothing was measured. */
-  errorPercent: Array<number | null>;
-  /** The fraction of the pixels with a value. */
-  fillRate: Array<number>;
-  bands: Array<Band>;
-};
-
-export type CoverageRequest = {
-  scene: string;
-  states: Array<OakState>;
-  /** A box in the world, or an object. */
-  region: CoverageRegion;
-  /** The largest error of a point that counts as measured; null for any. */
-  toleranceMm?: number | null;
-};
-
-/** A box in the world, or the path of an object. */
-export type CoverageRegion = { minimum: [number, number, number], maximum: [number, number, number], } | { object: string, };
-
-/** For each of the states, and for all of them together. */
-export type CoverageAnswer = {
-  poses: Array<PoseCoverage>;
-  together: PoseCoverage;
-};
-
-/** What is measured of a region's surface. */
-export type PoseCoverage = {
-  /** The share of the surface that the camera sees, measured or not. */
-  seen: number;
-  /** The share that is measured. */
-  measured: number;
-  medianAbsoluteErrorM: number | null;
-  /** The shares that are not measured, by the name of the reason. */
-  lost: Record<string, number>;
-  /** The share of the pixels that show the robot of the scene; null without a robot, and for all OAKs together. */
-  ownRobot: number | null;
-};
-
-/**
- * Asks for the surface of a region in small triangles. In the mesh, the object of a triangle is the code of its outcome in
- * `Catalog.outcomes`; the colours mean nothing.
- */
-export type SurfaceRequest = {
-  scene: string;
-  state: OakState;
-  region: CoverageRegion;
+export type RobotLink = {
+  name: string;
+  /** The path below which its objects are. */
+  path: string;
+  /** The pose of its frame in the world. */
+  pose: Pose;
 };
 
 /** What a session has: the state of the page, which only the page understands, and the ids of what was dropped. */
@@ -488,15 +473,6 @@ export type SaveRequest = {
   scene: string;
   calibrations: Array<string>;
   trajectory: string | null;
-};
-
-/** What a page shows after a session was opened. */
-export type SessionInfo = {
-  document: unknown;
-  display: unknown;
-  scene: SceneInfo;
-  calibrations: Array<CalibrationInfo>;
-  trajectory: TrajectoryInfo | null;
 };
 
 export type SceneInfo = {
@@ -525,47 +501,71 @@ export type SceneObject = {
   bounds: [Vec3, Vec3];
 };
 
-/** The time codes of an animated scene. */
-export type Animation = {
-  first: number;
-  last: number;
-  codesPerSecond: number;
-  /** The time codes from frame to frame. */
-  step: number;
+/** A message as text; frames are binary. */
+export type ServerMessage = { "type": "probe" } & ProbeAnswer | { "type": "error" } & Rejection;
+
+/** What a page shows after a session was opened. */
+export type SessionInfo = {
+  document: unknown;
+  display: unknown;
+  scene: SceneInfo;
+  calibrations: Array<CalibrationInfo>;
+  trajectory: TrajectoryInfo | null;
 };
 
-/** A robot, in the posture of its scene. */
-export type RobotInfo = {
-  name: string;
-  /** The joints that can be moved. */
-  joints: Array<RobotJoint>;
-  links: Array<RobotLink>;
+/** An OAK with the size of its images. */
+export type SizedState = {
+  state: OakState;
+  size: [number, number] | null;
 };
 
-export type RobotJoint = {
-  name: string;
-  /** Whether its positions are angles in radians; otherwise lengths in metres. */
-  isRevolute: boolean;
-  /** Null for a joint without limits. */
-  limits: [number, number] | null;
-  position: number;
+export type Statistics = {
+  /** The number of pixels in the region that show a surface. */
+  pixels: number;
+  /** The fraction of them with a value. */
+  fillRate: number;
+  /** Of the measured ones; null if there are none. Errors are measured minus true. */
+  medianErrorM: number | null;
+  medianAbsoluteErrorM: number | null;
+  medianAbsoluteErrorPercent: number | null;
+  p95AbsoluteErrorM: number | null;
+  /** The number of pixels of each reason, by its code. */
+  reasons: Array<number>;
+  histogram: Histogram;
 };
 
-export type RobotLink = {
-  name: string;
-  /** The path below which its objects are. */
-  path: string;
-  /** The pose of its frame in the world. */
-  pose: Pose;
+/**
+ * Asks for the surface of a region in small triangles. In the mesh, the object of a triangle is the code of its outcome in
+ * `Catalog.outcomes`; the colours mean nothing.
+ */
+export type SurfaceRequest = {
+  scene: string;
+  state: OakState;
+  region: CoverageRegion;
 };
 
-/** A calibration that was dropped onto the page. */
-export type CalibrationInfo = {
-  id: string;
-  name: string;
-  /** The model that the device says it is; null if it does not match a known one. */
-  model: string | null;
-  findings: Finding[];
+export type TextureHeader = {
+  width: number;
+  height: number;
+  wrap: [TextureWrap, TextureWrap];
+};
+
+/** Triangles with one material. */
+export type TexturedGroup = {
+  vertices: number;
+  texture: number;
+  /** The linear factor of the texture. */
+  color: Vec3;
+};
+
+/**
+ * Binary surfaces with textures, over those of the mesh; none if there are too many. Laid out like a mesh: after the header and its
+ * padding, for each group the float32 positions (3 per vertex) and coordinates (2 per vertex) of its triangles' corners; then the rgba8
+ * pixels of the textures, the lowest row first.
+ */
+export type TexturedHeader = {
+  groups: Array<TexturedGroup>;
+  textures: Array<TextureHeader>;
 };
 
 /** A trajectory that was dropped onto the page. */

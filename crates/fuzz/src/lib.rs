@@ -45,6 +45,7 @@ pub mod check {
         calibration = crate::calibration::check,
         catalog = crate::text::catalog,
         curve = crate::list::curve,
+        dae = crate::import::dae,
         depth_image = crate::codec::depth_image,
         engines = crate::engine::depth,
         filters = crate::filter::check,
@@ -177,7 +178,7 @@ pub const TARGETS: &[Target] = &[
         name: "dae",
         about: "imports Collada; every index and transform is valid",
         max_len: 8192,
-        check: import::dae,
+        check: check::dae,
         seeds: import::dae_seeds,
     },
     Target {
