@@ -1,17 +1,16 @@
 mod imu;
+mod oak;
 mod opened;
 mod report;
 mod request;
 
 use std::ops::ControlFlow;
 
-use oaktwin::catalog::Twin;
 use oaktwin::dataset::{self, FormatKind, FormatWriter, Writer};
 use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::files::OutputFiles;
-use oaktwin::render::trajectory::{self, TimedPose};
+use oaktwin::render::trajectory;
 use oaktwin::render::{self, Rig, RigError};
-use oaktwin::usd::asset::LensChoice;
 
 use crate::args::RenderArgs;
 use crate::context::{Context, Exit, Result};
@@ -24,7 +23,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let path = args.trajectory.as_deref().map(trajectory::read);
     let path = path.transpose()?.unwrap_or_default();
     args.threads.apply();
-    let oak = oak(context, args)?;
+    let oak = oak::of(context, args)?;
     let mut opened = Opened::new(args)?;
     let mut findings = std::mem::take(&mut opened.scene.findings);
     findings.extend(opened.finding.take());
@@ -43,7 +42,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
         }
         None => {
             let (rig, more) = Rig::of_stage(scene, &spec).map_err(|error| in_scene(args, error))?;
-            alone(&rig, &path)?;
+            oak::alone(&rig, &path)?;
             (rig, more)
         }
     };
@@ -133,38 +132,4 @@ fn writer(args: &RenderArgs) -> Result<Box<dyn Writer>> {
     // A format that describes objects is for `generate`.
     let format = (format.create)(options, &[]);
     Ok(Box::new(FormatWriter::new(format)))
-}
-
-/// Returns the OAK in the scene with the findings of its calibration, if there is one.
-fn oak(context: &Context, args: &RenderArgs) -> Result<Option<(Twin, Vec<Finding>)>> {
-    let Some(model) = &args.model else {
-        let needs = |option: &str| Err(format!("{option} requires --model").into());
-        return match &args.unit {
-            unit if unit.calibration.is_some() => needs("--calibration"),
-            unit if unit.lens == LensChoice::Fisheye => needs("--lens"),
-            _ => Ok(None),
-        };
-    };
-    if args.place.is_none() && args.trajectory.is_none() && args.mount.is_none() {
-        return Err(format!(
-            "--model {model} requires a pose: --look-at EYE TARGET, --pose, --trajectory or --mount"
-        )
-        .into());
-    }
-    Ok(Some(context.twin_with_axes(model, &args.unit, &args.imu.axes)?))
-}
-
-/// Rejects a trajectory of several cameras.
-fn alone(rig: &Rig, path: &[TimedPose]) -> Result<()> {
-    match (rig.cameras(), path) {
-        ([first, second, more @ ..], [_, ..]) => Err(format!(
-            "--trajectory moves one camera, but there are {} ({}, {}{}); choose one with --camera",
-            rig.cameras().len(),
-            first.path,
-            second.path,
-            if more.is_empty() { "" } else { ", …" }
-        )
-        .into()),
-        _ => Ok(()),
-    }
 }

@@ -1,16 +1,15 @@
 //! The scene of the command, still or animated.
 
+mod robot;
+mod write;
+
 use oaktwin::camera::RigidTransform;
-use oaktwin::diagnostic::{Finding, Level};
+use oaktwin::diagnostic::Finding;
 use oaktwin::render::trajectory::{self, TimedPose};
-use oaktwin::render::{
-    AnimatedScene, Animation, Carried, OpenOptions, Outputs, Renderer, Rig, RigSpec, SceneFile, TimeCodes,
-    Written, write_animation, write_carried, write_frames,
-};
+use oaktwin::render::{AnimatedScene, OpenOptions, SceneFile, TimeCodes};
 
 use crate::args::{OpenedRobot, RenderArgs};
 use crate::context::Result;
-use crate::{output, progress};
 
 /// A scene that was read at its first time.
 pub(super) struct Opened {
@@ -68,49 +67,6 @@ impl Opened {
         })
     }
 
-    /// Opens a scene, and puts the robot into it.
-    fn with_robot(args: &RenderArgs, options: &OpenOptions) -> Result<Self> {
-        let follows = args.trajectory.is_some();
-        let others = [
-            ("--frames", args.frames.is_some()),
-            ("--imu", args.imu.imu.is_some() && !follows),
-        ];
-        if let Some((option, _)) = others.into_iter().find(|(_, is_given)| *is_given) {
-            return Err(
-                format!("{option}: the frames are the postures of the robot; remove it, or --robot").into(),
-            );
-        }
-        let mut scene = SceneFile::open(&args.scene, options)?;
-        let robot = args.robot.open(&mut scene.scene, args.mount.as_deref())?;
-        let postures = robot.as_ref().map_or(0, |robot| robot.positions.positions.len());
-        if follows && (postures > 1 || args.mount.is_some()) {
-            let what = match args.mount {
-                Some(_) => "the OAK follows it or the link of --mount; remove one of them".to_owned(),
-                None => format!(
-                    "the robot stands still along it, and --joints has {postures} postures; give a table with one"
-                ),
-            };
-            return Err(format!("--trajectory: {what}").into());
-        }
-        if let (Some(file), Some(robot)) = (args.robot.robot(), &robot) {
-            output::say_findings(file, &robot.findings);
-            let warning = robot
-                .findings
-                .iter()
-                .find(|finding| finding.level >= Level::Warning);
-            if let Some(warning) = warning.filter(|_| args.strict) {
-                return Err(format!("{}: {warning}", file.display()).into());
-            }
-        }
-        Ok(Self {
-            scene,
-            finding: None,
-            animated: None,
-            times: None,
-            robot,
-        })
-    }
-
     /// Returns the pose in the world of an OAK without animation. An animated one follows its prim.
     pub(super) fn place(&self, pose: RigidTransform) -> RigidTransform {
         self.mount()
@@ -140,48 +96,5 @@ impl Opened {
             (Some(scene), Some(times)) => times.times_s(scene.timing(), args.fps),
             _ => trajectory::times_s(path),
         }
-    }
-
-    /// Writes the frames of a rig.
-    pub(super) fn write(
-        self,
-        args: &RenderArgs,
-        (rig, spec): (&Rig, &RigSpec),
-        path: &[TimedPose],
-        outputs: Outputs<'_>,
-    ) -> Result<Written> {
-        if let Some(robot) = &self.robot {
-            let mut renderer = Renderer::new(self.scene.scene);
-            if args.trajectory.is_some() {
-                let links = robot.placed.world_from_links(&robot.positions.positions[0]);
-                renderer.set_poses(robot.placed.poses(&links));
-                let written = progress::watched(|watch| {
-                    write_frames(&renderer, rig, path, args.strict, outputs, watch)
-                })?;
-                return Ok(written);
-            }
-            let own_pose = rig.cameras().first().map(|camera| camera.world_from_mount);
-            let mount = robot.link.zip(own_pose);
-            let mut carried = Carried::new(renderer, &robot.placed, &robot.positions, mount);
-            let written =
-                progress::watched(|watch| write_carried(&mut carried, rig, args.strict, outputs, watch))?;
-            return Ok(written);
-        }
-        let (Some(mut scene), Some(times)) = (self.animated, self.times) else {
-            let renderer = Renderer::new(self.scene.scene);
-            let written =
-                progress::watched(|watch| write_frames(&renderer, rig, path, args.strict, outputs, watch))?;
-            return Ok(written);
-        };
-        let times_s = times.times_s(scene.timing(), args.fps);
-        let times = (&times, times_s.as_slice());
-        let mut animation = match args.model {
-            Some(_) => Animation::of_oak(&mut scene, self.scene, times, rig, path)
-                .map_err(|error| format!("--trajectory: {error}"))?,
-            None => Animation::of_stage(&mut scene, self.scene, times, spec),
-        };
-        let written =
-            progress::watched(|watch| write_animation(&mut animation, rig, args.strict, outputs, watch))?;
-        Ok(written)
     }
 }

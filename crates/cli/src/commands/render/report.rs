@@ -1,12 +1,13 @@
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+mod camera;
 
-use oaktwin::camera::Usd;
+use std::path::Path;
+
 use oaktwin::diagnostic::Finding;
 use oaktwin::files::WrittenFile;
-use oaktwin::render::{PlacedCamera, Rig, Written};
-use oaktwin::sensor::Sensor;
+use oaktwin::render::{Rig, Written};
 use serde::Serialize;
+
+use camera::CameraReport;
 
 use super::imu::ImuReport;
 use crate::args::RenderArgs;
@@ -37,29 +38,6 @@ pub(super) struct Report<'a> {
     findings: Vec<Finding>,
     /// The findings about the calibration.
     calibration_findings: Vec<Finding>,
-}
-
-#[derive(Debug, Serialize)]
-struct CameraReport<'a> {
-    path: &'a str,
-    folder: Option<PathBuf>,
-    resolution: [u32; 2],
-    fx: f64,
-    fy: f64,
-    /// The principal point in OpenUSD's convention: the first pixel's centre is at 0.5.
-    cx: f64,
-    cy: f64,
-    lens: &'static str,
-    /// The depth sensor, if its outputs are rendered.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    depth_sensor: Option<SensorReport>,
-}
-
-#[derive(Debug, Serialize)]
-struct SensorReport {
-    engine: String,
-    /// The parameters by the names of `--param`.
-    parameters: BTreeMap<&'static str, String>,
 }
 
 impl<'a> Report<'a> {
@@ -142,38 +120,5 @@ impl<'a> Report<'a> {
             );
         }
         output::print(&text)
-    }
-}
-
-impl<'a> CameraReport<'a> {
-    fn new(camera: &'a PlacedCamera, sensor: Option<&Sensor>, output: Option<&Path>, is_flat: bool) -> Self {
-        let intrinsics = camera.camera.intrinsics;
-        let centre = intrinsics.principal_point::<Usd>();
-        Self {
-            path: &camera.path,
-            folder: output.map(|output| {
-                if is_flat {
-                    output.to_owned()
-                } else {
-                    output.join(&camera.folder)
-                }
-            }),
-            resolution: [intrinsics.size.width, intrinsics.size.height],
-            fx: intrinsics.fx,
-            fy: intrinsics.fy,
-            cx: centre.x,
-            cy: centre.y,
-            lens: camera.camera.lens.names().schema,
-            depth_sensor: sensor.map(SensorReport::new),
-        }
-    }
-}
-
-impl SensorReport {
-    fn new(sensor: &Sensor) -> Self {
-        Self {
-            engine: sensor.engine().kind().name.to_string(),
-            parameters: sensor.engine().parameters().into_iter().collect(),
-        }
     }
 }
