@@ -1,10 +1,10 @@
 //! All steps for an image, row by row and in memory that fits the processor's caches.
 
-use oaktwin_image::ImageView;
+use oaktwin_image::{ImageView, annotation};
 use oaktwin_simd::{self as simd, Level};
 use rayon::prelude::*;
 
-use super::light::{Albedos, CHANNELS, InverseDepth, Lamp, LightRow, Returns};
+use super::light::{Albedos, CHANNELS, Echoes, InverseDepth, Lamp, LightRow, Returns};
 use super::multipath::{Add, Multipath, Normals, Surfaces, View};
 use super::optics::Optics;
 use super::receive::{Decode, Decoded, Limits, Mix, Receiver, Sample, Sampled, Unwrap};
@@ -23,6 +23,7 @@ pub(super) struct Job<'a> {
     depth: ImageView<'a, f32>,
     picture: Option<ImageView<'a, [u8; 4]>>,
     velocities: Option<[ImageView<'a, f32>; 2]>,
+    returns: Option<&'a annotation::Returns>,
     /// The random numbers of this frame's measurements, and of the previous frame's if they are shared.
     measurements: [Option<Plane>; 2],
     fixed_pattern: Option<Plane>,
@@ -106,6 +107,7 @@ impl<'a> Job<'a> {
             depth,
             picture: shot.rgb(),
             velocities: shot.radial_velocities(),
+            returns: shot.returns(),
             measurements: [
                 Some(plane(shot.frame)),
                 shares.then(|| plane(shot.frame.wrapping_sub(1))),
@@ -317,6 +319,22 @@ impl Scratch {
                 out,
             },
         );
+        if let Some(returns) = job.returns {
+            let of_row = |image| row(ImageView::from(image), y).unwrap_or_default();
+            simd::run_at(
+                job.level,
+                Echoes {
+                    lamp: &c.lamp,
+                    depths: returns.depths.each_ref().map(of_row),
+                    strengths: returns.strengths.each_ref().map(of_row),
+                    shift: &self.shift,
+                    velocity,
+                    u: &job.optics.columns,
+                    v: job.optics.row(y),
+                    out,
+                },
+            );
+        }
         if let Some(multipath) = &job.multipath {
             simd::run_at(
                 job.level,

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use oaktwin::camera::RigidTransform;
+use oaktwin::depth::imager::ColorParameters;
 use oaktwin::diagnostic::{Finding, Level};
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render::{self, PairUse, RigSpec, Sweep};
@@ -54,11 +55,26 @@ pub(super) fn spec(args: &RenderArgs) -> Result<RigSpec> {
             false => PairUse::Matched,
         },
         sweep,
+        rgb_imager: rgb_imager(args)?,
         backend: args.backend,
         transparent: args.transparent,
         shutter: args.shutter.shutter(),
         camera_offsets_ms: args.shutter.camera_offsets_ms()?,
     })
+}
+
+/// The image sensor of colours, if there is one.
+fn rgb_imager(args: &RenderArgs) -> Result<Option<ColorParameters>> {
+    if args.rgb_imager.is_empty() {
+        return Ok(None);
+    }
+    let mut parameters = ColorParameters::default();
+    for (name, value) in args.rgb_imager.iter().flatten() {
+        parameters
+            .set(name, value)
+            .map_err(|error| format!("--rgb-imager: {error}"))?;
+    }
+    Ok(Some(parameters))
 }
 
 /// Rejects options of the pair and its light without effect.
@@ -136,16 +152,25 @@ fn senses(args: &RenderArgs) -> bool {
     is_set || args.writes_pair
 }
 
-/// The first option of the depth sensor that was given. The seed may belong to the inertial sensor.
+/// The first option of the depth sensor that was given. The seed may belong to another sensor.
 fn given(args: &RenderArgs) -> Option<String> {
-    match args.imu.imu {
-        Some(_) => args.sensor.given_but_seed(),
-        None => args.sensor.given(),
+    match args.imu.imu.is_some() || !args.rgb_imager.is_empty() {
+        true => args.sensor.given_but_seed(),
+        false => args.sensor.given(),
     }
 }
 
-/// A warning about a depth sensor option without effect.
+/// A warning about an option without effect.
 pub(super) fn unused(args: &RenderArgs, annotators: &[Annotator]) -> Option<Finding> {
+    if !args.rgb_imager.is_empty() && !annotators.contains(&Annotator::Rgb) {
+        return Some(Finding::new(
+            "imager-unused",
+            Level::Warning,
+            "--rgb-imager",
+            "has no effect: rgb is not among the annotators",
+            "add rgb to --annotators",
+        ));
+    }
     let option = given(args).filter(|_| args.sweep.is_empty())?;
     let is_used = annotators.iter().any(|one| one.is_depth_sensor());
     (!is_used).then(|| {

@@ -1,8 +1,11 @@
 //! Renders and measures what a rig sees.
 
+use std::sync::Arc;
+
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::RigidTransform;
 use oaktwin_dataset::{self as dataset, CameraParams, Layer, LayerData, Shot};
+use oaktwin_depth::Engine;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_image::{Image, png};
 use oaktwin_render::{AnnotateOptions, Renderer, View};
@@ -112,13 +115,21 @@ impl Rig {
         let is_requested = annotators.iter().any(|one| one.is_depth_sensor());
         let sensor = self.sensors[index].as_mut().filter(|_| is_requested);
         let swept = self.swept.as_mut().filter(|swept| swept.has(index));
-        let is_matched = (sensor.iter()).any(|sensor| sensor.engine().kind().input == EngineInput::Pair)
-            || (swept.iter()).any(|swept| swept.matches(index));
+        let has_engine = {
+            let own = sensor.as_ref().map(|sensor| Arc::clone(sensor.engine()));
+            let engines: Vec<_> = (own.into_iter())
+                .chain(swept.iter().flat_map(|swept| swept.engines(index)))
+                .collect();
+            move |is: &dyn Fn(&dyn Engine) -> bool| engines.iter().any(|engine| is(&**engine))
+        };
+        let is_matched = has_engine(&|engine| engine.kind().input == EngineInput::Pair);
         let is_described = self.pair_use == PairUse::Described;
         let pair = self.pair.as_ref().filter(|_| is_matched || is_described);
+        let imager = (self.imagers.get(index)).filter(|_| annotators.contains(&Annotator::Rgb));
         let needed = scene_annotators(annotators, sensor.is_some() || swept.is_some());
         let options = AnnotateOptions {
             transparent: self.transparent,
+            keeps_light: imager.is_some(),
             ..AnnotateOptions::default()
         };
         let asked = Asked {
@@ -140,6 +151,12 @@ impl Rig {
         });
         let (mut frame, mut findings) = renderer.annotate(&view, &needed, self.backend, &options);
         during.put(&camera.camera, &mut frame, &mut findings);
+        if has_engine(&|engine| engine.ages_s().is_some()) {
+            frame.returns = renderer.returns(&view, self.backend);
+        }
+        if has_engine(&|engine| engine.kind().models.is_some()) {
+            frame.infrared = renderer.infrared(&view, self.backend);
+        }
         let sheet = match swept {
             Some(swept) => swept.sheet(index, &frame, number, pair.as_ref())?,
             None => None,
@@ -160,7 +177,12 @@ impl Rig {
             }
             sensor_view_of = Some(sensor_view(&sensor.output_camera(&view.camera), &described));
         }
+        if let Some(imager) = imager {
+            imager.record(&view.camera, number, &mut frame);
+        }
         frame.apparent_depth = None;
+        frame.returns = None;
+        frame.infrared = None;
         frame.radial_velocities = None;
         frame.rgb = frame.rgb.filter(|_| annotators.contains(&Annotator::Rgb));
         frame.distance_to_image_plane = frame
@@ -175,7 +197,10 @@ impl Rig {
         let wants_params = annotators.contains(&Annotator::CameraParams);
         let shot = Shot {
             layers,
-            camera_params: wants_params.then(|| CameraParams::new(&described)),
+            camera_params: wants_params.then(|| CameraParams {
+                transparent: Some(self.transparent.name()),
+                ..CameraParams::new(&described)
+            }),
             sensor_params: sensor_view_of
                 .as_ref()
                 .filter(|_| wants_params)
