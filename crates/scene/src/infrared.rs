@@ -126,15 +126,14 @@ impl Scene {
                 material: None,
             });
         }
-        let mut next = first;
-        for (at, span) in copy.materials.iter_mut().enumerate() {
-            let own = used.get(at).cloned().flatten();
+        let mut used = used.into_iter();
+        for (next, span) in (first..).zip(&mut copy.materials) {
+            let own = used.next().flatten();
             self.materials.push(Material {
                 infrared: Some(value),
                 ..own.unwrap_or_else(Material::bare)
             });
             span.material = Some(next);
-            next += 1;
         }
         self.instances[index].mesh = u32::try_from(self.meshes.len()).unwrap_or(u32::MAX);
         self.instances[index].material_offset = 0;
@@ -196,8 +195,11 @@ mod tests {
         scene.set_infrared(&BTreeMap::from([(name.to_owned(), value)]))
     }
 
-    /// The colour and the reflectance of each instance's surface.
-    fn surfaces(scene: &Scene) -> Vec<Option<(Option<[f32; 3]>, Option<f32>)>> {
+    /// A colour and a reflectance.
+    type Look = (Option<[f32; 3]>, Option<f32>);
+
+    /// The look of each instance's surface.
+    fn surfaces(scene: &Scene) -> Vec<Option<Look>> {
         let of = |instance: &Instance| {
             let mesh = &scene.meshes[instance.mesh as usize];
             let material = instance.material(mesh.material(0))?;

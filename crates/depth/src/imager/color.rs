@@ -210,7 +210,11 @@ impl ColorImager {
 }
 
 #[cfg(test)]
-#[expect(clippy::cast_precision_loss, reason = "counts of pixels")]
+#[expect(
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    reason = "counts of pixels, and light is float32"
+)]
 mod tests {
     use oaktwin_camera::ImageSize;
 
@@ -227,13 +231,13 @@ mod tests {
         }
     }
 
-    fn linear(parameters: ColorParameters, per_pixel: f64, light: [f32; 3]) -> Image<[u16; 3]> {
+    fn linear(parameters: ColorParameters, per_pixel: f64, light: [f64; 3]) -> Image<[u16; 3]> {
         let photosites = Photosites {
             pitch_um: 1.55,
             per_pixel,
         };
         let imager = ColorImager::new(parameters, photosites).unwrap();
-        let [r, g, b] = light;
+        let [r, g, b] = light.map(|value| value as f32);
         let light = Image::filled(SIZE.width, SIZE.height, [r, g, b, 1.0]);
         let intrinsics = Intrinsics::from_hfov(SIZE, 1.2);
         imager.linear(&light, 1.0, &intrinsics, &Stream::new(3, "rgb"), 5)
@@ -267,7 +271,7 @@ mod tests {
     fn noise_has_the_variance_of_the_model_at_each_place_of_the_mosaic() {
         let p = parameters();
         let light = [0.5, 0.4, 0.3];
-        let image = linear(p, 1.0, light.map(|value| value as f32));
+        let image = linear(p, 1.0, light);
         let [r, g, b] = [0, 1, 2].map(|channel| recorded_variance(&p, channel, light[channel], 1.0));
         // Red at (0, 0), green at (1, 0) and (0, 1), blue at (1, 1).
         let expected = [
@@ -298,7 +302,7 @@ mod tests {
     fn reduced_images_have_the_photosites_of_a_pixel() {
         let p = parameters();
         let light = [0.5, 0.4, 0.3];
-        let image = linear(p, 3.0, light.map(|value| value as f32));
+        let image = linear(p, 3.0, light);
         for (channel, share) in [(0, 0.25), (1, 0.5), (2, 0.25)] {
             let [mean, found] = moments(&image, channel, [0, 0]);
             let variance = recorded_variance(&p, channel, light[channel], 9.0 * share);

@@ -6,66 +6,66 @@ use rayon::prelude::*;
 /// The number of units in a step of a recorded value: the weights of the interpolation are multiples of 1/16.
 pub(super) const UNITS: u16 = 16;
 
-/// Where a weight is, and the weight, in units. Sums are 16.
-type Weights = &'static [([i64; 2], i32)];
+/// The column and the row of a weight within 5 × 5 pixels, and the weight, in units. Sums are 16.
+type Weights = &'static [([usize; 2], i32)];
 
 /// Green at red or blue.
 const GREEN: Weights = &[
-    ([0, 0], 8),
-    ([-1, 0], 4),
-    ([1, 0], 4),
-    ([0, -1], 4),
-    ([0, 1], 4),
-    ([-2, 0], -2),
-    ([2, 0], -2),
-    ([0, -2], -2),
+    ([2, 2], 8),
+    ([1, 2], 4),
+    ([3, 2], 4),
+    ([2, 1], 4),
+    ([2, 3], 4),
     ([0, 2], -2),
+    ([4, 2], -2),
+    ([2, 0], -2),
+    ([2, 4], -2),
 ];
 
 /// Red or blue at green, whose own are in the same row.
 const ALONG_ROW: Weights = &[
-    ([0, 0], 10),
-    ([-1, 0], 8),
-    ([1, 0], 8),
-    ([-2, 0], -2),
-    ([2, 0], -2),
-    ([-1, -1], -2),
-    ([1, -1], -2),
-    ([-1, 1], -2),
+    ([2, 2], 10),
+    ([1, 2], 8),
+    ([3, 2], 8),
+    ([0, 2], -2),
+    ([4, 2], -2),
     ([1, 1], -2),
-    ([0, -2], 1),
-    ([0, 2], 1),
+    ([3, 1], -2),
+    ([1, 3], -2),
+    ([3, 3], -2),
+    ([2, 0], 1),
+    ([2, 4], 1),
 ];
 
 /// Red or blue at green, whose own are in the same column.
 const ALONG_COLUMN: Weights = &[
-    ([0, 0], 10),
-    ([0, -1], 8),
-    ([0, 1], 8),
-    ([0, -2], -2),
-    ([0, 2], -2),
-    ([-1, -1], -2),
-    ([1, -1], -2),
-    ([-1, 1], -2),
+    ([2, 2], 10),
+    ([2, 1], 8),
+    ([2, 3], 8),
+    ([2, 0], -2),
+    ([2, 4], -2),
     ([1, 1], -2),
-    ([-2, 0], 1),
-    ([2, 0], 1),
+    ([3, 1], -2),
+    ([1, 3], -2),
+    ([3, 3], -2),
+    ([0, 2], 1),
+    ([4, 2], 1),
 ];
 
 /// Red at blue, and blue at red.
 const ACROSS: Weights = &[
-    ([0, 0], 12),
-    ([-1, -1], 4),
-    ([1, -1], 4),
-    ([-1, 1], 4),
+    ([2, 2], 12),
     ([1, 1], 4),
-    ([-2, 0], -3),
-    ([2, 0], -3),
-    ([0, -2], -3),
+    ([3, 1], 4),
+    ([1, 3], 4),
+    ([3, 3], 4),
     ([0, 2], -3),
+    ([4, 2], -3),
+    ([2, 0], -3),
+    ([2, 4], -3),
 ];
 
-const OWN: Weights = &[([0, 0], 16)];
+const OWN: Weights = &[([2, 2], 16)];
 
 /// The weights of red, green and blue at (0, 0), (1, 0), (0, 1) and (1, 1): red and green, then green and blue.
 const SITES: [[Weights; 3]; 4] = [
@@ -96,14 +96,11 @@ pub(super) fn demosaic(recorded: &[Image<u16>; 3]) -> Image<[u16; 3]> {
     let rows = colors.pixels_mut().par_chunks_mut(row_length).enumerate();
     rows.for_each(|(y, row)| {
         // Five rows with two mirrored pixels at both ends.
-        let around = [-2i64, -1, 0, 1, 2].map(|dy| padded(&raw, inside(y as i64 + dy, height)));
+        let around = [0, 1, 2, 3, 4].map(|row| padded(&raw, inside(y + row, height)));
         for (x, color) in row.iter_mut().enumerate() {
             *color = SITES[site(x, y)].map(|weights| {
                 let sum: i32 = (weights.iter())
-                    .map(|([dx, dy], weight)| {
-                        let (row, column) = ((dy + 2) as usize, x + (dx + 2) as usize);
-                        i32::from(around[row][column]) * weight
-                    })
+                    .map(|([column, row], weight)| i32::from(around[*row][x + column]) * weight)
                     .sum();
                 u16::try_from(sum.clamp(0, i32::from(UNITS) * 1023)).unwrap_or(0)
             });
@@ -123,22 +120,23 @@ pub(super) fn whole(recorded: &[Image<u16>; 3]) -> Image<[u16; 3]> {
     colors
 }
 
-/// Mirrors a place at the ends of `0..count`, so that its channel stays.
-fn inside(at: i64, count: u32) -> i64 {
-    let last = i64::from(count) - 1;
-    let at = if at < 0 { -at } else { at };
-    let at = if at > last { 2 * last - at } else { at };
-    at.clamp(0, last.max(0))
+/// Returns a place, which is counted from two before the first, mirrored at the ends of `count` places, so that its channel stays.
+fn inside(from_two_before: usize, count: u32) -> usize {
+    let last = (count as usize).saturating_sub(1);
+    let at = from_two_before.abs_diff(2);
+    let at = if at > last {
+        (2 * last).saturating_sub(at)
+    } else {
+        at
+    };
+    at.min(last)
 }
 
-fn padded(raw: &Image<u16>, y: i64) -> Vec<u16> {
-    let row = u32::try_from(y)
-        .ok()
-        .and_then(|y| ImageView::from(raw).row(y as usize))
-        .unwrap_or_default();
-    let width = raw.width();
-    (-2..i64::from(width) + 2)
-        .map(|x| row.get(inside(x, width) as usize).copied().unwrap_or(0))
+/// Returns a row with two mirrored pixels at both ends.
+fn padded(raw: &Image<u16>, y: usize) -> Vec<u16> {
+    let row = ImageView::from(raw).row(y).unwrap_or_default();
+    (0..row.len() + 4)
+        .map(|x| row.get(inside(x, raw.width())).copied().unwrap_or(0))
         .collect()
 }
 

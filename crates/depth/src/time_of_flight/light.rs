@@ -1,5 +1,6 @@
 //! The reflected light: converts a row of depth to a row of phasors.
 
+use oaktwin_image::{Image, ImageView, annotation};
 use oaktwin_simd::Kernel;
 
 use crate::turns::{fraction, sin_of_turns};
@@ -180,9 +181,10 @@ impl<'a> Kernel for Returns<'a> {
 /// Replaces the phasors of pixels with given returns by the sums of those of both returns.
 pub(super) struct Echoes<'a> {
     pub(super) lamp: &'a Lamp,
-    pub(super) depths: [&'a [f32]; 2],
-    /// NaN of the first where the phasors stay.
-    pub(super) strengths: [&'a [f32]; 2],
+    /// The strength of the first is NaN where the phasors stay.
+    pub(super) returns: &'a annotation::Returns,
+    /// The row.
+    pub(super) y: usize,
     pub(super) shift: &'a [f32],
     pub(super) velocity: [&'a [f32]; 2],
     pub(super) u: &'a [f32],
@@ -204,7 +206,10 @@ impl<'a> Kernel for Echoes<'a> {
         } = *self.lamp;
         let n = self.u.len();
         let inside = |row: &'a [f32]| row.get(..n);
-        let ([near, far], [strong, weak], [slow, fast]) = (self.depths, self.strengths, self.velocity);
+        let of = |image: &'a Image<f32>| ImageView::from(image).row(self.y).unwrap_or_default();
+        let [near, far] = self.returns.depths.each_ref().map(of);
+        let [strong, weak] = self.returns.strengths.each_ref().map(of);
+        let [slow, fast] = self.velocity;
         let rows = [near, far, strong, weak, self.shift, slow, fast].map(inside);
         let [
             Some(near),

@@ -298,17 +298,16 @@ impl Scratch {
                 *shift = c.bias_m + c.fixed_pattern_m * *shift;
             }
         }
-        let velocity = match job.velocities {
-            Some(velocities) => velocities.map(|velocity| row(velocity, y).unwrap_or(&self.velocity)),
-            None => [&self.velocity[..]; 2],
-        };
-        let [above, here, below] = [y - 1, y, y + 1].map(slot);
+        let of_row = |velocity| row(velocity, y).unwrap_or(&self.velocity);
+        let velocity = (job.velocities).map_or([&self.velocity[..]; 2], |both| both.map(of_row));
+        let rows @ [_, here, _] = [y - 1, y, y + 1].map(slot);
+        let inverse = rows.map(|slot| self.inverse[slot].as_slice());
         let out = &mut self.light[here];
         simd::run_at(
             job.level,
             Returns {
                 lamp: &c.lamp,
-                inverse: [above, here, below].map(|slot| self.inverse[slot].as_slice()),
+                inverse,
                 depth,
                 albedo: &self.albedo,
                 shift: &self.shift,
@@ -320,13 +319,12 @@ impl Scratch {
             },
         );
         if let Some(returns) = job.returns {
-            let of_row = |image| row(ImageView::from(image), y).unwrap_or_default();
             simd::run_at(
                 job.level,
                 Echoes {
                     lamp: &c.lamp,
-                    depths: returns.depths.each_ref().map(of_row),
-                    strengths: returns.strengths.each_ref().map(of_row),
+                    returns,
+                    y: y.unsigned_abs(),
                     shift: &self.shift,
                     velocity,
                     u: &job.optics.columns,
@@ -339,7 +337,7 @@ impl Scratch {
             simd::run_at(
                 job.level,
                 Normals {
-                    inverse: [above, here, below].map(|slot| self.inverse[slot].as_slice()),
+                    inverse,
                     depth,
                     focal_length_px: job.optics.focal_length_px,
                     u: &job.optics.columns,
