@@ -31,6 +31,7 @@ NEEDS = {
     "test_heaps.py": ("mujoco",),
     "test_imu.py": ("allantools", "rosbags", "scipy"),
     "test_importers.py": ("trimesh",),
+    "test_mitsuba.py": ("mitsuba",),
     "test_population.py": ("depthai",),
     "test_rectify.py": ("cv2", "depthai"),
     "test_render.py": ("open3d", "libusb_package"),

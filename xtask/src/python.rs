@@ -125,7 +125,7 @@ pub(crate) const BLENDER: Environment = Environment {
 pub(crate) const RENDER: Environment = Environment {
     name: "render",
     versions: ((3, 11), None),
-    tests: &["tests/oracles/test_render.py"],
+    tests: &["tests/oracles/test_mitsuba.py", "tests/oracles/test_render.py"],
 };
 
 impl Interpreter {

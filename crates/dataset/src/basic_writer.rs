@@ -149,6 +149,9 @@ mod tests {
         };
         Frame {
             apparent_depth: None,
+            light: None,
+            returns: None,
+            infrared: None,
             radial_velocities: None,
             rgb: Some(Image::filled(2, 1, [1, 2, 3, 255])),
             distance_to_image_plane: Some(ZDepth(depth.clone())),

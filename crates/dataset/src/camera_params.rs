@@ -106,6 +106,9 @@ pub struct CameraParams {
     /// The width and height, px.
     #[serde(rename = "renderProductResolution")]
     pub resolution: [u32; 2],
+    /// What the ground truth of transparent surfaces is: `surface` or `through`. Replicator has no such field.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub transparent: Option<&'static str>,
 }
 
 impl CameraParams {
@@ -139,6 +142,7 @@ impl CameraParams {
             view_transform: view_transform(view),
             meters_per_scene_unit: single(view.meters_per_unit),
             resolution: [size.width, size.height],
+            transparent: None,
         };
         params.describe_lens(&view.camera);
         params

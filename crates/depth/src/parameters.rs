@@ -38,6 +38,11 @@ pub const GROUPS: &[Group] = &[
         &[Group::list_of::<imager::Parameters>],
     ),
     Group::new(
+        "color-imager",
+        "Image sensor of a colour camera",
+        &[Group::list_of::<imager::ColorParameters>],
+    ),
+    Group::new(
         "filters",
         "DepthAI's post-processing filters",
         &[

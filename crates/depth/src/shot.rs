@@ -1,4 +1,5 @@
 use oaktwin_image::ImageView;
+use oaktwin_image::annotation::Returns;
 
 use crate::ShotError;
 
@@ -9,6 +10,7 @@ pub struct Shot<'a> {
     rgb: Option<ImageView<'a, [u8; 4]>>,
     positions: Option<ImageView<'a, [f32; 4]>>,
     radial_velocities: Option<[ImageView<'a, f32>; 2]>,
+    returns: Option<&'a Returns>,
     /// The number in the sequence: noise is new in every frame.
     pub frame: u64,
     /// The number in a batch of images of one frame, for instance a simulator's environments: each has its own noise.
@@ -26,6 +28,7 @@ impl<'a> Shot<'a> {
             rgb: None,
             positions: None,
             radial_velocities: None,
+            returns: None,
             frame: 0,
             item: 0,
             color_step: 1,
@@ -85,6 +88,20 @@ impl<'a> Shot<'a> {
         Ok(self)
     }
 
+    /// Replaces the depth by what a time-of-flight camera receives in each pixel, of two surfaces where there are two.
+    ///
+    /// # Errors
+    /// Returns an error if the size of an image differs from the depth image's.
+    pub fn with_returns(mut self, returns: &'a Returns) -> Result<Self, ShotError> {
+        for image in returns.depths.iter().chain(&returns.strengths) {
+            self.check("image of returns", image.width(), image.height())?;
+        }
+        let [first, _] = &returns.depths;
+        self.depth = first.into();
+        self.returns = Some(returns);
+        Ok(self)
+    }
+
     /// The depth in metres along the optical axis.
     #[must_use]
     pub fn depth(&self) -> ImageView<'a, f32> {
@@ -107,6 +124,12 @@ impl<'a> Shot<'a> {
     #[must_use]
     pub fn radial_velocities(&self) -> Option<[ImageView<'a, f32>; 2]> {
         self.radial_velocities
+    }
+
+    /// What a time-of-flight camera receives in each pixel.
+    #[must_use]
+    pub fn returns(&self) -> Option<&'a Returns> {
+        self.returns
     }
 
     fn check(&self, what: &'static str, width: u32, height: u32) -> Result<(), ShotError> {

@@ -1,5 +1,6 @@
 //! One frame: everything that is drawn for it, rendered and measured.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use oaktwin_base::diagnostic::{Finding, Level};
@@ -7,6 +8,7 @@ use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::DVec3;
 use oaktwin_catalog::Twin;
 use oaktwin_dataset::Shot;
+use oaktwin_depth::imager::ColorParameters;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_pipeline::pair::PairOptions;
 use oaktwin_pipeline::render::{
@@ -21,7 +23,7 @@ use crate::aligned::Aligned;
 use crate::arrange::{Arrangement, Stage};
 use crate::context::Context;
 use crate::described::objects;
-use crate::recipe::ParameterValue;
+use crate::recipe::{ParameterValue, RgbImagerRule};
 use crate::saved::scene_files;
 use crate::unit::DrawnUnit;
 use crate::view::{DrawnView, Search};
@@ -279,12 +281,37 @@ impl Context {
 
     /// Returns the drawn parameters of the engine.
     fn parameters(&self, frame: u64) -> Vec<(String, String)> {
-        let parameters = &self.file.recipe.sensor.parameters;
+        self.drawn("sensor.parameters", &self.file.recipe.sensor.parameters, frame)
+    }
+
+    /// Returns the drawn image sensor of colours, if there is one.
+    fn rgb_imager(&self, frame: u64) -> Result<Option<ColorParameters>, GenerateError> {
+        let key = "camera.rgb_imager";
+        let written = match &self.file.recipe.camera.rgb_imager {
+            RgbImagerRule::Switch(false) => return Ok(None),
+            RgbImagerRule::Switch(true) => &BTreeMap::new(),
+            RgbImagerRule::Parameters(written) => written,
+        };
+        let mut parameters = ColorParameters::default();
+        for (name, value) in self.drawn(key, written, frame) {
+            parameters
+                .set(&name, &value)
+                .map_err(|error| self.unfit(&format!("{key}.{}", error.name), error.what, error.remedy))?;
+        }
+        Ok(Some(parameters))
+    }
+
+    fn drawn(
+        &self,
+        key: &str,
+        parameters: &BTreeMap<String, ParameterValue>,
+        frame: u64,
+    ) -> Vec<(String, String)> {
         let value = |name: &String, value: &ParameterValue| match value {
             ParameterValue::Flag(flag) => flag.to_string(),
             ParameterValue::Text(text) => text.clone(),
             ParameterValue::Number(quantity) => {
-                let mut numbers = self.random.numbers(&format!("sensor.parameters.{name}"), frame);
+                let mut numbers = self.random.numbers(&format!("{key}.{name}"), frame);
                 quantity.draw(&mut numbers).to_string()
             }
         };
@@ -337,6 +364,7 @@ impl Context {
                 true => PairUse::Described,
                 false => PairUse::Matched,
             },
+            rgb_imager: self.rgb_imager(frame)?,
             transparent: recipe.output.transparent,
             ..RigSpec::default()
         };

@@ -64,6 +64,16 @@ kinds! {
     "Whole numbers of 16 bits." Levels(Image<u16>) 2;
 }
 
+/// The light that comes back to a time-of-flight camera from up to two surfaces in each pixel, such as a pane and the wall behind it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Returns {
+    /// Along the optical axis, metres, where a surface at the end of the path would be; `+inf` if nothing returns. The stronger return is first.
+    pub depths: [Image<f32>; 2],
+    /// The light, relative to a white surface at that depth that faces the camera. NaN of the first where depth and colours determine it: a
+    /// single, opaque surface.
+    pub strengths: [Image<f32>; 2],
+}
+
 /// Declares the annotators in the order of their output: documentation, variant, name, source, and the kind and type of the
 /// data, if a [`Frame`] holds it.
 macro_rules! annotators {
@@ -129,6 +139,14 @@ macro_rules! annotators {
             /// place of the brightest light in each pixel, and `+inf` for the sky. It is not an annotation. `None` if it would equal
             /// `distance_to_image_plane` everywhere.
             pub apparent_depth: Option<ZDepth>,
+            /// The linear light of `rgb`, red, green and blue, before the tone curve, and coverage. It is not an annotation. `None` unless an
+            /// image sensor is to record it.
+            pub light: Option<Image<[f32; 4]>>,
+            /// The returns of a time-of-flight camera. They are not an annotation. `None` if depth and colours determine them.
+            pub returns: Option<Returns>,
+            /// The colours with given reflectances at 940 nm, which the models of depth cameras see. They are not an annotation. `None` if they
+            /// would equal `rgb`.
+            pub infrared: Option<Image<[u8; 4]>>,
             /// The mean radial velocity of what each pixel sees since each of the two measurements of a time-of-flight camera, m/s, away from
             /// the camera, 0 where either sees nothing. It is not an annotation. `None` unless the frame takes time.
             pub radial_velocities: Option<[Image<f32>; 2]>,
@@ -146,6 +164,9 @@ macro_rules! annotators {
             /// Replaces the annotations that another frame contains, and keeps the rest.
             pub fn update(&mut self, other: Self) {
                 self.apparent_depth = other.apparent_depth.or(self.apparent_depth.take());
+                self.returns = other.returns.or(self.returns.take());
+                self.infrared = other.infrared.or(self.infrared.take());
+                self.light = other.light.or(self.light.take());
                 self.radial_velocities = other.radial_velocities.or(self.radial_velocities.take());
                 $(
                     if other.$name.is_some() {

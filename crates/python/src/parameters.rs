@@ -7,9 +7,9 @@ use crate::choice;
 use crate::error::error;
 use crate::json;
 
-/// The parameters of an engine, the imager or the filters, as dictionaries.
+/// The parameters of an engine, an imager or the filters, as dictionaries.
 ///
-/// group: "stereo-noise", "stereo-matching", "time-of-flight", "single-view", "imager" or "filters".
+/// group: "stereo-noise", "stereo-matching", "time-of-flight", "single-view", "imager", "color-imager" or "filters".
 /// platform: "rvc2" or "rvc4", whose defaults are returned.
 ///
 /// Each dictionary has "name", "table", "type", "default" (a value of that type), "unit", "min", "max", "platform" (if the

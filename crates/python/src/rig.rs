@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use oaktwin::camera::ImageSize;
 use oaktwin::camera::math::DVec3;
+use oaktwin::depth::imager::ColorParameters;
 use oaktwin::pair::PairOptions;
 use oaktwin::render::{
     self, Backend, Passing, PlacedCamera, RigSpec, Shutter, Transparent, Twist, annotator,
@@ -22,18 +23,20 @@ use crate::finding;
 use crate::images::{Depth, exact};
 use crate::json::{from_python, to_python};
 use crate::layers::layers;
+use crate::parameters::by_name;
 use crate::pose::Of;
 use crate::progress::Report;
 use crate::scene::Scene;
-use crate::settings::{fresh_seed, keywords, sensor_options, strings};
+use crate::settings::{assignments, fresh_seed, keywords, sensor_options, strings};
 use crate::shot::{OUTPUTS, shot};
 
 /// The arguments besides the options of the sensor.
-const ARGUMENTS: [&str; 8] = [
+const ARGUMENTS: [&str; 9] = [
     "cameras",
     "size",
     "annotators",
     "pair",
+    "rgb_imager",
     "backend",
     "transparent",
     "exposure_ms",
@@ -41,7 +44,7 @@ const ARGUMENTS: [&str; 8] = [
 ];
 
 #[doc = concat!(
-    "Rig(device, *, cameras=None, size=None, annotators=None, pair=None, backend='auto', ",
+    "Rig(device, *, cameras=None, size=None, annotators=None, pair=None, rgb_imager=None, backend='auto', ",
     "transparent='surface', exposure_ms=None, readout_ms=None, ",
     include_str!("generated/sensor_options.signature"),
     ")\n--\n"
@@ -56,6 +59,8 @@ const ARGUMENTS: [&str; 8] = [
 /// pair: how the stereo pair is recorded and lit: a mapping with "projector" (the intensity of a Pro's dot projector, 0 to 1), "ambient" (the
 ///     scale of the scene's lights), "imager" (a mapping of image sensor parameters), "rectify" (a mapping with "method", "target" and
 ///     "edge_fill"), "lens" ("pinhole" or "fisheye") and "cameras" (the names of the two). The light changes what every engine measures.
+/// rgb_imager: records "rgb" with the blur, the exposure and the noise of a colour camera: True, or a mapping of parameters by name
+///     (`parameters("color-imager")`). By default colours are exact. Depth does not depend on it.
 /// backend: "auto", "raster" or "ray".
 /// transparent: the ground truth of transparent surfaces: "surface" (default), or "through" for what lies behind the clear ones.
 /// exposure_ms: how long each row is exposed, ms, which blurs what moves in `shoot` with a velocity. By default frames are moments.
@@ -85,7 +90,7 @@ pub(crate) struct Rig {
 #[pymethods]
 impl Rig {
     #[new]
-    #[pyo3(signature = (device, *, cameras = None, size = None, annotators = None, pair = None, backend = "auto", transparent = "surface", exposure_ms = None, readout_ms = None, **options))]
+    #[pyo3(signature = (device, *, cameras = None, size = None, annotators = None, pair = None, rgb_imager = None, backend = "auto", transparent = "surface", exposure_ms = None, readout_ms = None, **options))]
     #[pyo3(text_signature = None)]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     fn new(
@@ -95,6 +100,7 @@ impl Rig {
         size: Option<Size>,
         annotators: Option<Annotators>,
         pair: Option<&Bound<'_, PyAny>>,
+        rgb_imager: Option<&Bound<'_, PyAny>>,
         backend: &str,
         transparent: &str,
         exposure_ms: Option<f64>,
@@ -123,6 +129,7 @@ impl Rig {
             annotators: asked.transpose()?.unwrap_or_else(|| OUTPUTS.to_vec()),
             pair: pair.unwrap_or(own),
             sensor,
+            rgb_imager: rgb_imager.map(color_parameters).transpose()?.flatten(),
             backend: named::<Backend>("backend", backend)?,
             transparent: named::<Transparent>("transparent", transparent)?,
             shutter: (exposure_ms.is_some() || readout_ms.is_some()).then(|| Shutter {
@@ -157,6 +164,9 @@ impl Rig {
             options.set_item("annotators", names)?;
         }
         options.set_item("pair", to_python(py, &self.spec.pair)?)?;
+        if let Some(imager) = &self.spec.rgb_imager {
+            options.set_item("rgb_imager", color_settings(py, imager)?)?;
+        }
         options.set_item("backend", self.spec.backend.name())?;
         options.set_item("transparent", self.spec.transparent.name())?;
         if let Some(shutter) = &self.spec.shutter {
@@ -340,4 +350,23 @@ fn pair_options(pair: &Bound<'_, PyAny>, own: PairOptions) -> PyResult<PairOptio
     let names_lens = pair.contains("lens")?;
     let lens = if names_lens { read.lens } else { own.lens };
     Ok(PairOptions { lens, ..read })
+}
+
+/// Reads the image sensor of colours; `None` if there is none.
+fn color_parameters(value: &Bound<'_, PyAny>) -> PyResult<Option<ColorParameters>> {
+    let mut parameters = ColorParameters::default();
+    if let Ok(is_on) = value.extract::<bool>() {
+        return Ok(is_on.then_some(parameters));
+    }
+    for (name, value) in assignments("rgb_imager", value)? {
+        parameters
+            .set(&name, &value)
+            .map_err(|failed| error(format!("rgb_imager: {failed}")))?;
+    }
+    Ok(Some(parameters))
+}
+
+/// Returns the parameters by name.
+fn color_settings<'py>(py: Python<'py>, parameters: &ColorParameters) -> PyResult<Bound<'py, PyDict>> {
+    by_name(py, "color-imager", parameters.by_name())
 }

@@ -81,6 +81,20 @@ def test_the_specification_is_text(device):
     assert spec["pair"]["imager"]["readNoise"] == 4 and spec["sensor"]["parameters"] == {"window": 7}
 
 
+def test_colours_are_recorded(device, scene, pose):
+    exact, *recorded = [
+        next(iter(oaktwin.Rig(device, cameras=["rgb"], size=SIZE, rgb_imager=imager).shoot(scene, pose).values()))
+        for imager in (False, True, {"readNoise": 40.0, "autoExposure": False})
+    ]
+    assert np.array_equal(exact["rgb"][..., 3], recorded[0]["rgb"][..., 3])
+    assert not any(np.array_equal(exact["rgb"], other["rgb"]) for other in recorded)
+    rig = oaktwin.Rig(device, cameras=["rgb"], size=SIZE, rgb_imager={"redGain": 2.5})
+    other = pickle.loads(pickle.dumps(rig))
+    assert other.spec == rig.spec and rig.spec["rgb_imager"]["redGain"] == 2.5
+    one, two = (next(iter(each.shoot(scene, pose, frame=3).values())) for each in (rig, other))
+    assert np.array_equal(one["rgb"], two["rgb"])
+
+
 def test_cameras_without_a_sensor(device, scene, pose):
     rig = oaktwin.Rig(device, cameras=["rgb"], size=SIZE)
     (shot,) = rig.shoot(scene, pose).values()
@@ -123,6 +137,7 @@ def test_what_is_wrong(device, scene, pose):
         ({"backend": "rays"}, "did you mean 'ray'"),
         ({"pair": {"projektor": 1}}, "pair: unknown field `projektor`"),
         ({"pair": {"imager": {"readNois": 1}}}, "pair: readNois: unknown parameter of imager; did you mean 'readNoise'"),
+        ({"rgb_imager": {"readNois": 1}}, "rgb_imager: readNois: unknown parameter of color-imager; did you mean 'readNoise'"),
         ({"pair": {"lens": "fish"}}, "pair: invalid value 'fish'"),
         ({"pair": {"rectify": {"edge_fill": 300}}}, "pair: invalid fill '300'"),
         ({"pair": {"projector": float("nan")}}, "pair: contains NaN"),

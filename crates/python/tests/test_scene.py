@@ -221,3 +221,10 @@ def test_a_stage_that_composes_too_much_gives_an_error_that_names_the_argument(t
         oaktwin.Scene.open(stage, scene_limit=0)
     stage.write_text('#usda 1.0\ndef Cube "c" {}\n')
     assert oaktwin.Scene.open(stage, scene_limit=0.5).bounds is not None
+
+
+def test_infrared_reflectances_are_checked():
+    with pytest.raises(oaktwin.Error, match="no material and no label has this name"):
+        oaktwin.Scene.open(ROOT / "examples/depth_sensor/depth_sensor.usda", infrared={"no such name": 0.5})
+    with pytest.raises(oaktwin.Error, match="out of range; give 0 to 1"):
+        oaktwin.Scene.open(ROOT / "examples/depth_sensor/depth_sensor.usda", infrared={"no such name": 1.5})

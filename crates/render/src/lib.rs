@@ -10,6 +10,7 @@ mod blocks;
 mod cutout;
 #[cfg(test)]
 mod fixture;
+mod infrared;
 mod luminance;
 mod radiance;
 mod raster;
@@ -30,7 +31,7 @@ pub use cutout::Transparent;
 pub use luminance::Luminance;
 pub use ray::Ray;
 pub use renderer::Renderer;
-pub use shade::{Beam, BeamPattern};
+pub use shade::{Beam, BeamPattern, WHITE};
 pub use texture_file::texture_pixels;
 pub use view::{Clip, View};
 pub use visibility::{Hit, Visibility};

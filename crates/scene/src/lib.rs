@@ -9,6 +9,7 @@ mod attribute;
 mod bounds;
 mod footprint;
 pub mod import;
+mod infrared;
 mod light;
 mod material;
 mod mesh;
@@ -22,6 +23,7 @@ use oaktwin_camera::math::{DAffine3, DVec3};
 
 pub use attribute::Attribute;
 pub use bounds::Bounds;
+pub use infrared::InfraredError;
 pub use light::{Light, LightKind};
 pub use material::{
     ColorSpace, DEFAULT_INDEX, Mask, Material, Opacity, Texture, TextureSource, TextureUse, Transmission,

@@ -10,6 +10,9 @@ pub struct Material {
     pub base_color: Option<[f32; 3]>,
     /// The texture of the base colour.
     pub base_color_texture: Option<TextureUse>,
+    /// The reflectance at 940 nm, from 0 to 1, where infrared light and the pairs that see it, and time of flight, meet the surface; `None` if
+    /// it follows from the colours.
+    pub infrared: Option<f32>,
     /// The emitted light.
     pub emissive: [f32; 3],
     /// The metalness, from 0 to 1.
@@ -46,6 +49,7 @@ impl Default for Material {
             name: String::new(),
             base_color: None,
             base_color_texture: None,
+            infrared: None,
             emissive: [0.0; 3],
             metallic: 0.0,
             roughness: 0.5,
@@ -58,6 +62,15 @@ impl Default for Material {
 }
 
 impl Material {
+    /// Returns the material of surfaces without one: grey, or the mesh's own colours.
+    #[must_use]
+    pub fn bare() -> Self {
+        Self {
+            roughness: 0.6,
+            ..Self::default()
+        }
+    }
+
     /// Returns what is wrong with a number of a file, for a finding, if it is not within 0 and 1.
     #[must_use]
     pub fn not_a_share(name: &str, value: f32) -> Option<String> {

@@ -16,6 +16,35 @@ pub fn serialize<P: Table, S: Serializer>(parameters: &P, serializer: S) -> Resu
     serializer.collect_map(P::rows().map(|row| (row.about.name, Scalar::of(&(row.get)(parameters)))))
 }
 
+/// Parameters that may be absent.
+pub mod optional {
+    use serde::{Deserializer, Serializer};
+
+    use super::Table;
+
+    /// Writes all parameters, if there are any.
+    ///
+    /// # Errors
+    /// Returns the errors of the serializer.
+    pub fn serialize<P: Table, S: Serializer>(
+        parameters: &Option<P>,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        match parameters {
+            Some(parameters) => super::serialize(parameters, serializer),
+            None => serializer.serialize_none(),
+        }
+    }
+
+    /// Reads parameters, as [`super::deserialize`].
+    ///
+    /// # Errors
+    /// Returns the errors of [`super::deserialize`].
+    pub fn deserialize<'de, P: Table, D: Deserializer<'de>>(deserializer: D) -> Result<Option<P>, D::Error> {
+        super::deserialize(deserializer).map(Some)
+    }
+}
+
 /// Reads the given parameters; the others have their defaults.
 ///
 /// # Errors

@@ -54,6 +54,16 @@ impl PairArgs {
     }
 }
 
+/// `on` or `NAME=VALUE`
+pub(super) fn switched(text: &str) -> std::result::Result<Option<(String, String)>, String> {
+    match text {
+        "on" => Ok(None),
+        _ => assigned(text)
+            .map(Some)
+            .map_err(|remedy| format!("{remedy}, or on")),
+    }
+}
+
 /// `NAME=VALUE`
 fn assigned(text: &str) -> std::result::Result<(String, String), String> {
     match assignment(text) {

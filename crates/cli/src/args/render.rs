@@ -8,6 +8,7 @@ use oaktwin::usd::optics::Projection;
 
 use super::annotators::annotators;
 use super::choice::parser;
+use super::pair::switched;
 use super::{
     ImuArgs, OutputArgs, PairArgs, PlaceArgs, RobotArgs, SceneArgs, SensorArgs, ShutterArgs, ThreadArgs,
     UnitArgs,
@@ -191,6 +192,10 @@ pub(crate) struct RenderArgs {
 
     #[command(flatten, next_help_heading = "Execution")]
     pub(crate) threads: ThreadArgs,
+
+    /// Record rgb as a camera does: on, or NAME=VALUE of `oaktwin params color-imager` [default: off]
+    #[arg(long, value_name = "on|NAME=VALUE", value_parser = switched, help_heading = "Outputs")]
+    pub(crate) rgb_imager: Vec<Option<(String, String)>>,
 
     /// Print the result as JSON
     #[arg(long, help_heading = "Execution")]

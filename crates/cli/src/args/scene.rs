@@ -50,6 +50,12 @@ pub(crate) struct SceneArgs {
     )]
     pub(crate) micro_texture: Option<bool>,
 
+    /// The reflectance at 940 nm of a material or a label, 0 to 1; repeatable [default: its colour's]
+    ///
+    /// The stereo pair, its dots and time of flight see it, and rgb does not. It is even: textures are not seen.
+    #[arg(long, value_name = "NAME=VALUE", value_parser = reflectance)]
+    pub(crate) infrared: Vec<(String, f64)>,
+
     #[arg(
         long,
         value_name = "FACTOR",
@@ -74,8 +80,20 @@ impl SceneArgs {
             allow_outside: self.allow_outside,
             texture_coordinates: false,
             micro_texture: self.micro_texture.unwrap_or(false),
+            infrared: self.infrared.iter().cloned().collect(),
         })
     }
+}
+
+/// `NAME=VALUE`
+fn reflectance(text: &str) -> std::result::Result<(String, f64), String> {
+    let parts = text.rsplit_once('=').filter(|(name, _)| !name.is_empty());
+    let (name, value) = parts.ok_or("expected NAME=VALUE")?;
+    let value = value
+        .trim()
+        .parse()
+        .map_err(|_| format!("{value} is not a number"))?;
+    Ok((name.to_owned(), value))
 }
 
 /// Checks the metres per unit of a mesh file.

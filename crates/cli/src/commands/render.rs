@@ -3,6 +3,7 @@ mod oak;
 mod opened;
 mod report;
 mod request;
+mod wanted;
 
 use std::ops::ControlFlow;
 
@@ -27,7 +28,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let mut opened = Opened::new(args)?;
     let mut findings = std::mem::take(&mut opened.scene.findings);
     findings.extend(opened.finding.take());
-    findings.extend(request::unused(args, &spec.annotators));
+    findings.extend(wanted::unused(args, &spec.annotators));
     let path = opened.in_world(path);
     let scene = &opened.scene;
     let (rig, more) = match &oak {

@@ -71,7 +71,7 @@ fn a_frame_is_what_render_makes_of_its_scene() {
     let numbers = ["position", "orientation"].map(|part| pose[part].as_array().unwrap());
     let pose: Vec<String> = numbers.into_iter().flatten().map(Value::to_string).collect();
     let mut arguments = words(
-        "render set/scenes/000000.usda --model OAK-D-Pro-PoE --resolution 80x50 --projector 1 --micro-texture \
+        "render set/scenes/000000.usda --model OAK-D-Pro-PoE --resolution 80x50 --projector 1 --micro-texture --rgb-imager on \
          --annotators rgb,distance_to_image_plane,depth_sensor_distance -o render --pose",
     );
     arguments.extend(pose.iter().map(String::as_str));

@@ -64,6 +64,11 @@ fn invalid_options() {
         "crate.obj --model oak4-d --pose 0 nan 0 0 0 0 1",
         "crate.obj --model oak4-d --look-at 1 2 3 1 2 3",
         "crate.obj --up z --model oak4-d --look-at 0 0 3 0 0 0",
+        "room.usda --infrared Cratee=0.5",
+        "room.usda --infrared Crate=1.5",
+        "room.usda --rgb-imager readNois=1",
+        "room.usda --rgb-imager readNoise=-1",
+        "room.usda --strict --annotators normals --rgb-imager on",
     ];
     let runs = runs.map(words);
     let runs: Vec<&[&str]> = runs.iter().map(Vec::as_slice).collect();

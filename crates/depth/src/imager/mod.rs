@@ -16,6 +16,8 @@
 //! The response is linear, without gamma and black level, which matching does not depend on.
 
 mod blur;
+mod color;
+mod demosaic;
 mod expose;
 mod parameters;
 mod recorded;
@@ -23,6 +25,7 @@ mod rows;
 #[cfg(test)]
 mod tests;
 
+pub use color::{ColorImager, ColorParameters, Photosites};
 pub use parameters::{Bits, Parameters};
 pub use recorded::Recorded;
 

@@ -42,6 +42,8 @@ pub enum Stage {
     Engine = 10,
     /// The delays and losses of frames on their way to a host.
     Delivery = 11,
+    /// Errors of a colour camera's image sensor.
+    Color = 12,
     /// The positions of a projector's dots.
     Dots = 16,
 }

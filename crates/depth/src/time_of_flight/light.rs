@@ -1,5 +1,6 @@
 //! The reflected light: converts a row of depth to a row of phasors.
 
+use oaktwin_image::{Image, ImageView, annotation};
 use oaktwin_simd::Kernel;
 
 use crate::turns::{fraction, sin_of_turns};
@@ -173,6 +174,87 @@ impl<'a> Kernel for Returns<'a> {
             (re1[x], im1[x]) = phasor(amplitude, seen[1] * turns_per_m[1]);
             let ambient = if surface { ambient * albedo[x] } else { 0.0 };
             total[x] = reflected + ambient;
+        }
+    }
+}
+
+/// Replaces the phasors of pixels with given returns by the sums of those of both returns.
+pub(super) struct Echoes<'a> {
+    pub(super) lamp: &'a Lamp,
+    /// The strength of the first is NaN where the phasors stay.
+    pub(super) returns: &'a annotation::Returns,
+    /// The row.
+    pub(super) y: usize,
+    pub(super) shift: &'a [f32],
+    pub(super) velocity: [&'a [f32]; 2],
+    pub(super) u: &'a [f32],
+    pub(super) v: f32,
+    pub(super) out: &'a mut LightRow,
+}
+
+impl<'a> Kernel for Echoes<'a> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Lamp {
+            signal,
+            contrast,
+            ambient,
+            turns_per_m,
+            age_s,
+        } = *self.lamp;
+        let n = self.u.len();
+        let inside = |row: &'a [f32]| row.get(..n);
+        let of = |image: &'a Image<f32>| ImageView::from(image).row(self.y).unwrap_or_default();
+        let [near, far] = self.returns.depths.each_ref().map(of);
+        let [strong, weak] = self.returns.strengths.each_ref().map(of);
+        let [slow, fast] = self.velocity;
+        let rows = [near, far, strong, weak, self.shift, slow, fast].map(inside);
+        let [
+            Some(near),
+            Some(far),
+            Some(strong),
+            Some(weak),
+            Some(shift),
+            Some(slow),
+            Some(fast),
+        ] = rows
+        else {
+            return;
+        };
+        let outs = self.out.channels.each_mut().map(|row| row.get_mut(1..=n));
+        let [Some(re0), Some(im0), Some(re1), Some(im1), Some(total)] = outs else {
+            return;
+        };
+        for x in 0..n {
+            if strong[x].is_nan() {
+                continue;
+            }
+            let u = self.u[x];
+            let ray = (1.0 + u * u + self.v * self.v).sqrt();
+            let mut sums = [0.0; CHANNELS];
+            for (depth, strength) in [(near[x], strong[x]), (far[x], weak[x])] {
+                let range = depth * ray;
+                let is_surface = (range > 0.0) & (range * LEAST_INVERSE <= 1.0) & (strength > 0.0);
+                if !is_surface {
+                    continue;
+                }
+                let inverse = if 1.0 / range < MOST_INVERSE {
+                    1.0 / range
+                } else {
+                    MOST_INVERSE
+                };
+                let reflected = signal * strength * (inverse * inverse);
+                let amplitude = contrast * reflected;
+                let seen = range + shift[x];
+                let (re, im) = phasor(amplitude, (seen - slow[x] * age_s[0]) * turns_per_m[0]);
+                (sums[0], sums[1]) = (sums[0] + re, sums[1] + im);
+                let (re, im) = phasor(amplitude, (seen - fast[x] * age_s[1]) * turns_per_m[1]);
+                (sums[2], sums[3]) = (sums[2] + re, sums[3] + im);
+                sums[4] += reflected + ambient * strength;
+            }
+            [re0[x], im0[x], re1[x], im1[x], total[x]] = sums;
         }
     }
 }

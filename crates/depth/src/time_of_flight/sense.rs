@@ -1,10 +1,10 @@
 //! All steps for an image, row by row and in memory that fits the processor's caches.
 
-use oaktwin_image::ImageView;
+use oaktwin_image::{ImageView, annotation};
 use oaktwin_simd::{self as simd, Level};
 use rayon::prelude::*;
 
-use super::light::{Albedos, CHANNELS, InverseDepth, Lamp, LightRow, Returns};
+use super::light::{Albedos, CHANNELS, Echoes, InverseDepth, Lamp, LightRow, Returns};
 use super::multipath::{Add, Multipath, Normals, Surfaces, View};
 use super::optics::Optics;
 use super::receive::{Decode, Decoded, Limits, Mix, Receiver, Sample, Sampled, Unwrap};
@@ -23,6 +23,7 @@ pub(super) struct Job<'a> {
     depth: ImageView<'a, f32>,
     picture: Option<ImageView<'a, [u8; 4]>>,
     velocities: Option<[ImageView<'a, f32>; 2]>,
+    returns: Option<&'a annotation::Returns>,
     /// The random numbers of this frame's measurements, and of the previous frame's if they are shared.
     measurements: [Option<Plane>; 2],
     fixed_pattern: Option<Plane>,
@@ -106,6 +107,7 @@ impl<'a> Job<'a> {
             depth,
             picture: shot.rgb(),
             velocities: shot.radial_velocities(),
+            returns: shot.returns(),
             measurements: [
                 Some(plane(shot.frame)),
                 shares.then(|| plane(shot.frame.wrapping_sub(1))),
@@ -296,17 +298,16 @@ impl Scratch {
                 *shift = c.bias_m + c.fixed_pattern_m * *shift;
             }
         }
-        let velocity = match job.velocities {
-            Some(velocities) => velocities.map(|velocity| row(velocity, y).unwrap_or(&self.velocity)),
-            None => [&self.velocity[..]; 2],
-        };
-        let [above, here, below] = [y - 1, y, y + 1].map(slot);
+        let of_row = |velocity| row(velocity, y).unwrap_or(&self.velocity);
+        let velocity = (job.velocities).map_or([&self.velocity[..]; 2], |both| both.map(of_row));
+        let rows @ [_, here, _] = [y - 1, y, y + 1].map(slot);
+        let inverse = rows.map(|slot| self.inverse[slot].as_slice());
         let out = &mut self.light[here];
         simd::run_at(
             job.level,
             Returns {
                 lamp: &c.lamp,
-                inverse: [above, here, below].map(|slot| self.inverse[slot].as_slice()),
+                inverse,
                 depth,
                 albedo: &self.albedo,
                 shift: &self.shift,
@@ -317,11 +318,26 @@ impl Scratch {
                 out,
             },
         );
+        if let Some(returns) = job.returns {
+            simd::run_at(
+                job.level,
+                Echoes {
+                    lamp: &c.lamp,
+                    returns,
+                    y: y.unsigned_abs(),
+                    shift: &self.shift,
+                    velocity,
+                    u: &job.optics.columns,
+                    v: job.optics.row(y),
+                    out,
+                },
+            );
+        }
         if let Some(multipath) = &job.multipath {
             simd::run_at(
                 job.level,
                 Normals {
-                    inverse: [above, here, below].map(|slot| self.inverse[slot].as_slice()),
+                    inverse,
                     depth,
                     focal_length_px: job.optics.focal_length_px,
                     u: &job.optics.columns,

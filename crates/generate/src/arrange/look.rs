@@ -17,6 +17,8 @@ pub(crate) struct DrawnMaterial {
     roughness: f32,
     metallic: f32,
     #[serde(skip_serializing_if = "Option::is_none")]
+    infrared: Option<f32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) texture: Option<PathBuf>,
 }
 
@@ -29,6 +31,7 @@ impl DrawnMaterial {
             base_color_texture: texture.map(TextureUse::new),
             roughness: self.roughness,
             metallic: self.metallic,
+            infrared: self.infrared,
             ..Material::default()
         }
     }
@@ -45,7 +48,12 @@ pub(super) fn draw(look: &Appearance, textures: &[PathBuf], numbers: &mut Number
     let metallic = look.metallic.draw(numbers) as f32;
     let is_textured = numbers.uniform() < look.textured;
     let texture = numbers.pick(textures).filter(|_| is_textured).cloned();
+    let infrared = look
+        .infrared
+        .as_ref()
+        .map(|infrared| infrared.draw(numbers) as f32);
     (!keeps).then(|| DrawnMaterial {
+        infrared,
         color: color(hue, saturation, albedo),
         roughness,
         metallic,

@@ -1,8 +1,10 @@
+use std::collections::BTreeMap;
+
 use oaktwin_camera::ImageSize;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{ImuRule, Quantity, Texts};
+use super::{ImuRule, ParameterValue, Quantity, Texts};
 
 /// The camera and its place: on a sphere, in a box or along a trajectory. By default it is on a sphere around the objects.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
@@ -15,6 +17,10 @@ pub struct CameraRule {
     /// The width and height of the images; by default the sensor's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub resolution: Option<[u32; 2]>,
+    /// Whether `rgb` has the blur, the exposure and the noise of a colour camera: `true`, `false`, or its parameters by name, as listed by
+    /// `oaktwin params color-imager`, as values or distributions.
+    #[serde(skip_serializing_if = "is_default")]
+    pub rgb_imager: RgbImagerRule,
     /// The place on a sphere around the target.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sphere: Option<SpherePlacement>,
@@ -51,6 +57,7 @@ impl Default for CameraRule {
             model: Texts(vec!["OAK-D Pro PoE".to_owned()]),
             cameras: Texts::default(),
             resolution: None,
+            rgb_imager: RgbImagerRule::default(),
             sphere: None,
             inside: None,
             trajectory: None,
@@ -76,6 +83,26 @@ impl CameraRule {
         self.resolution
             .map(|[width, height]| ImageSize::new(width, height))
     }
+}
+
+/// The image sensor of colours.
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(untagged, expecting = "expected true, false or a table of parameters")]
+pub enum RgbImagerRule {
+    /// Whether there is one.
+    Switch(bool),
+    /// Its parameters by name.
+    Parameters(BTreeMap<String, ParameterValue>),
+}
+
+impl Default for RgbImagerRule {
+    fn default() -> Self {
+        Self::Switch(true)
+    }
+}
+
+fn is_default(rule: &RgbImagerRule) -> bool {
+    *rule == RgbImagerRule::default()
 }
 
 /// A place on a sphere around the target.

@@ -17,7 +17,7 @@ use oaktwin_scene::Up;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use camera::{BoxPlacement, CameraRule, SpherePlacement, Target};
+pub use camera::{BoxPlacement, CameraRule, RgbImagerRule, SpherePlacement, Target};
 pub use imu::ImuRule;
 pub use light::{Lamps, LightRule, Sky, Sun};
 pub use objects::{Appearance, LookRule, ObjectRule, Pose, Region};

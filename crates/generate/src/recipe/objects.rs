@@ -114,6 +114,9 @@ pub struct Appearance {
     pub roughness: Quantity,
     /// The metalness, 0 to 1.
     pub metallic: Quantity,
+    /// The reflectance at 940 nm, 0 to 1, which the stereo pair, its dots and time of flight see; by default it follows from the colours.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub infrared: Option<Quantity>,
     /// Images and folders of images that colour the surface, multiplied by the colour. Objects without texture coordinates get
     /// the mean of the image.
     pub textures: Texts,
@@ -130,6 +133,7 @@ impl Default for Appearance {
             albedo: Quantity::Uniform([0.1, 0.8]),
             roughness: Quantity::Uniform([0.2, 0.9]),
             metallic: 0.0.into(),
+            infrared: None,
             textures: Texts::default(),
             textured: 1.0,
         }

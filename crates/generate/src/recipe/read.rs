@@ -217,7 +217,7 @@ fn check_look(place: &str, look: &Appearance) -> Result<(), Wrong> {
     ] {
         within(&at(name), quantity, 0.0, 1.0)?;
     }
-    Ok(())
+    (look.infrared.as_ref()).map_or(Ok(()), |infrared| within(&at("infrared"), infrared, 0.0, 1.0))
 }
 
 fn check_objects(place: &str, rule: &ObjectRule) -> Result<(), Wrong> {

@@ -4,6 +4,7 @@ mod custom_engine;
 mod depth_sensor_scene;
 mod glass;
 mod plates;
+mod rgb_imager;
 mod shutter;
 mod stereo_every_unit;
 mod stereo_pipeline;

@@ -5,6 +5,7 @@ use oaktwin_render::{Clip, View};
 use crate::limits::SizeError;
 use oaktwin_base::diagnostic::{Message, suggestion};
 use oaktwin_camera::{Camera, RigidTransform, UsdOptics};
+use oaktwin_depth::imager::Photosites;
 use oaktwin_usd::depth_sensor::DepthSensor;
 use oaktwin_usd::optics::OpticsError;
 
@@ -29,6 +30,8 @@ pub struct PlacedCamera {
     /// The readout time, s: how much later the last row is exposed than the first. 0 for a global shutter; `None` for a camera of the scene, whose
     /// shutter is unknown.
     pub readout_s: Option<f64>,
+    /// What its pixels are made of. A camera of the scene has one photosite for each pixel, as large as its aperture says, and at most 3 µm.
+    pub photosites: Photosites,
     /// The attributes of the camera's prim.
     pub attributes: CameraAttributes,
     /// The depth sensor of the camera.

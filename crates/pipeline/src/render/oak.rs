@@ -10,6 +10,7 @@ use crate::limits::check_size;
 use oaktwin_base::diagnostic::{Finding, Level, fold_name, nearest};
 use oaktwin_camera::{Camera, ImageSize, LensModel, RigidTransform, UsdOptics};
 use oaktwin_catalog::{DepthKind, LensChoice, Origin, Twin, TwinCamera};
+use oaktwin_depth::imager::Photosites;
 use oaktwin_usd::asset::{AssetError, render_product_name};
 
 /// The name for every depth sensor.
@@ -200,6 +201,10 @@ fn place(
         mount_from_camera: candidate.camera.body_from_camera,
         world_from_mount: *world_from_body,
         readout_s: Some(candidate.camera.readout_s),
+        photosites: Photosites {
+            pitch_um: candidate.camera.pixel_size_um,
+            per_pixel: pixel_size_um / candidate.camera.pixel_size_um,
+        },
         attributes: CameraAttributes {
             optics: UsdOptics::from_intrinsics(&intrinsics, pixel_size_um, Default::default()),
             focus_distance: candidate.focus_distance,

@@ -10,9 +10,13 @@ use super::{around, folder_names};
 use crate::limits::check_size;
 use oaktwin_base::diagnostic::{Finding, Level, fold_name, message, nearest, opt};
 use oaktwin_camera::{ImageSize, RigidTransform};
+use oaktwin_depth::imager::Photosites;
 use oaktwin_usd::depth_sensor;
 use oaktwin_usd::optics::{self, OpticsError, Projection};
 use oaktwin_usd::stage::{RenderProduct, SceneCamera};
+
+/// The largest pitch of photosites, µm: the default aperture of a camera would give pixels of 16 µm.
+const MAX_PITCH_UM: f64 = 3.0;
 
 /// The cameras of a scene to render.
 #[derive(Clone, Copy, Debug, Default)]
@@ -261,6 +265,11 @@ fn place(
             mount_from_camera: RigidTransform::IDENTITY,
             world_from_mount: camera.world_from_camera,
             readout_s: None,
+            photosites: Photosites {
+                pitch_um: (camera.optics().horizontal_aperture_mm * 1e3 / f64::from(size.width))
+                    .min(MAX_PITCH_UM),
+                per_pixel: 1.0,
+            },
             attributes: CameraAttributes {
                 optics: camera.optics(),
                 focus_distance: camera.prim.number("focusDistance").unwrap_or(0.0),

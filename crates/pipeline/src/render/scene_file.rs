@@ -1,5 +1,6 @@
 //! Scene files.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use oaktwin_render::Clip;
@@ -9,7 +10,7 @@ use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::DAffine3;
 use oaktwin_files::FileError;
 use oaktwin_scene::import::{self, ImportError, ImportOptions, ImportedCamera};
-use oaktwin_scene::{Instance, MicroTexture, Scene, Up};
+use oaktwin_scene::{InfraredError, Instance, MicroTexture, Scene, Up};
 use oaktwin_usd::stage::{
     self, AnimatedStage, Attribute, Prim, RenderProduct, SceneCamera, SceneLimit, SceneOptions,
     StageContents, StageError, StageScene, StageTiming, Value,
@@ -18,7 +19,7 @@ use oaktwin_usd::stage::{
 const USD: [&str; 4] = ["usd", "usda", "usdc", "usdz"];
 
 /// The options of reading a scene file.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct OpenOptions {
     /// The time code of a USD stage; by default its default values, else the first time samples.
     pub time: Option<f64>,
@@ -38,6 +39,9 @@ pub struct OpenOptions {
     /// Whether surfaces without a texture get the fine one of ordinary surfaces ([`MicroTexture::ordinary`]), by which stereo cameras
     /// match them.
     pub micro_texture: bool,
+    /// The reflectance at 940 nm, 0 to 1, of materials by name and of surfaces by semantic label ([`Scene::set_infrared`]). Others reflect
+    /// infrared light as their colours say.
+    pub infrared: BTreeMap<String, f64>,
 }
 
 /// The contents of a scene file.
@@ -67,6 +71,14 @@ pub enum SceneFileError {
     /// The file is not a valid mesh file.
     #[error(transparent)]
     Import(#[from] ImportError),
+    /// The scene has no such reflectance.
+    #[error("{}: {}", file.display(), message![opt("infrared"), format!(" {error}")])]
+    Infrared {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong.
+        error: InfraredError,
+    },
 }
 
 impl SceneFile {
@@ -85,7 +97,7 @@ impl SceneFile {
         } else {
             Err(unknown_kind(path, &extension).into())
         }?;
-        Ok(opened.with_micro_texture(options.micro_texture))
+        opened.with_surfaces(options)
     }
 
     /// Opens a USD stage, or a glTF file, at the time of the options, and keeps it open for other times. `mount` is the path of a stage's prim
@@ -100,7 +112,7 @@ impl SceneFile {
     ) -> Result<(AnimatedScene, Self), SceneFileError> {
         if is_gltf(path) && mount.is_none() {
             let (scene, range) = Self::imported(path, options)?;
-            let scene = scene.with_micro_texture(options.micro_texture);
+            let scene = scene.with_surfaces(options)?;
             let timing = StageTiming {
                 time_codes_per_second: 1.0,
                 range,
@@ -109,9 +121,8 @@ impl SceneFile {
             };
             let animated = AnimatedScene {
                 path: path.to_owned(),
-                micro_texture: options.micro_texture,
+                options: options.clone(),
                 source: Animated::Gltf(Box::new(Nodes {
-                    options: *options,
                     first: scene.scene.clone(),
                     is_rigid: true,
                     timing,
@@ -129,10 +140,10 @@ impl SceneFile {
         }
         let (stage, first, world_from_mount) =
             AnimatedStage::open(path, &stage_options(path, options)?, mount)?;
-        let scene = Self::of_stage(path, first).with_micro_texture(options.micro_texture);
+        let scene = Self::of_stage(path, first).with_surfaces(options)?;
         let animated = AnimatedScene {
             path: path.to_owned(),
-            micro_texture: options.micro_texture,
+            options: options.clone(),
             source: Animated::Stage(stage),
             world_from_mount,
         };
@@ -149,9 +160,15 @@ impl SceneFile {
         std::mem::replace(&mut self.scene, empty)
     }
 
-    fn with_micro_texture(mut self, is_given: bool) -> Self {
-        self.scene.micro_texture = is_given.then(|| MicroTexture::ordinary(0));
-        self
+    /// Gives surfaces what the options say of them and the file does not.
+    fn with_surfaces(mut self, options: &OpenOptions) -> Result<Self, SceneFileError> {
+        self.scene.micro_texture = options.micro_texture.then(|| MicroTexture::ordinary(0));
+        let set = self.scene.set_infrared(&options.infrared);
+        set.map_err(|error| SceneFileError::Infrared {
+            file: self.path.clone(),
+            error,
+        })?;
+        Ok(self)
     }
 
     /// Returns whether a file is a USD stage, by its extension: only stages can be animated.
@@ -233,7 +250,7 @@ fn is_moved(scene: &Scene, first: &Scene) -> bool {
 #[derive(Debug)]
 pub struct AnimatedScene {
     path: PathBuf,
-    micro_texture: bool,
+    options: OpenOptions,
     source: Animated,
     world_from_mount: Option<RigidTransform>,
 }
@@ -248,7 +265,6 @@ enum Animated {
 /// A glTF file, which is read again for each time: its time codes are seconds.
 #[derive(Debug)]
 struct Nodes {
-    options: OpenOptions,
     /// The scene of the first time.
     first: Scene,
     /// Whether only nodes have moved so far. A scene that was built for another time stays one of its own.
@@ -258,10 +274,15 @@ struct Nodes {
 
 impl Nodes {
     /// Reads the file at another time. Of a scene in which only nodes have moved, the meshes of the first time stay.
-    fn at(&mut self, path: &Path, time_s: Option<f64>) -> Result<SceneChange, SceneFileError> {
+    fn at(
+        &mut self,
+        path: &Path,
+        options: &OpenOptions,
+        time_s: Option<f64>,
+    ) -> Result<SceneChange, SceneFileError> {
         let options = OpenOptions {
             time: time_s,
-            ..self.options
+            ..options.clone()
         };
         let file = SceneFile::open(path, &options)?;
         self.is_rigid = self.is_rigid && is_moved(&file.scene, &self.first);
@@ -310,7 +331,7 @@ impl AnimatedScene {
         let stage = match &mut self.source {
             Animated::Stage(stage) => stage,
             Animated::Gltf(nodes) => {
-                let mut change = nodes.at(&self.path, time)?;
+                let mut change = nodes.at(&self.path, &self.options, time)?;
                 let findings = match &mut change {
                     SceneChange::Rebuilt(file) => std::mem::take(&mut file.findings),
                     SceneChange::Moved(..) => Vec::new(),
@@ -325,7 +346,7 @@ impl AnimatedScene {
         let contents = match change.contents {
             StageContents::Moved { instances, cameras } => SceneChange::Moved(instances, cameras),
             StageContents::Rebuilt(scene) => {
-                let mut file = SceneFile::of_stage(&self.path, *scene).with_micro_texture(self.micro_texture);
+                let mut file = SceneFile::of_stage(&self.path, *scene).with_surfaces(&self.options)?;
                 findings.append(&mut file.findings);
                 SceneChange::Rebuilt(Box::new(file))
             }

@@ -225,9 +225,9 @@ def models(
 def parameters(
     group: _Group, *, platform: _Platform = "rvc2"
 ) -> list[_Json]:
-    """The parameters of an engine, the imager or the filters, as dictionaries.
+    """The parameters of an engine, an imager or the filters, as dictionaries.
 
-    group: "stereo-noise", "stereo-matching", "time-of-flight", "single-view", "imager" or "filters".
+    group: "stereo-noise", "stereo-matching", "time-of-flight", "single-view", "imager", "color-imager" or "filters".
     platform: "rvc2" or "rvc4", whose defaults are returned.
 
     Each dictionary has "name", "table", "type", "default" (a value of that type), "unit", "min", "max", "platform" (if the

@@ -1,4 +1,4 @@
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, final
 
 import numpy.typing as npt
@@ -37,6 +37,8 @@ class Rig:
     pair: how the stereo pair is recorded and lit: a mapping with "projector" (the intensity of a Pro's dot projector, 0 to 1), "ambient" (the
         scale of the scene's lights), "imager" (a mapping of image sensor parameters), "rectify" (a mapping with "method", "target" and
         "edge_fill"), "lens" ("pinhole" or "fisheye") and "cameras" (the names of the two). The light changes what every engine measures.
+    rgb_imager: records "rgb" with the blur, the exposure and the noise of a colour camera: True, or a mapping of parameters by name
+        (`parameters("color-imager")`). By default colours are exact. Depth does not depend on it.
     backend: "auto", "raster" or "ray".
     transparent: the ground truth of transparent surfaces: "surface" (default), or "through" for what lies behind the clear ones.
     exposure_ms: how long each row is exposed, ms, which blurs what moves in `shoot` with a velocity. By default frames are moments.
@@ -71,6 +73,7 @@ class Rig:
         size: Sequence[int] | None = None,
         annotators: Sequence[_SceneAnnotator | _SensorAnnotator] | None = None,
         pair: _PairOptions | None = None,
+        rgb_imager: bool | Mapping[str, float | bool] | None = None,
         backend: _Backend = "auto",
         transparent: _Transparent = "surface",
         exposure_ms: float | None = None,

@@ -79,6 +79,7 @@ class Scene:
         scene_limit: float = 1.0,
         allow_outside: bool = False,
         micro_texture: bool = False,
+        infrared: Mapping[str, float] | None = None,
         mount: str | None = None,
     ) -> Scene:
         """Opens a USD stage (usd, usda, usdc, usdz) or a mesh file (gltf, glb, dae, obj, stl, ply).
@@ -91,6 +92,7 @@ class Scene:
         scene_limit: a factor on the limits on a USD stage's prims, references and instances; by default 1.
         allow_outside: whether a glTF file may name buffers and images outside its folder; for trusted files only.
         micro_texture: whether surfaces without a texture get the fine one of paint, wood or cloth, by which stereo cameras match them.
+        infrared: the reflectance at 940 nm, 0 to 1, of materials by name and of surfaces by label; by default it follows from the colours.
         mount: the path of a USD stage's prim that carries a device; see `world_from_mount`.
 
         Missing and unsupported contents are listed in `findings`. Raises FileNotFoundError or another OSError if the file cannot

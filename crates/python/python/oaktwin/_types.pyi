@@ -16,7 +16,15 @@ _Backend = Literal["auto", "raster", "ray"]
 _DepthEngine = Literal["stereo-noise", "time-of-flight", "single-view"]
 _Engine = Literal["stereo-noise", "stereo-matching", "time-of-flight", "single-view"]
 _Fill = Literal["footprint", "nearest"]
-_Group = Literal["stereo-noise", "stereo-matching", "time-of-flight", "single-view", "imager", "filters"]
+_Group = Literal[
+    "stereo-noise",
+    "stereo-matching",
+    "time-of-flight",
+    "single-view",
+    "imager",
+    "color-imager",
+    "filters",
+]
 _ImuFrame = Literal["driver", "board-file"]
 _Intrinsics = Literal["zero-disparity", "free-disparity", "left-camera", "right-camera"]
 _Isaac = Literal["5.1", "6"]

@@ -75,13 +75,14 @@ impl Scene {
     /// scene_limit: a factor on the limits on a USD stage's prims, references and instances; by default 1.
     /// allow_outside: whether a glTF file may name buffers and images outside its folder; for trusted files only.
     /// micro_texture: whether surfaces without a texture get the fine one of paint, wood or cloth, by which stereo cameras match them.
+    /// infrared: the reflectance at 940 nm, 0 to 1, of materials by name and of surfaces by label; by default it follows from the colours.
     /// mount: the path of a USD stage's prim that carries a device; see `world_from_mount`.
     ///
     /// Missing and unsupported contents are listed in `findings`. Raises FileNotFoundError or another OSError if the file cannot
     /// be read, oaktwin.Error for an invalid file, or an option that does not apply to its format.
     #[staticmethod]
     #[pyo3(signature = (path, *, time = None, subdivide = 0, up = None, scale = None, scene_limit = 1.0, allow_outside = false,
-        micro_texture = false, mount = None))]
+        micro_texture = false, infrared = None, mount = None))]
     #[expect(clippy::too_many_arguments, reason = "options of Python")]
     fn open(
         py: Python<'_>,
@@ -93,6 +94,7 @@ impl Scene {
         scene_limit: f64,
         allow_outside: bool,
         micro_texture: bool,
+        infrared: Option<BTreeMap<String, f64>>,
         mount: Option<String>,
     ) -> PyResult<Self> {
         let limit = asset::scene_limit(scene_limit)?;
@@ -105,6 +107,7 @@ impl Scene {
             allow_outside,
             texture_coordinates: false,
             micro_texture,
+            infrared: infrared.unwrap_or_default(),
         };
         Self::read_file(py, path, options, mount)
     }

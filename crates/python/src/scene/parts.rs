@@ -330,6 +330,7 @@ pub(super) fn reduce<'py>(scene: &Scene, py: Python<'py>) -> PyResult<Reduced<'p
             options.set_item("scene_limit", opened.limit.factor())?;
             options.set_item("allow_outside", opened.allow_outside)?;
             options.set_item("micro_texture", opened.micro_texture)?;
+            options.set_item("infrared", &opened.infrared)?;
             options.set_item("mount", mount)?;
             let instances = &stage.renderer.scene().instances;
             for (index, (pose, _)) in &stage.placed {

@@ -19,7 +19,7 @@ use rayon::prelude::*;
 
 use self::coverage::Coverage;
 use self::stencil::Stencil;
-use crate::shade::{Shaded, ShadingInput};
+use crate::shade::{Band, Shaded, ShadingInput};
 use crate::{Backend, Renderer, Transparent, View, Visibility};
 
 pub(crate) use semantics::Semantics;
@@ -33,6 +33,8 @@ pub struct AnnotateOptions {
     pub unlabelled_points: bool,
     /// Whether outlines are antialiased in the colour image; otherwise each pixel has the colour at its centre.
     pub smooth_edges: bool,
+    /// Whether the frame keeps the light of the colour image, for an image sensor.
+    pub keeps_light: bool,
     /// What the ground truth of transparent surfaces is. Colours do not depend on it.
     pub transparent: Transparent,
 }
@@ -42,6 +44,7 @@ impl Default for AnnotateOptions {
         Self {
             unlabelled_points: true,
             smooth_edges: true,
+            keeps_light: false,
             transparent: Transparent::Surface,
         }
     }
@@ -86,6 +89,7 @@ impl Renderer {
             let (shaded, missing) = self.shade_seen(view, &seen, backend, *options);
             frame.apparent_depth = shaded.stretch.map(|stretch| stretched(&seen.z, &stretch));
             frame.rgb = Some(shaded.rgb);
+            frame.light = shaded.light;
             findings = missing;
         }
         if is_through {
@@ -140,7 +144,8 @@ impl Renderer {
             rays: &self.rays(view),
             seen,
         };
-        self.shader().shade(input, corners.as_ref())
+        self.shader()
+            .shade(input, corners.as_ref(), options.keeps_light, Band::Visible)
     }
 
     fn annotate_seen(

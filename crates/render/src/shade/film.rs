@@ -4,7 +4,7 @@ use glam::Vec3;
 use oaktwin_image::Image;
 use rayon::prelude::*;
 
-use super::tone::{Encoder, tone};
+use super::tone::{Encoder, tone, untoned};
 use crate::Visibility;
 
 /// The response curve of an image.
@@ -58,6 +58,20 @@ pub(crate) fn print(light: &Image<[f32; 4]>) -> Image<[u8; 4]> {
         )]
         [r, g, b, (coverage * 255.0).round() as u8]
     })
+}
+
+/// Returns the light of colours that [`Film::Tones`] has, with coverage: 1, or 0 for a miss.
+pub(super) fn light(colors: &Image<[f32; 3]>, seen: &Visibility) -> Image<[f32; 4]> {
+    let mut light = colors.map(|color| {
+        let [r, g, b] = color.map(untoned);
+        [r, g, b, 1.0]
+    });
+    for (pixel, hit) in light.pixels_mut().iter_mut().zip(seen.hits.pixels()) {
+        if hit.is_miss() {
+            pixel[3] = 0.0;
+        }
+    }
+    light
 }
 
 /// Writes sRGB with coverage: 255, or 0 for a miss.

@@ -1,29 +1,33 @@
-//! The directions in which a rough mirror reflects a ray.
+//! The directions in which rough mirrors reflect a ray, and rough glass passes it on.
 
 use oaktwin_camera::math::DVec3;
 
-/// The number of rays of a blurred reflection.
+/// The number of rays of a blurred reflection or passage.
 const SAMPLES: u8 = 16;
 /// The squared roughness, the width of the distribution of normals, below which a reflection is sharp.
 const SHARP: f64 = 0.0025;
 /// The cosine and sine of the golden angle, by which successive samples turn.
 const TURN: [f64; 2] = [-0.737_368_878_078_319_7, 0.675_490_294_261_523_8];
 
-/// The normals of the facets that reflect a ray, with the distribution of Trowbridge and Reitz ("GGX"): the same for all pixels, so that
+/// The normals of the facets that reflect a ray or pass it on, with the distribution of Trowbridge and Reitz ("GGX"): the same for all pixels, so that
 /// both images of a pair have the same blur and no noise.
 pub(super) struct Lobe {
     normal: DVec3,
     width: f64,
+    /// The angle by which a ray turns, by the angle of the facet.
+    turn: f64,
     samples: u8,
 }
 
-/// Returns the normals of a surface with a roughness. Reflections of reflections are sharp.
-pub(super) fn normals(normal: DVec3, roughness: f32, is_first: bool) -> Lobe {
+/// Returns the normals of a surface with a roughness. Only what happens first to a ray blurs it. `turn` is the angle by which a ray turns, by the
+/// angle of the facet: 2 for reflections.
+pub(super) fn normals(normal: DVec3, roughness: f32, turn: f64, is_first: bool) -> Lobe {
     let width = f64::from(roughness * roughness);
     let is_sharp = width < SHARP || !is_first;
     Lobe {
         normal,
         width: if is_sharp { 0.0 } else { width },
+        turn,
         samples: if is_sharp { 1 } else { SAMPLES },
     }
 }
@@ -55,9 +59,9 @@ impl Lobe {
         })
     }
 
-    /// Returns the angle between the rays of the lobe, radians: twice the typical slope, because reflection doubles angles.
+    /// Returns the angle between the rays of the lobe, radians, from the typical slope.
     fn spacing(&self) -> f64 {
-        2.0 * self.width / f64::from(self.samples).sqrt()
+        self.turn * self.width / f64::from(self.samples).sqrt()
     }
 
     /// Returns the factor by which the lobe is wider than the angle between a ray and the rays of the next pixels; 1 if it is not.

@@ -27,6 +27,7 @@ mod path;
 mod pattern;
 mod pyramid;
 mod reflect;
+mod returns;
 mod rig;
 mod strength;
 mod surfaces;
@@ -42,6 +43,7 @@ use std::sync::Arc;
 use glam::Vec3;
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_image::Image;
+use oaktwin_image::annotation::Returns;
 use oaktwin_image::srgb::srgb_from_linear;
 use oaktwin_scene::{Instance, Material, Mesh, Scene};
 use oaktwin_simd::Level;
@@ -57,15 +59,22 @@ pub(crate) use self::film::print;
 use self::lamp::Emitter;
 use self::occlusion::Occlusion;
 use self::optic::Optic;
+pub(crate) use self::paint::Band;
 use self::paint::{Paint, paints};
 use self::pattern::Pattern;
-use self::rig::{LightRig, WHITE, luminance};
+pub use self::rig::WHITE;
+use self::rig::{LightRig, luminance};
 use self::textures::Textures;
 use self::tone::Encoder;
 use crate::ray::RayCaster;
 use crate::rays::Rays;
 use crate::spare::Spare;
 use crate::{Hit, View, Visibility};
+
+/// Whether a material decides what a time-of-flight camera receives.
+pub(crate) fn decides_returns(material: &Material) -> bool {
+    material.infrared.is_some() || Optic::new(material).is_some()
+}
 
 /// The data that shading needs of a scene beside its triangles.
 #[derive(Debug)]
@@ -119,7 +128,7 @@ impl ShaderAssets {
             // A surface whose texture cannot be decoded is grey; rendering reports the texture.
             let _ = self.textures.get(scene, texture.texture);
         }
-        let paints = paints(scene, &self.textures);
+        let paints = paints(scene, &self.textures, Band::Visible);
         let color = |triangle: u32| {
             let material = mesh
                 .material(triangle)
@@ -162,6 +171,8 @@ pub(crate) struct Shaded {
     /// The distance at which the brightest surface in each pixel appears to be, in mirrors and behind glass, divided by the distance of
     /// the first surface; `None` if it is 1 everywhere.
     pub(crate) stretch: Option<Image<f32>>,
+    /// The light of the colours, if it is kept: linear, in the exposure of the scene, and coverage.
+    pub(crate) light: Option<Image<[f32; 4]>>,
 }
 
 /// The luminance from the scene's lights and from a beam.
@@ -198,36 +209,59 @@ impl Shader {
         }
     }
 
-    /// Returns colours, with antialiased outlines if the corners of pixels are given. The findings name the textures that cannot be
+    /// Returns colours, with antialiased outlines if the corners of pixels are given, and their light if it is kept. The findings name the textures that cannot be
     /// shown, in the order of the scene.
     pub(crate) fn shade(
         &self,
         input: ShadingInput<'_>,
         corners: Option<&Corners<'_>>,
+        keeps_light: bool,
+        band: Band,
     ) -> (Shaded, Vec<Finding>) {
-        self.with_context(input, Film::Tones, |context| {
+        self.with_context(input, Film::Tones, band, |context| {
             let Centres { colors, stretch } = context.centres(input.rays, input.seen);
             let (width, height) = (colors.width(), colors.height());
             let mut rgb = Image::filled(width, height, [0; 4]);
             film::develop(context.film, &colors, input.seen, &mut rgb);
+            let mut kept = keeps_light.then(|| colors.clone());
             if let Some(corners) = corners {
                 let outlines = outlines::outlines_of(input.seen, &rgb, context.level);
-                let encoder = Encoder::new();
-                edges::smooth(
-                    context,
-                    corners,
-                    input.seen,
-                    &colors,
-                    &outlines,
-                    &mut rgb,
-                    |pixel, color| {
-                        let [r, g, b] = Film::Tones.srgb(color, encoder);
-                        *pixel = [r, g, b, pixel[3]];
-                    },
-                );
+                let (seen, encoder) = (input.seen, Encoder::new());
+                match &mut kept {
+                    None => edges::smooth(
+                        context,
+                        corners,
+                        seen,
+                        &colors,
+                        &outlines,
+                        &mut rgb,
+                        |pixel, color| {
+                            let [r, g, b] = Film::Tones.srgb(color, encoder);
+                            *pixel = [r, g, b, pixel[3]];
+                        },
+                    ),
+                    Some(kept) => {
+                        edges::smooth(
+                            context,
+                            corners,
+                            seen,
+                            &colors,
+                            &outlines,
+                            kept,
+                            |pixel, color| {
+                                *pixel = color.to_array();
+                            },
+                        );
+                        film::develop(context.film, kept, seen, &mut rgb);
+                    }
+                }
             }
             context.spare.colors.keep(colors);
-            Shaded { rgb, stretch }
+            Shaded {
+                rgb,
+                stretch,
+                light: kept.map(|kept| film::light(&kept, input.seen)),
+            }
         })
     }
 
@@ -237,7 +271,7 @@ impl Shader {
         input: ShadingInput<'_>,
         corners: &Corners<'_>,
     ) -> (Image<[f32; 3]>, Vec<Finding>) {
-        self.with_context(input, Film::Linear, |context| {
+        self.with_context(input, Film::Linear, Band::Visible, |context| {
             let colors = context.centres(input.rays, input.seen).colors;
             let mut smooth = colors.clone();
             context.smooth(corners, input.seen, &colors, &mut smooth, |color| {
@@ -256,7 +290,7 @@ impl Shader {
         corners: Option<&Corners<'_>>,
         beam: Option<&Beam<'_>>,
     ) -> (LuminanceParts, Vec<Finding>) {
-        self.with_context(input, Film::Linear, |context| {
+        self.with_context(input, Film::Linear, Band::Infrared, |context| {
             let colors = context.centres(input.rays, input.seen).colors;
             let value = |color: Vec3| luminance(color) * (1.0 / WHITE);
             let mut grey = colors.map(|color| value(Vec3::from(*color)));
@@ -271,10 +305,19 @@ impl Shader {
         })
     }
 
+    /// Returns the light that a time-of-flight camera receives where mirrors, transparent surfaces or given reflectances decide about it.
+    pub(crate) fn returns(&self, input: ShadingInput<'_>) -> Returns {
+        let (found, _) = self.with_context(input, Film::Linear, Band::Visible, |context| {
+            context.returns(&input)
+        });
+        found
+    }
+
     fn with_context<T>(
         &self,
         input: ShadingInput<'_>,
         film: Film,
+        band: Band,
         work: impl FnOnce(&ShadingContext<'_>) -> T,
     ) -> (T, Vec<Finding>) {
         let ShadingInput {
@@ -305,7 +348,7 @@ impl Shader {
             view,
             rig: &self.rig,
             level,
-            paints: paints(scene, &self.assets.textures),
+            paints: paints(scene, &self.assets.textures, band),
             closed: &self.assets.closed,
             occlusion,
             coarse,

@@ -14,9 +14,22 @@ use super::textures::Textures;
 /// The linear colour of surfaces without one: a perceptual middle grey.
 const GREY: Vec3 = Vec3::splat(0.4);
 
+/// The light by which surfaces are seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Band {
+    /// Colours.
+    Visible,
+    /// What stereo cameras and time of flight see: surfaces whose reflectance at 940 nm is given have it, and others their colours.
+    Infrared,
+}
+
 /// A material with its decoded texture.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Paint<'a> {
+    /// The reflectance at 940 nm, if it is given.
+    infrared: Option<f32>,
+    /// The colour instead of all others.
+    even: Option<Vec3>,
     base_color: Option<Vec3>,
     texture: Option<(TextureUse, &'a Pyramid)>,
     is_texture_missing: bool,
@@ -54,6 +67,8 @@ impl Finishes {
 impl<'a> Paint<'a> {
     /// The paint of a surface without a material.
     pub(super) const BARE: Self = Self {
+        infrared: None,
+        even: None,
         base_color: None,
         texture: None,
         is_texture_missing: false,
@@ -63,9 +78,12 @@ impl<'a> Paint<'a> {
         optic: None,
     };
 
-    pub(super) fn new(material: &Material, textures: &'a Textures) -> Self {
+    pub(super) fn new(material: &Material, textures: &'a Textures, band: Band) -> Self {
+        let infrared = material.infrared.filter(|value| (0.0..=1.0).contains(value));
+        let even = infrared.filter(|_| band == Band::Infrared).map(Vec3::splat);
         let texture = material
             .base_color_texture
+            .filter(|_| even.is_none())
             .and_then(|used| Some((used, textures.ready(used.texture)?)));
         let number = |value: f32| {
             if value.is_finite() {
@@ -75,6 +93,8 @@ impl<'a> Paint<'a> {
             }
         };
         Self {
+            infrared,
+            even,
             base_color: material.base_color.map(|color| sane(color.into())),
             texture,
             is_texture_missing: material.base_color_texture.is_some() && texture.is_none(),
@@ -97,6 +117,11 @@ impl<'a> Paint<'a> {
         }
     }
 
+    /// Returns the reflectance at 940 nm, if it is given.
+    pub(super) fn infrared(&self) -> Option<f32> {
+        self.infrared
+    }
+
     pub(super) fn metallic(&self) -> f32 {
         self.metallic
     }
@@ -114,6 +139,9 @@ impl<'a> Paint<'a> {
 
     #[inline]
     fn fill(&self, mesh: &Mesh, triangle: u32, spot: &Spot) -> Fill {
+        if let Some(color) = self.even {
+            return Fill::Color(color);
+        }
         let factor = self.base_color.unwrap_or(Vec3::ONE);
         if let Some((used, pyramid)) = &self.texture {
             // Without texture coordinates the mean of the texture is used.
@@ -284,8 +312,8 @@ fn sane(color: Vec3) -> Vec3 {
 }
 
 /// Returns the paints of a scene's materials.
-pub(super) fn paints<'a>(scene: &Scene, textures: &'a Textures) -> Vec<Paint<'a>> {
+pub(super) fn paints<'a>(scene: &Scene, textures: &'a Textures, band: Band) -> Vec<Paint<'a>> {
     (scene.materials.iter())
-        .map(|material| Paint::new(material, textures))
+        .map(|material| Paint::new(material, textures, band))
         .collect()
 }

@@ -10,7 +10,7 @@ use oaktwin_scene::Scene;
 use super::ShadingContext;
 use super::curvature::{self, Transfer};
 use super::grain;
-use super::lobe::normals;
+use super::lobe::{Lobe, normals};
 use super::optic::{Balance, Meeting, Optic, Own, Wall};
 use super::paint::Paint;
 use super::rig::luminance;
@@ -40,6 +40,8 @@ pub(super) struct Vertex<'a> {
     pub(super) next: [Option<DVec3>; 2],
     /// What the path to the place does to rays beside it.
     pub(super) transfer: Transfer,
+    /// The length of the path, metres, in which light travels as far in a vacuum: longer in glass.
+    pub(super) length: f64,
 }
 
 /// Light that arrives along a path.
@@ -74,6 +76,32 @@ struct Progress {
     ray: Option<u8>,
 }
 
+impl Progress {
+    /// Whether nothing has happened to the ray that could blur it.
+    fn is_first(&self) -> bool {
+        self.reflections == 0 && self.ray.is_none()
+    }
+
+    /// Returns the progress of one ray of a lobe.
+    fn in_lobe(self, lobe: &Lobe, number: u8) -> Self {
+        Self {
+            ray: if lobe.is_sharp() { self.ray } else { Some(number) },
+            ..self
+        }
+    }
+}
+
+/// How a ray goes on from a vertex.
+#[derive(Clone, Copy, Debug)]
+struct Way {
+    /// The ratio of the angle between the rays of pixels to the one at the vertex.
+    widening: f64,
+    /// Includes what the vertex does.
+    transfer: Transfer,
+    /// The index of refraction of what is ahead.
+    index: f64,
+}
+
 /// Follows the rays of an image.
 pub(super) struct Tracer<'c, 'a> {
     context: &'c ShadingContext<'a>,
@@ -99,6 +127,7 @@ impl<'a> Vertex<'a> {
             ray,
             next,
             transfer: Transfer::over(surface.range),
+            length: surface.range,
         })
     }
 
@@ -143,7 +172,12 @@ impl<'c, 'a> Tracer<'c, 'a> {
         } = optic.balance(&meeting);
         let is_followed = |share: Vec3| luminance(progress.factor * share) >= MIN_SHARE;
         if progress.reflections < MAX_REFLECTIONS && is_followed(reflected) {
-            self.reflect(vertex, optic, reflected, progress);
+            let index = if meeting.wall == Wall::Exit {
+                optic.index()
+            } else {
+                1.0
+            };
+            self.reflect(vertex, optic, reflected, index, progress);
         } else if reflected != Vec3::ZERO {
             own.around = 1.0;
         }
@@ -177,12 +211,9 @@ impl<'c, 'a> Tracer<'c, 'a> {
         }
     }
 
-    fn reflect(&mut self, vertex: &Vertex<'a>, optic: &Optic, share: Vec3, progress: Progress) {
-        let lobe = normals(
-            vertex.surface.normal,
-            optic.roughness(),
-            progress.reflections == 0,
-        );
+    /// Follows what a surface reflects; `index` is the index of refraction on the side of the ray.
+    fn reflect(&mut self, vertex: &Vertex<'a>, optic: &Optic, share: Vec3, index: f64, progress: Progress) {
+        let lobe = normals(vertex.surface.normal, optic.roughness(), 2.0, progress.is_first());
         let progress = Progress {
             reflections: progress.reflections + 1,
             factor: progress.factor * share * lobe.share(),
@@ -191,29 +222,20 @@ impl<'c, 'a> Tracer<'c, 'a> {
         };
         let widening = lobe.widening(vertex.ray, vertex.next);
         let transfer = vertex.transfer.reflected(self.curvature(vertex));
-        for (index, normal) in (0..).zip(lobe.iter()) {
-            let progress = Progress {
-                ray: if lobe.is_sharp() {
-                    progress.ray
-                } else {
-                    Some(index)
-                },
-                ..progress
-            };
+        let way = Way {
+            widening,
+            transfer,
+            index,
+        };
+        for (number, normal) in (0..).zip(lobe.iter()) {
+            let progress = progress.in_lobe(&lobe, number);
             let normal = match mirrored(vertex.ray, normal).dot(vertex.surface.flat_normal) > 0.0 {
                 true => normal,
                 false => vertex.surface.flat_normal,
             };
             let turned = |ray: DVec3| lobe.widened(mirrored(vertex.ray, normal), mirrored(ray, normal));
             let next = vertex.next.map(|ray| ray.map(turned));
-            self.cast(
-                vertex,
-                mirrored(vertex.ray, normal),
-                next,
-                widening,
-                transfer,
-                progress,
-            );
+            self.cast(vertex, mirrored(vertex.ray, normal), next, way, progress);
         }
     }
 
@@ -225,24 +247,52 @@ impl<'c, 'a> Tracer<'c, 'a> {
         share: Vec3,
         progress: Progress,
     ) {
+        let is_first = progress.is_first();
         let progress = Progress {
             passes: progress.passes + 1,
             factor: progress.factor * share,
             route: progress.route << 1 | 1,
             ..progress
         };
-        let ratio = match meeting.wall {
-            Wall::Entry => 1.0 / optic.index(),
-            Wall::Exit => optic.index(),
-            Wall::Sheet | Wall::Side => {
-                return self.cast(vertex, vertex.ray, vertex.next, 1.0, vertex.transfer, progress);
-            }
+        // The index of refraction on the side of the ray divided by the one behind; 1 where light passes straight on.
+        let (ratio, index) = match meeting.wall {
+            Wall::Entry => (1.0 / optic.index(), optic.index()),
+            Wall::Exit => (optic.index(), 1.0),
+            Wall::Sheet | Wall::Side => (1.0, 1.0),
         };
-        let bent = |ray: DVec3| refracted(ray.normalize(), vertex.surface.normal, ratio);
-        if let Some(ray) = bent(vertex.ray) {
-            let next = vertex.next.map(|next| next.and_then(bent));
-            let transfer = vertex.transfer.refracted(ratio, self.curvature(vertex));
-            self.cast(vertex, ray, next, 1.0, transfer, progress);
+        // Light is scattered by rough glass, and not by what is partly invisible.
+        let roughness = if optic.transmits() { optic.roughness() } else { 0.0 };
+        let normal = vertex.surface.normal;
+        let is_straight = meeting.wall == Wall::Sheet || meeting.wall == Wall::Side;
+        let turn = if is_straight { 2.0 } else { (1.0 - ratio).abs() };
+        let lobe = normals(normal, roughness, turn, is_first);
+        let transfer = match is_straight {
+            true => vertex.transfer,
+            false => vertex.transfer.refracted(ratio, self.curvature(vertex)),
+        };
+        let way = Way {
+            widening: lobe.widening(vertex.ray, vertex.next),
+            transfer,
+            index,
+        };
+        for (number, facet) in (0..).zip(lobe.iter()) {
+            let bent = |ray: DVec3| match is_straight {
+                true if lobe.is_sharp() => Some(ray),
+                // A thin wall turns rays as a mirror does, to its other side.
+                true => Some(mirrored(mirrored(ray, facet), normal)),
+                false => refracted(ray.normalize(), facet, ratio),
+            };
+            let Some(ray) = bent(vertex.ray) else { continue };
+            // Facets that would reflect it are as seldom as those that would reflect light into the surface.
+            if !lobe.is_sharp() && ray.dot(vertex.surface.flat_normal) > 0.0 {
+                continue;
+            }
+            let next = (vertex.next).map(|next| next.and_then(bent).map(|next| lobe.widened(ray, next)));
+            let progress = Progress {
+                factor: progress.factor * lobe.share(),
+                ..progress.in_lobe(&lobe, number)
+            };
+            self.cast(vertex, ray, next, way, progress);
         }
     }
 
@@ -258,17 +308,18 @@ impl<'c, 'a> Tracer<'c, 'a> {
         )
     }
 
-    /// Casts a ray from a vertex in a direction, a unit vector. `widening` is the ratio of the angle between the rays of pixels to the one
-    /// at the vertex, and `transfer` includes what the vertex does.
+    /// Casts a ray from a vertex in a direction, a unit vector.
     fn cast(
         &mut self,
         from: &Vertex<'a>,
         ray: DVec3,
         next: [Option<DVec3>; 2],
-        widening: f64,
-        transfer: Transfer,
+        way: Way,
         progress: Progress,
     ) {
+        let Way {
+            widening, transfer, ..
+        } = way;
         let scene = self.context.scene;
         let (point, range) = (from.surface.point, from.surface.range);
         let ahead = Ray {
@@ -293,6 +344,7 @@ impl<'c, 'a> Tracer<'c, 'a> {
         };
         let vertex = Vertex {
             transfer: transfer.ahead(t),
+            length: from.length + t * way.index,
             ..vertex
         };
         let paint = self.context.paint(hit);

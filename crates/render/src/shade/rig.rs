@@ -15,8 +15,8 @@ use crate::ray::{Ray, RayCaster, Stack};
 /// Indirect light, as a share of the typical irradiance; it is uniform over directions.
 const BOUNCE: f32 = 0.22;
 
-/// The value of a white surface in typical light before the tone curve.
-pub(super) const WHITE: f32 = 0.8;
+/// The light of a white surface in typical light, in the exposure of the scene and before the tone curve.
+pub const WHITE: f32 = 0.8;
 
 /// The maximum number of exposure probes.
 const MAX_PROBES: usize = 1024;

@@ -4,6 +4,7 @@
     reason = "coordinates of tests"
 )]
 
+mod infrared;
 mod lights;
 mod optics;
 mod shadows;

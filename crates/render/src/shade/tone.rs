@@ -25,6 +25,18 @@ pub(super) fn tone(x: f32) -> f32 {
     1.0 - rest / (1.0 + (x - SHOULDER) / rest)
 }
 
+/// Returns the light of a value that [`tone`] returned, at most 10⁶.
+#[inline]
+pub(super) fn untoned(y: f32) -> f32 {
+    if y <= SHOULDER {
+        return y;
+    }
+    let rest = 1.0 - SHOULDER;
+    let most = 1e6;
+    // `rest / (1 − y)` is 1 + (x − shoulder) / rest.
+    (SHOULDER + rest * (rest / (1.0 - y) - 1.0)).min(most)
+}
+
 /// [`tone`] of numbers of at least 0.
 #[inline(always)]
 pub(super) fn tone_lanes<L: Lanes>(x: L) -> L {
@@ -109,6 +121,18 @@ mod tests {
         assert_eq!(tone(f32::INFINITY), 1.0);
         assert_eq!(tone(f32::NAN), 0.0);
         assert_eq!(tone(-1.0), 0.0);
+    }
+
+    #[test]
+    fn light_is_found_again() {
+        for x in [0.0, 0.3, 0.6, 0.61, 0.8, 1.5, 4.0, 40.0, 400.0] {
+            assert!(
+                (untoned(tone(x)) - x).abs() <= 1e-4 * x,
+                "{x}: {}",
+                untoned(tone(x))
+            );
+        }
+        assert_eq!(untoned(1.0), 1e6);
     }
 
     #[test]

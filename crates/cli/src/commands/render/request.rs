@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 
 use oaktwin::camera::RigidTransform;
-use oaktwin::diagnostic::{Finding, Level};
-use oaktwin::image::annotation::Annotator;
+use oaktwin::depth::imager::ColorParameters;
 use oaktwin::render::{self, PairUse, RigSpec, Sweep};
 use oaktwin::scene::Up;
 use oaktwin::sensor::{EngineInput, STEREO_NOISE, SensorOptions};
 
+use super::wanted;
 use crate::args::RenderArgs;
 use crate::context::Result;
 use crate::size;
@@ -44,8 +44,8 @@ pub(super) fn spec(args: &RenderArgs) -> Result<RigSpec> {
         cameras: args.camera.clone(),
         size: size::parse("--resolution", args.resolution.as_deref())?,
         projection: args.projection,
-        annotators: annotators(args)?,
-        is_sensor_optional: everything(args),
+        annotators: wanted::annotators(args)?,
+        is_sensor_optional: wanted::everything(args),
         are_outputs_optional: false,
         sensor,
         pair: args.pair.options(args.unit.lens)?,
@@ -54,11 +54,26 @@ pub(super) fn spec(args: &RenderArgs) -> Result<RigSpec> {
             false => PairUse::Matched,
         },
         sweep,
+        rgb_imager: rgb_imager(args)?,
         backend: args.backend,
         transparent: args.transparent,
         shutter: args.shutter.shutter(),
         camera_offsets_ms: args.shutter.camera_offsets_ms()?,
     })
+}
+
+/// The image sensor of colours, if there is one.
+fn rgb_imager(args: &RenderArgs) -> Result<Option<ColorParameters>> {
+    if args.rgb_imager.is_empty() {
+        return Ok(None);
+    }
+    let mut parameters = ColorParameters::default();
+    for (name, value) in args.rgb_imager.iter().flatten() {
+        parameters
+            .set(name, value)
+            .map_err(|error| format!("--rgb-imager: {error}"))?;
+    }
+    Ok(Some(parameters))
 }
 
 /// Rejects options of the pair and its light without effect.
@@ -93,83 +108,6 @@ fn reject_pair_options(args: &RenderArgs, sensor: &SensorOptions, sweep: Option<
         return Ok(());
     };
     Err(error.into())
-}
-
-/// The annotators that are named, and those that additional files require.
-fn annotators(args: &RenderArgs) -> Result<Vec<Annotator>> {
-    let mut chosen = Vec::new();
-    if args.outputs.annotators.is_empty() {
-        chosen.extend(render::DEFAULT_ANNOTATORS);
-    }
-    if senses(args) {
-        chosen.push(Annotator::DepthSensorDistance);
-    }
-    for name in &args.outputs.annotators {
-        match name.trim() {
-            "all" => chosen.extend(Annotator::all()),
-            name => chosen.push(render::annotator(name)?),
-        }
-    }
-    let is_depth = |annotator: &Annotator| {
-        matches!(
-            annotator,
-            Annotator::DistanceToImagePlane | Annotator::DistanceToCamera | Annotator::DepthSensorDistance
-        )
-    };
-    if (args.outputs.png16 || args.outputs.exr || args.outputs.preview) && !chosen.iter().any(is_depth) {
-        chosen.push(Annotator::DistanceToImagePlane);
-    }
-    if args.record.is_some() {
-        chosen = render::record_annotators(&chosen);
-    }
-    if args.outputs.ply && !chosen.contains(&Annotator::DepthSensorPointCloudPosition) {
-        chosen.push(Annotator::Pointcloud);
-    }
-    chosen.sort_unstable();
-    chosen.dedup();
-    Ok(chosen)
-}
-
-/// Whether sensor outputs are implied by other options. A sweep has its own sheet.
-fn senses(args: &RenderArgs) -> bool {
-    let is_set = args.outputs.annotators.is_empty() && args.sweep.is_empty() && given(args).is_some();
-    is_set || args.writes_pair
-}
-
-/// The first option of the depth sensor that was given. The seed may belong to the inertial sensor.
-fn given(args: &RenderArgs) -> Option<String> {
-    match args.imu.imu {
-        Some(_) => args.sensor.given_but_seed(),
-        None => args.sensor.given(),
-    }
-}
-
-/// A warning about a depth sensor option without effect.
-pub(super) fn unused(args: &RenderArgs, annotators: &[Annotator]) -> Option<Finding> {
-    let option = given(args).filter(|_| args.sweep.is_empty())?;
-    let is_used = annotators.iter().any(|one| one.is_depth_sensor());
-    (!is_used).then(|| {
-        Finding::new(
-            "sensor-unused",
-            Level::Warning,
-            option,
-            "has no effect: none of the annotators is a sensor output",
-            "add depth_sensor_distance to --annotators",
-        )
-    })
-}
-
-/// Whether sensor outputs are optional, because none is named.
-fn everything(args: &RenderArgs) -> bool {
-    if senses(args) {
-        return false;
-    }
-    let named = args
-        .outputs
-        .annotators
-        .iter()
-        .filter_map(|name| render::annotator(name.trim()).ok());
-    !named.into_iter().any(Annotator::is_depth_sensor)
 }
 
 /// The sweep, if there is one.

@@ -3,6 +3,7 @@
 mod behaviour;
 mod errors;
 mod multipath;
+mod returns;
 mod same_bytes;
 mod terms;
 

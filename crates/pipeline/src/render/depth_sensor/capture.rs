@@ -49,7 +49,15 @@ pub fn sensor_input<'a>(
                 shot = (shot.with_radial_velocities(velocities))
                     .map_err(|error| unfit(format!("{kind}: {error}")))?;
             }
-            let shot = match &frame.rgb {
+            if let Some(returns) = frame
+                .returns
+                .as_ref()
+                .filter(|_| sensor.engine().ages_s().is_some())
+            {
+                shot = (shot.with_returns(returns)).map_err(|error| unfit(format!("{kind}: {error}")))?;
+            }
+            let colors = frame.infrared.as_ref().filter(|_| kind.models.is_some());
+            let shot = match colors.or(frame.rgb.as_ref()) {
                 Some(rgb) => shot.with_rgb(rgb.into()),
                 None => Ok(shot),
             };

@@ -6,6 +6,7 @@ use oaktwin_base::diagnostic::{Finding, message, opt};
 use oaktwin_camera::RigidTransform;
 use oaktwin_catalog::Twin;
 
+use super::colors::RgbImager;
 use super::spec::engine_of;
 use super::{PairUse, Rig, RigError, RigSpec};
 use crate::pair::{PairCameras, PairOptions, illumination};
@@ -117,6 +118,7 @@ impl Rig {
             shutter.check().map_err(RigError::Option)?;
         }
         sensors.resize(cameras.len(), None);
+        let imagers = RgbImager::of(&cameras, spec)?;
         let offsets_s = offsets_s(&cameras, &spec.camera_offsets_ms).map_err(RigError::Option)?;
         Ok(Self {
             name,
@@ -127,6 +129,7 @@ impl Rig {
             pair_use: spec.pair_use,
             annotators: spec.annotators.clone(),
             are_outputs_optional: spec.are_outputs_optional,
+            imagers,
             backend: spec.backend,
             transparent: spec.transparent,
             shutter: spec.shutter,

@@ -3,7 +3,7 @@
 use oaktwin_base::diagnostic::{Finding, add_new};
 use oaktwin_camera::Camera;
 use oaktwin_image::annotation::Frame;
-use oaktwin_render::Backend;
+use oaktwin_render::{Backend, Renderer};
 
 use super::RigError;
 use crate::pair::{Light, PairCameras};
@@ -61,8 +61,9 @@ impl During {
 
     /// Adds the colours and the velocities to the frame of the moment.
     pub(super) fn put(self, camera: &Camera, frame: &mut Frame, findings: &mut Vec<Finding>) {
-        if let Some((rgb, more)) = self.colours {
-            frame.rgb = Some(rgb);
+        if let Some((light, more)) = self.colours {
+            frame.rgb = Some(Renderer::developed(&light));
+            frame.light = frame.light.is_some().then_some(light);
             add_new(findings, more);
         }
         let depth = frame.distance_to_image_plane.as_ref();

@@ -1,6 +1,7 @@
 //! An OAK, or the cameras of a stage, with everything that makes images of a scene.
 
 mod build;
+mod colors;
 mod during;
 mod error;
 mod findings;
@@ -19,6 +20,7 @@ use oaktwin_camera::RigidTransform;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_render::{Backend, Transparent};
 
+use self::colors::RgbImager;
 use super::PlacedCamera;
 use super::shutter::{Shutter, Twist};
 use super::sweep::SweptSensors;
@@ -45,6 +47,8 @@ pub struct Rig {
     pair_use: PairUse,
     annotators: Vec<Annotator>,
     are_outputs_optional: bool,
+    /// What records the colours of each camera; none if colours are exact.
+    imagers: Vec<RgbImager>,
     backend: Backend,
     transparent: Transparent,
     shutter: Option<Shutter>,
@@ -150,9 +154,15 @@ impl Rig {
     /// Returns each camera as a rig of its own. Cameras without a depth sensor are left out.
     #[must_use]
     pub fn split(self) -> Vec<Self> {
-        let cameras = self.cameras.iter().zip(&self.sensors).zip(&self.offsets_s);
-        let measuring = cameras.filter(|((_, sensor), _)| sensor.is_some());
-        let alone = measuring.map(|((camera, sensor), offset_s)| Self {
+        let cameras = self
+            .cameras
+            .iter()
+            .zip(&self.sensors)
+            .zip(&self.offsets_s)
+            .zip(0..);
+        let measuring = cameras.filter(|(((_, sensor), _), _)| sensor.is_some());
+        let alone = measuring.map(|(((camera, sensor), offset_s), index)| Self {
+            imagers: self.imagers.get(index).copied().into_iter().collect(),
             name: camera.path.clone(),
             cameras: vec![camera.clone()],
             sensors: vec![sensor.clone()],

@@ -1,11 +1,14 @@
 //! Renders and measures what a rig sees.
 
+use std::sync::Arc;
+
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::RigidTransform;
 use oaktwin_dataset::{self as dataset, CameraParams, Layer, LayerData, Shot};
-use oaktwin_image::annotation::Annotator;
+use oaktwin_depth::Engine;
+use oaktwin_image::annotation::{Annotator, Frame};
 use oaktwin_image::{Image, png};
-use oaktwin_render::{AnnotateOptions, Renderer, View};
+use oaktwin_render::{AnnotateOptions, Backend, Renderer, View};
 
 use super::during::{Asked, During};
 use super::findings::not_produced;
@@ -14,7 +17,8 @@ use crate::pair::Pair;
 use crate::render::PlacedCamera;
 use crate::render::depth_sensor::{scene_annotators, sense_frame};
 use crate::render::shutter::{Later, Moments, Passing, Shutter, Twist};
-use crate::sensor::{EngineInput, sensor_view};
+use crate::render::sweep::SweptSensors;
+use crate::sensor::{EngineInput, Sensor, sensor_view};
 
 impl Rig {
     /// Renders a frame of this number with the body, or each camera of a stage, at a pose in metres, and measures its depth: a shot for
@@ -112,13 +116,15 @@ impl Rig {
         let is_requested = annotators.iter().any(|one| one.is_depth_sensor());
         let sensor = self.sensors[index].as_mut().filter(|_| is_requested);
         let swept = self.swept.as_mut().filter(|swept| swept.has(index));
-        let is_matched = (sensor.iter()).any(|sensor| sensor.engine().kind().input == EngineInput::Pair)
-            || (swept.iter()).any(|swept| swept.matches(index));
+        let engines = engines(sensor.as_deref(), swept.as_deref(), index);
+        let is_matched = (engines.iter()).any(|engine| engine.kind().input == EngineInput::Pair);
         let is_described = self.pair_use == PairUse::Described;
         let pair = self.pair.as_ref().filter(|_| is_matched || is_described);
+        let imager = (self.imagers.get(index)).filter(|_| annotators.contains(&Annotator::Rgb));
         let needed = scene_annotators(annotators, sensor.is_some() || swept.is_some());
         let options = AnnotateOptions {
             transparent: self.transparent,
+            keeps_light: imager.is_some(),
             ..AnnotateOptions::default()
         };
         let asked = Asked {
@@ -140,6 +146,7 @@ impl Rig {
         });
         let (mut frame, mut findings) = renderer.annotate(&view, &needed, self.backend, &options);
         during.put(&camera.camera, &mut frame, &mut findings);
+        add_inputs(&engines, renderer, &view, self.backend, &mut frame);
         let sheet = match swept {
             Some(swept) => swept.sheet(index, &frame, number, pair.as_ref())?,
             None => None,
@@ -147,35 +154,32 @@ impl Rig {
         let described = described(camera, &view, renderer.scene().meters_per_unit.0);
         let mut sensor_view_of = None;
         if let Some(sensor) = sensor {
-            let missing = sense_frame(
+            let (seen, missing) = sensed(
                 sensor,
-                &view.camera,
+                camera,
+                &described,
                 number,
                 pair.as_ref(),
                 annotators,
                 &mut frame,
             )?;
-            if !self.are_outputs_optional {
-                findings.extend(not_produced(&camera.path, sensor, &missing));
-            }
-            sensor_view_of = Some(sensor_view(&sensor.output_camera(&view.camera), &described));
+            findings.extend(missing.filter(|_| !self.are_outputs_optional));
+            sensor_view_of = Some(seen);
         }
-        frame.apparent_depth = None;
-        frame.radial_velocities = None;
-        frame.rgb = frame.rgb.filter(|_| annotators.contains(&Annotator::Rgb));
-        frame.distance_to_image_plane = frame
-            .distance_to_image_plane
-            .filter(|_| annotators.contains(&Annotator::DistanceToImagePlane));
+        if let Some(imager) = imager {
+            imager.record(&view.camera, number, &mut frame);
+        }
+        keep_annotations(annotators, &mut frame);
         findings.extend(pair.iter().flat_map(|pair| pair.findings.clone()));
         let stereo = (pair.as_ref().filter(|_| is_described)).map(|pair| pair.images(renderer, &view));
-        let mut layers: Vec<Layer> = sheet.into_iter().map(sheet_layer).collect();
-        if let Some(pair) = pair.filter(|_| self.pair_use == PairUse::Written) {
-            layers.extend(pair_layers(pair));
-        }
+        let written = pair.filter(|_| self.pair_use == PairUse::Written);
         let wants_params = annotators.contains(&Annotator::CameraParams);
         let shot = Shot {
-            layers,
-            camera_params: wants_params.then(|| CameraParams::new(&described)),
+            layers: layers(sheet, written),
+            camera_params: wants_params.then(|| CameraParams {
+                transparent: Some(self.transparent.name()),
+                ..CameraParams::new(&described)
+            }),
             sensor_params: sensor_view_of
                 .as_ref()
                 .filter(|_| wants_params)
@@ -189,6 +193,62 @@ impl Rig {
             ..Shot::new(frame, number)
         };
         Ok((shot, findings))
+    }
+}
+
+/// Adds the outputs of a sensor to a frame. Returns the view of its output, and a finding about what its engine cannot make.
+fn sensed(
+    sensor: &mut Sensor,
+    camera: &PlacedCamera,
+    described: &dataset::View,
+    number: u64,
+    pair: Option<&Pair>,
+    annotators: &[Annotator],
+    frame: &mut Frame,
+) -> Result<(dataset::View, Option<Finding>), RigError> {
+    let missing = sense_frame(sensor, &described.camera, number, pair, annotators, frame)?;
+    let view = sensor_view(&sensor.output_camera(&described.camera), described);
+    Ok((view, not_produced(&camera.path, sensor, &missing)))
+}
+
+fn layers(sheet: Option<Image<[u8; 3]>>, pair: Option<Pair>) -> Vec<Layer> {
+    let sheet = sheet.into_iter().map(sheet_layer);
+    sheet.chain(pair.into_iter().flat_map(pair_layers)).collect()
+}
+
+/// Returns the engines that measure with a camera.
+fn engines(sensor: Option<&Sensor>, swept: Option<&SweptSensors>, camera: usize) -> Vec<Arc<dyn Engine>> {
+    let own = sensor.map(|sensor| Arc::clone(sensor.engine()));
+    let swept = swept.into_iter().flat_map(|swept| swept.engines(camera));
+    own.into_iter().chain(swept).collect()
+}
+
+/// Adds what engines see beside depth and colours.
+fn add_inputs(
+    engines: &[Arc<dyn Engine>],
+    renderer: &Renderer,
+    view: &View,
+    backend: Backend,
+    frame: &mut Frame,
+) {
+    if engines.iter().any(|engine| engine.ages_s().is_some()) {
+        frame.returns = renderer.returns(view, backend);
+    }
+    if engines.iter().any(|engine| engine.kind().models.is_some()) {
+        frame.infrared = renderer.infrared(view, backend);
+    }
+}
+
+/// Removes what only sensors needed.
+fn keep_annotations(annotators: &[Annotator], frame: &mut Frame) {
+    frame.apparent_depth = None;
+    frame.returns = None;
+    frame.infrared = None;
+    frame.radial_velocities = None;
+    for input in [Annotator::Rgb, Annotator::DistanceToImagePlane] {
+        if !annotators.contains(&input) {
+            frame.take(input);
+        }
     }
 }
 

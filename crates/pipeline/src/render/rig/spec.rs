@@ -1,9 +1,10 @@
 use std::collections::BTreeMap;
 
 use oaktwin_base::diagnostic::{message, opt};
-use oaktwin_base::parameter::choice;
+use oaktwin_base::parameter::{by_name, choice};
 use oaktwin_camera::ImageSize;
 use oaktwin_catalog::{Twin, TwinDepthSensor};
+use oaktwin_depth::imager::ColorParameters;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_render::{Backend, Transparent};
 use oaktwin_usd::optics::Projection;
@@ -60,6 +61,10 @@ pub struct RigSpec {
     pub pair_use: PairUse,
     /// The sweep of a parameter, which adds a sheet to each shot of a depth sensor.
     pub sweep: Option<Sweep>,
+    /// The image sensor of the cameras, which records the annotator `rgb` with the blur, the exposure and the noise of a colour camera; by
+    /// default colours are exact. Depth sensors do not depend on it.
+    #[serde(with = "by_name::optional", skip_serializing_if = "Option::is_none")]
+    pub rgb_imager: Option<ColorParameters>,
     /// The visibility backend.
     pub backend: Backend,
     /// What the ground truth of transparent surfaces is. Neither colours nor the models of depth cameras depend on it.

@@ -16,10 +16,10 @@ const SAME_S: f64 = 1e-12;
 /// The mean light of each pixel, and the findings of its samples.
 pub(crate) type Exposed<const CHANNELS: usize> = (Image<[f32; CHANNELS]>, Vec<Finding>);
 
-/// Colours, sRGB with coverage, and the findings of their samples.
-pub(in crate::render) type Colours = (Image<[u8; 4]>, Vec<Finding>);
+/// Linear light of colours, with coverage, and the findings of its samples.
+pub(in crate::render) type Colours = Exposed<4>;
 
-/// Returns the colours of a frame, sRGB with coverage; `None` if nothing moves.
+/// Returns the light of the colours of a frame, as [`Renderer::radiance`]; `None` if nothing moves.
 pub(in crate::render) fn colours(
     moments: &mut dyn Moments,
     camera: usize,
@@ -28,8 +28,7 @@ pub(in crate::render) fn colours(
     view: &dyn Fn(&RigidTransform) -> View,
 ) -> Result<Option<Colours>, RigError> {
     let render = |renderer: &Renderer, _: &RigidTransform, view: &View| renderer.radiance(view, backend);
-    let found = exposed(moments, camera, timing, view, [true; 4], render)?;
-    Ok(found.map(|(light, findings)| (Renderer::developed(&light), findings)))
+    exposed(moments, camera, timing, view, [true; 4], render)
 }
 
 /// Returns the mean light of a camera's frame; `None` if nothing moves. `render` makes the light of a view, which has some rows of the

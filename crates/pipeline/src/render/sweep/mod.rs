@@ -5,12 +5,14 @@ mod thumbnail;
 
 use std::collections::BTreeSet;
 use std::fmt;
+use std::sync::Arc;
 
 use super::camera::PlacedCamera;
 use super::depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, sensor_input};
 use crate::pair::Pair;
-use crate::sensor::{EngineInput, EngineKind, ParameterError, Sensor, SensorOptions};
+use crate::sensor::{EngineKind, ParameterError, Sensor, SensorOptions};
 use oaktwin_base::diagnostic::fold_name;
+use oaktwin_depth::Engine;
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Frame;
 use serde::{Deserialize, Serialize};
@@ -200,13 +202,13 @@ impl SweptSensors {
         Ok(Self { sweep, sensors })
     }
 
-    /// Whether one of this camera's sensors matches a pair.
-    pub(super) fn matches(&self, camera: usize) -> bool {
-        let mut own = self
+    /// The engines of this camera's sensors.
+    pub(super) fn engines(&self, camera: usize) -> impl Iterator<Item = Arc<dyn Engine>> {
+        let own = self
             .sensors
             .iter()
-            .filter_map(|sensors| sensors.get(camera)?.as_ref());
-        own.any(|sensor| sensor.engine().kind().input == EngineInput::Pair)
+            .filter_map(move |sensors| sensors.get(camera)?.as_ref());
+        own.map(|sensor| Arc::clone(sensor.engine()))
     }
 
     /// Whether this camera has a depth sensor.

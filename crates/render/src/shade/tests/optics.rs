@@ -43,7 +43,7 @@ fn clear(tint: f32) -> Material {
     }
 }
 
-fn mirror(color: f32) -> Material {
+pub(super) fn mirror(color: f32) -> Material {
     Material {
         base_color: Some([color; 3]),
         metallic: 1.0,
@@ -53,7 +53,7 @@ fn mirror(color: f32) -> Material {
 }
 
 /// Adds a mesh of one material.
-fn add(scene: &mut Scene, mut mesh: Mesh, material: Material) {
+pub(super) fn add(scene: &mut Scene, mut mesh: Mesh, material: Material) {
     mesh.materials = vec![MaterialSpan {
         end: u32::try_from(mesh.triangles.len()).unwrap(),
         material: Some(u32::try_from(scene.materials.len()).unwrap()),
@@ -62,7 +62,7 @@ fn add(scene: &mut Scene, mut mesh: Mesh, material: Material) {
     placed(scene, "/Part", mesh);
 }
 
-fn dark_room() -> Scene {
+pub(super) fn dark_room() -> Scene {
     Scene {
         lights: vec![far_lamp()],
         ..Scene::default()
@@ -293,4 +293,37 @@ fn the_bytes_do_not_depend_on_the_number_of_threads() {
         })
     };
     assert!(run(1) == run(3));
+}
+
+/// An edge 1 m behind a rough pane is blurred with the distribution of the facets, whose slopes along x have the cumulative distribution
+/// (1 + s / √(w² + s²)) / 2 for a width w, and each facet turns light by twice its slope. Even light stays as it is.
+#[test]
+fn rough_panes_blur_what_lies_behind_them() {
+    let roughness = 0.3f32;
+    let seen = |roughness: f32, left: f64| {
+        let mut scene = dark_room();
+        let pane = Material {
+            roughness,
+            ..clear(1.0)
+        };
+        add(&mut scene, rectangle([left, 9.0], [-9.0, 9.0], 2.0), glowing(1.0));
+        add(&mut scene, rectangle([-9.0, 9.0], [-9.0, 9.0], 1.0), pane);
+        luminance_at(&scene, [100, 80])
+    };
+    let even = seen(roughness, -90.0);
+    // A pane this rough has no reflection of its own.
+    assert!((even - 1.0 - GLANCE).abs() < 0.02, "{even}");
+    let width = f64::from(roughness * roughness);
+    for edge in [-0.4, -0.15, -0.05, 0.0, 0.05, 0.15, 0.4] {
+        // The ray meets the wall at 0.01 m.
+        let slope = (0.01 - edge) / 2.0;
+        let expected = 0.5 * (1.0 + slope / (width * width + slope * slope).sqrt());
+        let found = f64::from(seen(roughness, edge) / even);
+        assert!((found - expected).abs() < 0.09, "{edge}: {found} {expected}");
+        let sharp = seen(0.0, edge);
+        assert!(
+            if edge < 0.01 { sharp > 0.85 } else { sharp < 0.05 },
+            "{edge}: {sharp}"
+        );
+    }
 }

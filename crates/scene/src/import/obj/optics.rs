@@ -76,6 +76,9 @@ impl Optics {
             });
             // The reflectance of glass follows from its index.
             material.specular = None;
+            if !self.has_roughness {
+                material.roughness = 0.0;
+            }
         } else {
             material.opacity = Opacity::new(opacity, None, 0.0);
         }
