@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use imports::{Module, Modules};
 
 const MAX_LINES: usize = 450;
+const MAX_COMMAND_LINES: usize = 150;
 
 /// Extensions of files that people write.
 const SOURCES: [&str; 7] = ["rs", "py", "pyi", "ts", "tsx", "mjs", "css"];
@@ -59,6 +60,22 @@ fn files_are_small() {
         "split these files, each into its concepts:\n{}",
         large.join("\n")
     );
+}
+
+/// A command asks the library, and prints what it answers.
+#[test]
+fn commands_are_thin() {
+    let mut all = Vec::new();
+    files(&root().join("crates/cli/src/commands"), &mut all);
+    assert!(all.len() > 50, "only {} files were found", all.len());
+    for path in all {
+        let lines = fs::read_to_string(&path).unwrap().lines().count();
+        assert!(
+            lines < MAX_COMMAND_LINES,
+            "{}: {lines} lines; move what is not about arguments and text into a library",
+            path.display()
+        );
+    }
 }
 
 /// Imports between a module and its ancestors are not counted.
