@@ -1,8 +1,9 @@
-"""Draws docs/images/glass.png: a mirror, a pane and balls of chrome and glass, as three images of depth and one of colour.
+"""Draws docs/images/glass.png: a mirror, a pane and balls of chrome and glass, in colour, as ground truth and as each engine measures them.
 
     python docs/draw_glass.py target/release/oaktwin docs/images/glass.png
 
-Needs numpy, matplotlib, pillow. The program renders and measures; this lays out. The room is the demo's, and the camera is an OAK-D Pro PoE.
+Needs numpy, matplotlib, pillow. The program renders and measures; this lays out. The room is the demo's, and the camera is
+an OAK-D Pro PoE, or an OAK-D ToF for time of flight.
 """
 
 import subprocess
@@ -102,15 +103,18 @@ SIZE = "640x400"
 TITLES = {
     "rgb": "Colour",
     "truth": "Ground truth",
+    "single-view": "single-view",
     "stereo-noise": "stereo-noise",
     "stereo-matching": "stereo-matching",
+    "time-of-flight": "time-of-flight",
 }
 
 
 def rendered(program: Path, folder: Path, engine: str) -> dict[str, np.ndarray]:
     """The colour, the truth and the measured depth of one engine."""
     out = folder / engine
-    place = ["--model", "OAK-D Pro PoE", "--pose", "0", "0", "1.15", "0", "0", "0", "1", "--resolution", SIZE]
+    camera = ["OAK-D ToF", "--camera", "depth_tof"] if engine == "time-of-flight" else ["OAK-D Pro PoE"]
+    place = ["--model", *camera, "--pose", "0", "0", "1.15", "0", "0", "0", "1", "--resolution", SIZE]
     names = "rgb,distance_to_image_plane,depth_sensor_distance"
     words = [program, "render", folder / "glass.usda", *place, "--engine", engine, "--annotators", names, "-o", out]
     subprocess.run([str(word) for word in words], check=True, stdout=subprocess.DEVNULL)
@@ -127,10 +131,12 @@ def main(program: Path, picture: Path) -> None:
         folder = Path(temporary) / "demo" / "demo_room"
         subprocess.run([str(program), "demo", "-o", str(folder.parent)], check=True, stdout=subprocess.DEVNULL)
         (folder / "glass.usda").write_text(ROOM)
-        images = rendered(program, folder, "stereo-matching") | rendered(program, folder, "stereo-noise")
-    figure, axes = plt.subplots(1, len(TITLES), figsize=(16, 2.9), layout="constrained")
+        images = {}
+        for engine in ("time-of-flight", "single-view", "stereo-matching", "stereo-noise"):
+            images |= rendered(program, folder, engine)
+    figure, axes = plt.subplots(2, len(TITLES) // 2, figsize=(16, 7.2), layout="constrained")
     colours = plt.get_cmap("turbo_r").with_extremes(bad="0.4")
-    for axis, (name, title) in zip(axes, TITLES.items(), strict=True):
+    for axis, (name, title) in zip(axes.flat, TITLES.items(), strict=True):
         drawn = axis.imshow(images[name], cmap=colours, vmin=0.5, vmax=8)
         axis.set_title(title)
         axis.axis("off")
