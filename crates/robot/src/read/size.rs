@@ -79,7 +79,7 @@ mod tests {
             ),
             (
                 "<limit lower=\"0\" upper=\"1\"/><mimic joint=\"k\" multiplier=\"1e200\"/>",
-                "joint 'j': 1e209",
+                "joint 'j': 9.99",
             ),
         ] {
             let error = opened(joint).unwrap_err().to_string();
