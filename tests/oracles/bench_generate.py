@@ -124,6 +124,7 @@ region = {{ min = [-0.3, -0.25, 0.7], max = [0.3, 0.25, 0.8] }}
 [light]
 projector = 1
 [camera]
+rgb_imager = false
 sphere = {{ distance_m = {{ uniform = [0.6, 0.9] }}, elevation_deg = {{ uniform = [20, 75] }} }}
 [sensor]
 engine = "stereo-noise"

@@ -39,6 +39,7 @@ projector = 0
 resolution = [320, 200]
 sphere = {{ distance_m = {{ uniform = [0.5, 1.2] }} }}
 min_objects = 3
+rgb_imager = false  # the confidence follows from exact colours
 [sensor]
 extended_disparity = true
 [output]

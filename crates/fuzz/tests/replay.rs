@@ -73,7 +73,7 @@ fn every_target_has_a_corpus_and_a_binary() {
         let source =
             fs::read_to_string(fuzz_folder().join(format!("fuzz_targets/{}.rs", target.name))).unwrap();
         assert!(
-            source.contains(&format!("run({:?}, bytes)", target.name)),
+            source.contains(&format!("check::{}, bytes)", target.name.replace('-', "_"))),
             "{source}"
         );
         let corpus = files(&fuzz_folder().join("corpus").join(target.name));

@@ -212,7 +212,7 @@ def test_invalid_options_of_rendered_pairs(wall):
     ]:
         with pytest.raises(oaktwin.Error, match=said):
             call()
-    with pytest.raises(TypeError):
+    with pytest.raises(oaktwin.Error, match="device: invalid value None; pass oaktwin.Device"):
         wall.render_pair(None, AHEAD)
 
 

@@ -3,6 +3,7 @@
 //! It is a ZIP archive: `session.json` has the state of the page, and names the files beside it.
 
 mod archive;
+mod state;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -14,6 +15,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 
 use archive::Archive;
+use state::{Entry, SceneEntry, State};
 
 use crate::dropped_robot::{self, Received};
 use crate::file::File;
@@ -59,45 +61,6 @@ pub(crate) struct SessionInfo {
     scene: SceneInfo,
     calibrations: Vec<CalibrationInfo>,
     trajectory: Option<TrajectoryInfo>,
-}
-
-/// The content of `session.json`.
-#[derive(Debug, Serialize, Deserialize)]
-struct State {
-    #[serde(rename = "oaktwinSession")]
-    version: u64,
-    /// The version of the program that wrote it.
-    program: String,
-    document: Box<RawValue>,
-    display: Box<RawValue>,
-    scene: SceneEntry,
-    calibrations: Vec<Entry>,
-    trajectory: Option<Entry>,
-}
-
-#[derive(Debug, Serialize, Deserialize)]
-struct SceneEntry {
-    id: String,
-    name: String,
-    triangles: usize,
-    up: Option<String>,
-    scale: Option<f64>,
-    /// The place in the archive; none of a scene that the command line named, which may refer to other files.
-    file: Option<String>,
-    /// A robot that was dropped into the scene. A robot of the command line belongs to its scene.
-    #[serde(default)]
-    robot: Option<Entry>,
-    /// The positions of the robot's joints, as they are in the id of the scene.
-    #[serde(default)]
-    posture: Option<String>,
-}
-
-/// A dropped file.
-#[derive(Debug, Serialize, Deserialize)]
-struct Entry {
-    id: String,
-    name: String,
-    file: String,
 }
 
 /// Makes the file of a session.

@@ -30,6 +30,7 @@ pub use latency::latency;
 pub(crate) use matching::needs_a_pair;
 pub use matching::stereo_matching;
 pub use option::{OptionValue, SENSOR_OPTIONS, SensorOption, assignment};
+pub(crate) use options::models;
 pub use options::{Illumination, SensorOptions, default_engine};
 pub use parameter_file::ParameterFile;
 pub use parameters::{single_view_parameters, stereo_noise_parameters, time_of_flight_parameters};

@@ -17,6 +17,11 @@ pub(super) fn technology(kind: DepthKind) -> Technology {
     }
 }
 
+/// Whether an engine models a kind of depth sensor.
+pub(crate) fn models(engine: &EngineKind, kind: DepthKind) -> bool {
+    engine.models.is_none_or(|models| models == technology(kind))
+}
+
 /// The options of a depth sensor.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SensorOptions {

@@ -6,7 +6,7 @@ use oaktwin_catalog::{Twin, TwinDepthSensor};
 use oaktwin_depth::preset::Platform;
 use oaktwin_depth::{EngineKind, ParameterError, PresetConfig, Setup, single_view};
 
-use super::options::technology;
+use super::options::models;
 use super::parameters::{platform_of, stereo_pair};
 use super::{ENGINES, STEREO_NOISE, SensorOptions, preset, single_view_parameters};
 
@@ -178,8 +178,7 @@ fn of_twin(
             }
         }),
     };
-    let is_own = technology(sensor.spec.kind);
-    let suits = |kind: &EngineKind| kind.models.is_none_or(|models| models == is_own);
+    let suits = |kind: &EngineKind| models(kind, sensor.spec.kind);
     if !suits(kind) || (kind.models.is_some() && geometry.is_none()) {
         let suitable = ENGINES.iter().filter(|kind| suits(kind)).map(|kind| &*kind.name);
         return Err(ParameterError {

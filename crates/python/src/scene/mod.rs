@@ -15,7 +15,6 @@ use numpy::PyArray2;
 use oaktwin::diagnostic;
 use oaktwin::pair::PairError;
 use oaktwin::render::{AnnotateOptions, OpenOptions, Transparent, check_saved_name, save_usd};
-use oaktwin::scene::Instance;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -414,14 +413,8 @@ impl Scene {
 
     /// The number of rendered triangles, counting every instance.
     #[getter]
-    fn triangle_count(&self, py: Python<'_>) -> usize {
-        let stage = self.read(py);
-        let scene = stage.renderer.scene();
-        let of = |instance: &Instance| {
-            let mesh = scene.meshes.get(instance.mesh as usize);
-            mesh.map_or(0, |mesh| mesh.triangles.len())
-        };
-        scene.instances.iter().map(of).sum()
+    fn triangle_count(&self, py: Python<'_>) -> u64 {
+        self.read(py).renderer.scene().triangle_count()
     }
 
     /// The minimum and maximum corner of the bounding box, (2, 3) metres in the world; None if the scene is empty.

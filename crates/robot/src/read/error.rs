@@ -1,3 +1,5 @@
+use std::path::PathBuf;
+
 use oaktwin_base::diagnostic::Message;
 use oaktwin_files::FileError;
 use oaktwin_files::xml::XmlError;
@@ -15,6 +17,16 @@ pub enum RobotFileError {
     /// The file is not a valid USD stage.
     #[error(transparent)]
     Stage(#[from] StageError),
+    /// A number that is so large that poses would not be finite.
+    #[error("{}: {place}: {value:e} is too large; write metres or radians up to 1e9", .path.display())]
+    TooLarge {
+        /// The file.
+        path: PathBuf,
+        /// The link or joint.
+        place: String,
+        /// The number.
+        value: f64,
+    },
     /// An argument that does not fit the robot.
     #[error("{0}")]
     Option(Message),

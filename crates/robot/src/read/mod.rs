@@ -7,6 +7,7 @@ mod mjcf;
 mod placed;
 mod positions;
 mod robot;
+mod size;
 mod turn;
 mod urdf;
 mod usd;
@@ -28,16 +29,17 @@ impl Robot {
     pub fn open(path: &Path, package_folders: &[PathBuf]) -> Result<Self, RobotFileError> {
         let extension = path.extension().and_then(OsStr::to_str).unwrap_or_default();
         if ["usd", "usda", "usdc", "usdz"].contains(&extension.to_ascii_lowercase().as_str()) {
-            return usd::read(path);
+            return usd::read(path)?.with_checked_sizes(path);
         }
         let root = document::open(path)?;
-        match root.tag.as_str() {
-            "robot" => Ok(urdf::read(&root, package_folders)?),
-            "mujoco" => Ok(mjcf::read(root)?),
+        let robot = match root.tag.as_str() {
+            "robot" => urdf::read(&root, package_folders)?,
+            "mujoco" => mjcf::read(root)?,
             tag => Err(root.wrong(
                 format!("a robot begins with <robot> or <mujoco>, not with <{tag}>"),
                 "give a URDF, MJCF or USD file",
             ))?,
-        }
+        };
+        robot.with_checked_sizes(path)
     }
 }

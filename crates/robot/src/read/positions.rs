@@ -8,6 +8,7 @@ use oaktwin_files as files;
 use super::RobotFileError;
 use super::document::XmlError;
 use super::robot::{JointKind, Robot};
+use super::size::LARGEST;
 
 /// The maximum size of a file in bytes: some million positions.
 const MAX_BYTES: u64 = 256 << 20;
@@ -190,7 +191,7 @@ impl Robot {
     /// Checks a position of a joint. Returns what is wrong and what to do.
     ///
     /// # Errors
-    /// Returns an error if the position is outside the limits, with some room for rounding.
+    /// Returns an error if the position is outside the limits, with some room for rounding, or too large for poses to be computed.
     pub fn check(&self, joint: usize, position: f64) -> Result<(), (String, String)> {
         const ROUNDING: f64 = 1e-6;
         let joint = &self.joints[joint];
@@ -202,6 +203,10 @@ impl Robot {
                     format!("give {low} to {high} {unit}"),
                 ))
             }
+            None if position.abs() > LARGEST => Err((
+                format!("{} is {position:e} {}", joint.name, joint.unit()),
+                format!("give up to {LARGEST:e}"),
+            )),
             _ => Ok(()),
         }
     }

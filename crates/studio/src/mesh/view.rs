@@ -22,11 +22,7 @@ type Facet = ([[f32; 3]; 3], [u8; 3]);
 
 /// Returns the number of triangles of all instances.
 pub(crate) fn triangles(scene: &Scene) -> usize {
-    let mesh = |index: u32| scene.meshes.get(index as usize);
-    let counts = scene.instances.iter().filter_map(|instance| mesh(instance.mesh));
-    counts
-        .map(|mesh| mesh.triangles.len())
-        .fold(0, usize::saturating_add)
+    usize::try_from(scene.triangle_count()).unwrap_or(usize::MAX)
 }
 
 /// Encodes a scene with about `limit` triangles, of which no more than `welded` (or `limit`) are ever in memory.

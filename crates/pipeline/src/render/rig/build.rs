@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use oaktwin_base::diagnostic::{Finding, message, opt};
+use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 use oaktwin_camera::RigidTransform;
 use oaktwin_catalog::Twin;
 
 use super::colors::RgbImager;
-use super::spec::engine_of;
+use super::spec::{depth_sensor_of, engine_of};
 use super::{PairUse, Rig, RigError, RigSpec};
 use crate::pair::{PairCameras, PairOptions, illumination};
 use crate::render::shutter::offsets_s;
@@ -16,7 +16,7 @@ use crate::render::{
     DepthSensorOptions, OakOptions, PlacedCamera, SceneCameraOptions, SceneFile, depth_sensors, oak_cameras,
     put_pair, scene_cameras,
 };
-use crate::sensor::{EngineInput, Illumination, SensorOptions};
+use crate::sensor::{EngineInput, Illumination, SensorOptions, models};
 
 impl Rig {
     /// Makes the rig of an OAK, with its body at the origin. The findings report where it deviates from the twin.
@@ -31,6 +31,7 @@ impl Rig {
         };
         let (mut cameras, mut findings) = oak_cameras(twin, &RigidTransform::IDENTITY, &options)?;
         let all = spec.all_sensors()?;
+        findings.extend(retain_modelled(twin, &mut cameras, spec, &all));
         let pair = pair(twin, &mut cameras, spec, &all)?.map(|(pair, more)| {
             findings.extend(more);
             pair
@@ -137,6 +138,38 @@ impl Rig {
             twist: None,
         })
     }
+}
+
+/// Leaves out depth sensors that none of the engines models, if no camera is named and others remain.
+fn retain_modelled(
+    twin: &Twin,
+    cameras: &mut Vec<PlacedCamera>,
+    spec: &RigSpec,
+    all: &[SensorOptions],
+) -> Vec<Finding> {
+    let is_modelled = |camera: &PlacedCamera| {
+        let Some(sensor) = depth_sensor_of(twin, camera) else {
+            return true;
+        };
+        all.iter()
+            .any(|options| models(&options.engine_for(sensor.spec.kind), sensor.spec.kind))
+    };
+    if !spec.cameras.is_empty() || !spec.senses() || !cameras.iter().any(is_modelled) {
+        return Vec::new();
+    }
+    let (kept, left_out) = std::mem::take(cameras).into_iter().partition(is_modelled);
+    *cameras = kept;
+    let left_out: Vec<PlacedCamera> = left_out;
+    let note = |camera: &PlacedCamera| {
+        Finding::new(
+            "sensor-left-out",
+            Level::Note,
+            camera.path.clone(),
+            "is left out, because the engine does not model it",
+            message!["choose it with ", opt("camera"), " and an engine that does"],
+        )
+    };
+    left_out.iter().map(note).collect()
 }
 
 /// The pair, if the specification has a use for it. The cameras of depth sensors that match it become its left camera.

@@ -122,6 +122,37 @@ fn engines_are_of_the_technology() {
 }
 
 #[test]
+fn sensors_that_the_engine_does_not_model_are_left_out() {
+    let twin = twin("OAK-D ToF");
+    let of = |engine, cameras: &[&str]| {
+        let cameras = cameras.iter().map(|name| (*name).to_owned()).collect();
+        Rig::new(
+            &twin,
+            &RigSpec {
+                cameras,
+                ..spec(Some(engine))
+            },
+        )
+    };
+    let (rig, findings) = of(&TIME_OF_FLIGHT, &[]).unwrap();
+    assert_eq!(rig.cameras().len(), 1);
+    assert_eq!(rig.cameras()[0].path, "OAK-D ToF/Camera_pseudo_depth_tof");
+    let left_out = findings
+        .iter()
+        .find(|finding| finding.code == "sensor-left-out")
+        .unwrap();
+    assert_eq!(left_out.place, "OAK-D ToF/Camera_pseudo_depth_stereo");
+    assert_eq!(left_out.level, Level::Note);
+    let (rig, _) = of(&STEREO_NOISE, &[]).unwrap();
+    assert_eq!(rig.cameras()[0].path, "OAK-D ToF/Camera_pseudo_depth_stereo");
+    let error = of(&TIME_OF_FLIGHT, &["depth"]).unwrap_err().to_string();
+    assert!(
+        error.contains("does not model Camera_pseudo_depth_stereo"),
+        "{error}"
+    );
+}
+
+#[test]
 fn pairs_are_made_where_they_are_used() {
     let has_pair = |engine, pair_use, sweep: Option<&str>| {
         let of = RigSpec {

@@ -29,6 +29,8 @@ pub(super) struct Triangles {
     pub(super) vast: u32,
     /// For each side, the visible triangles that need [`refine_sides`](Self::refine_sides) because this edge points at the origin.
     pub(super) needles: [u32; 3],
+    /// The triangles that are seen from the back as far as single precision knows.
+    reversed: u32,
 }
 
 impl Triangles {
@@ -42,6 +44,7 @@ impl Triangles {
         seen: 0,
         vast: 0,
         needles: [0; 3],
+        reversed: 0,
     };
 
     /// Sets up triangles that the tile may see at 1/z of at least `min_inverse_z`.
@@ -100,6 +103,7 @@ impl Triangles {
         let depths = (farthest * max_inverse_z - one) * L::splat(16.0 * MAX_NEEDLE) + L::splat(8e-6);
         let is_narrow = (u[1] - u[0] + (v[1] - v[0])).le(depths);
         let may_be_needle = is_edge_on | is_narrow | L::splat(f32::INFINITY).le(max_inverse_z);
+        self.reversed = sign.signs();
         // The sides of needles get their signs in `refine_sides`.
         let mut sign = sign;
         if (seen & may_be_needle).signs() != 0 {
@@ -149,14 +153,23 @@ impl Triangles {
         }
     }
 
-    /// Recomputes the plane of an oblique triangle in double precision.
+    /// Recomputes the plane of an oblique triangle in double precision, and from which side it is seen: with the origin almost in the
+    /// triangle, single precision does not know it, and would let rays meet what is behind them.
     #[allow(clippy::cast_possible_truncation, reason = "rounds once, at the end")]
     pub(super) fn refine(&mut self, lane: usize, corners: [[f32; 3]; 3], frame: &Frame) {
         let [a, b, c] = corners.map(|p| frame.see_exactly(DVec3::from(p.map(f64::from))));
         let normal = (b - a).cross(c - a);
-        let plane = normal / a.dot(normal);
+        let volume = a.dot(normal);
+        let plane = normal / volume;
         if !plane.is_finite() {
             return;
+        }
+        let is_needle = self.needles.iter().any(|needles| needles >> lane & 1 == 1);
+        if !is_needle && (volume < 0.0) != (self.reversed >> lane & 1 == 1) {
+            self.reversed ^= 1 << lane;
+            for values in self.sides.iter_mut().flatten() {
+                values[lane] = -values[lane];
+            }
         }
         for (axis, value) in plane.to_array().into_iter().enumerate() {
             self.plane[axis][lane] = value as f32;
