@@ -54,8 +54,8 @@ pub struct Element {
 }
 
 impl Element {
-    /// Reads the outermost element of a file of at most `limit` bytes; `what` names its kind in errors (`a robot`), and `remedy` says what is
-    /// expected.
+    /// Reads the root element of a file of at most `limit` bytes. In errors, `what` names the kind of file, such as `a robot`, and `remedy` says
+    /// which file to give instead.
     ///
     /// # Errors
     /// Returns an error if the file cannot be read or is not XML.
@@ -63,7 +63,7 @@ impl Element {
         Self::parse(&read(path, limit, what)?, path, remedy)
     }
 
-    /// Reads the outermost element of the contents of a file.
+    /// Reads the root element of the contents of a file.
     ///
     /// # Errors
     /// Returns an error if the contents are not XML.

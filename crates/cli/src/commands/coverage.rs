@@ -79,7 +79,7 @@ pub(crate) fn run(context: &Context, args: &CoverageArgs) -> Result<Exit> {
     Ok(finish(&of_files, measured.is_interrupted))
 }
 
-/// Says what was found in files, and how the command ends.
+/// Prints the findings about each file, and returns the exit status of the command.
 fn finish(of_files: &[(Option<&Path>, &[Finding])], is_interrupted: bool) -> Exit {
     for (file, findings) in of_files {
         if let Some(file) = file {

@@ -178,7 +178,7 @@ impl<'a> Kernel for Returns<'a> {
     }
 }
 
-/// Replaces the phasors of pixels with given returns by the sums of those of both returns.
+/// Adds the phasors of both returns, in place of one surface's, in the pixels for which returns are given.
 pub(super) struct Echoes<'a> {
     pub(super) lamp: &'a Lamp,
     /// The strength of the first is NaN where the phasors stay.

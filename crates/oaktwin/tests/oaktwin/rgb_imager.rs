@@ -48,7 +48,7 @@ fn green(frame: &Frame, other: &Frame) -> [f64; 2] {
     sums.map(|sum| sum / own.pixels().len() as f64)
 }
 
-/// Noise is that of the frame and the camera, and neither depth nor coverage depends on it.
+/// Noise depends on the frame and the camera only, and changes neither depth nor coverage.
 #[test]
 fn colours_are_recorded_and_depth_is_not() {
     let cameras = ["rgb", "depth"];

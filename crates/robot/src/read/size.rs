@@ -11,7 +11,7 @@ pub(super) const LARGEST: f64 = 1e9;
 const LARGEST_FOLLOWED: f64 = 1e18;
 
 impl Robot {
-    /// Checks the numbers of a file. Limits that are larger are those of a joint that has none.
+    /// Rejects lengths and positions above [`LARGEST`], and clamps larger limits to it: files write them for joints without limits.
     pub(super) fn with_checked_sizes(mut self, path: &Path) -> Result<Self, RobotFileError> {
         let too_large = |place: String, value: f64| RobotFileError::TooLarge {
             path: path.to_owned(),

@@ -1,4 +1,4 @@
-//! The device that the bridge stands for: its frames, and when its images arrive.
+//! The device that the bridge simulates: its coordinate frames, and the latency of its images.
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::catalog::{Twin, TwinDepthSensor};

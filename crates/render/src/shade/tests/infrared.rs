@@ -83,7 +83,7 @@ fn pairs_see_the_reflectance_and_colours_do_not() {
     };
     let (before, after) = (seen(&plain), seen(&other));
     for (plate, (colour, infrared)) in [(0.02, 0.6), (0.8, 0.05)].into_iter().enumerate() {
-        // Dull surfaces also reflect 0.04 of their surroundings, which is no colour.
+        // Rough surfaces also reflect 4 % of their surroundings, whatever their colour is.
         let [before, after] = [before[plate], after[plate]];
         assert_close(after[1] / before[1], infrared / colour, 1e-4);
         let least = 0.04 * 0.22;

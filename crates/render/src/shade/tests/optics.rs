@@ -296,7 +296,7 @@ fn the_bytes_do_not_depend_on_the_number_of_threads() {
 }
 
 /// An edge 1 m behind a rough pane is blurred with the distribution of the facets, whose slopes along x have the cumulative distribution
-/// (1 + s / √(w² + s²)) / 2 for a width w, and each facet turns light by twice its slope. Even light stays as it is.
+/// (1 + s / √(w² + s²)) / 2 for a width w, and each facet deflects light by twice its slope. Uniform light does not change.
 #[test]
 fn rough_panes_blur_what_lies_behind_them() {
     let roughness = 0.3f32;
