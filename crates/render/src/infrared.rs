@@ -1,7 +1,7 @@
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Returns;
 
-use crate::shade::{Band, ShadingInput};
+use crate::shade::Band;
 use crate::{Backend, Renderer, View};
 
 impl Renderer {
@@ -22,13 +22,8 @@ impl Renderer {
         }
         let seen = self.visibility(view, backend);
         let corners = self.corners(view, backend);
-        let input = ShadingInput {
-            scene: self.scene(),
-            caster: self.ray_caster(),
-            view,
-            rays: &self.rays(view),
-            seen: &seen,
-        };
+        let rays = self.rays(view);
+        let input = self.shading(view, &rays, &seen);
         let (shaded, _) = self.shader().shade(input, Some(&corners), false, Band::Infrared);
         Some(shaded.rgb)
     }
@@ -42,13 +37,8 @@ impl Renderer {
             return None;
         }
         let seen = self.visibility(view, backend);
-        let input = ShadingInput {
-            scene: self.scene(),
-            caster: self.ray_caster(),
-            view,
-            rays: &self.rays(view),
-            seen: &seen,
-        };
+        let rays = self.rays(view);
+        let input = self.shading(view, &rays, &seen);
         Some(self.shader().returns(input))
     }
 }

@@ -1,7 +1,7 @@
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_image::{Image, ZDepth};
 
-use crate::shade::{Beam, ShadingInput};
+use crate::shade::Beam;
 use crate::{Backend, Renderer, View};
 
 /// Linear luminance on a sensor; 1 is a white diffuse surface in the scene's typical light.
@@ -28,13 +28,8 @@ impl Renderer {
     ) -> (Luminance, Vec<Finding>) {
         let seen = self.visibility(view, backend);
         let corners = self.corners(view, backend);
-        let input = ShadingInput {
-            scene: self.scene(),
-            caster: self.ray_caster(),
-            view,
-            rays: &self.rays(view),
-            seen: &seen,
-        };
+        let rays = self.rays(view);
+        let input = self.shading(view, &rays, &seen);
         let (parts, mut findings) = self.shader().luminance(input, Some(&corners), beam);
         findings.extend(self.unread_masks());
         self.spare_visibility(view, backend).keep(None, seen.hits);

@@ -1,7 +1,7 @@
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_image::Image;
 
-use crate::shade::{self, ShadingInput};
+use crate::shade;
 use crate::{Backend, Renderer, View};
 
 impl Renderer {
@@ -11,13 +11,8 @@ impl Renderer {
     pub fn radiance(&self, view: &View, backend: Backend) -> (Image<[f32; 4]>, Vec<Finding>) {
         let seen = self.visibility(view, backend);
         let corners = self.corners(view, backend);
-        let input = ShadingInput {
-            scene: self.scene(),
-            caster: self.ray_caster(),
-            view,
-            rays: &self.rays(view),
-            seen: &seen,
-        };
+        let rays = self.rays(view);
+        let input = self.shading(view, &rays, &seen);
         let (colors, mut findings) = self.shader().radiance(input, &corners);
         findings.extend(self.unread_masks());
         let mut light = colors.map(|[r, g, b]| [*r, *g, *b, 1.0]);

@@ -11,7 +11,7 @@ use crate::cutout::{Cutouts, Transparent};
 use crate::raster::Rasterizer;
 use crate::ray::RayCaster;
 use crate::rays::Rays;
-use crate::shade::{Corners, Shader, ShaderAssets, corners_of};
+use crate::shade::{Corners, Shader, ShaderAssets, ShadingInput, corners_of};
 use crate::through::look_through;
 use crate::visibility::SpareVisibility;
 use crate::{Backend, Hit, Ray, View, Visibility};
@@ -209,6 +209,22 @@ impl Renderer {
     /// Returns the rays of a view.
     pub(crate) fn rays<'a>(&self, view: &'a View) -> Rays<'a> {
         Rays::with_table(view, || self.ray_caster().table(view))
+    }
+
+    /// Returns the input of the shader for a view.
+    pub(crate) fn shading<'a>(
+        &'a self,
+        view: &'a View,
+        rays: &'a Rays<'a>,
+        seen: &'a Visibility,
+    ) -> ShadingInput<'a> {
+        ShadingInput {
+            scene: self.scene(),
+            caster: self.ray_caster(),
+            view,
+            rays,
+            seen,
+        }
     }
 
     /// Returns the corners of a view's pixels.

@@ -19,7 +19,7 @@ use rayon::prelude::*;
 
 use self::coverage::Coverage;
 use self::stencil::Stencil;
-use crate::shade::{Band, Shaded, ShadingInput};
+use crate::shade::{Band, Shaded};
 use crate::{Backend, Renderer, Transparent, View, Visibility};
 
 pub(crate) use semantics::Semantics;
@@ -137,13 +137,8 @@ impl Renderer {
         options: AnnotateOptions,
     ) -> (Shaded, Vec<Finding>) {
         let corners = (options.smooth_edges).then(|| self.corners(view, backend));
-        let input = ShadingInput {
-            scene: self.scene(),
-            caster: self.ray_caster(),
-            view,
-            rays: &self.rays(view),
-            seen,
-        };
+        let rays = self.rays(view);
+        let input = self.shading(view, &rays, seen);
         self.shader()
             .shade(input, corners.as_ref(), options.keeps_light, Band::Visible)
     }
