@@ -214,6 +214,10 @@ fn what_is_missing_is_an_error_with_a_remedy() {
         cameras: vec!["left".to_owned()],
         ..spec(None)
     };
+    let tof = RigSpec {
+        cameras: vec!["Camera_pseudo_depth_tof".to_owned()],
+        ..spec(Some(&STEREO_NOISE))
+    };
     for (found, parts) in [
         (
             error("OAK-1", &spec(None)),
@@ -224,7 +228,7 @@ fn what_is_missing_is_an_error_with_a_remedy() {
             ["no depth sensor", "choose 'camera=depth'"],
         ),
         (
-            error("OAK-D ToF", &spec(Some(&STEREO_NOISE))),
+            error("OAK-D ToF", &tof),
             ["Camera_pseudo_depth_tof", "stereo-noise"],
         ),
     ] {
