@@ -4,6 +4,7 @@
 //! but does not validate its input; so every layer is validated first (see `inspect`), the library runs on a thread of
 //! its own with a large stack, and a panic becomes a [`StageError`] that names the file.
 
+mod ancestry;
 mod animated;
 mod binding;
 mod budget;

@@ -4,7 +4,7 @@ use oaktwin_base::panics;
 use openusd::sdf::SpecType;
 use openusd::usdc::CrateFile;
 
-use super::super::usda::MAX_DEPTH;
+use super::super::ancestry;
 use super::cursor::{Cursor, INTS_PER_BYTE, LZ4_RATIO};
 use super::outline::{ANIMATION_FIELDS, ARC_FIELDS, Arcs, Outline, ROOT_FIELDS};
 use super::values::Values;
@@ -76,14 +76,11 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<Outline, Problem> {
         }
         Err(_) => return Err(damaged("tables", CONTRADICT)),
     };
-    let deep = |path: &str| path.bytes().filter(|byte| *byte == b'/').count() > MAX_DEPTH;
-    if let Some(path) = file.paths.iter().find(|path| deep(path.as_str())) {
-        let start: String = path.as_str().chars().take(60).collect();
-        return Err(Problem::new(
-            format!("{start}…"),
-            format!("prims nest more than {MAX_DEPTH} deep"),
-            "flatten the stage",
-        ));
+    for path in &file.paths {
+        if let Some(defect) = ancestry::defect(path) {
+            let place = format!("path `{}`", ancestry::beginning(path.as_str()));
+            return Err(damaged(&place, &defect));
+        }
     }
     let mut values = Values::new(bytes, version);
     for field in &file.fields {
@@ -95,11 +92,11 @@ pub(super) fn inspect(bytes: &[u8]) -> Result<Outline, Problem> {
             ));
         }
     }
-    panics::contain(|| outline(&mut file)).map_err(|_| damaged("tables", CONTRADICT))
+    panics::contain(|| outline(&mut file)).unwrap_or_else(|_| Err(damaged("tables", CONTRADICT)))
 }
 
 /// Returns the outline of a layer whose values are valid.
-fn outline(file: &mut CrateFile<IoCursor<&[u8]>>) -> Outline {
+fn outline(file: &mut CrateFile<IoCursor<&[u8]>>) -> Result<Outline, Problem> {
     let token = |name: &&'static str| {
         let index = file.tokens.iter().position(|token| token == name);
         index.map(|index| (index, *name))
@@ -134,7 +131,7 @@ fn outline(file: &mut CrateFile<IoCursor<&[u8]>>) -> Outline {
         .any(|token| ANIMATION_FIELDS.contains(&token.as_str()));
     for (_, name, value) in in_layer {
         if let Ok(value) = file.value(value) {
-            arcs.root(name, &value);
+            arcs.root(name, &value)?;
         }
     }
     for (path, name, value) in in_prims {
@@ -142,7 +139,7 @@ fn outline(file: &mut CrateFile<IoCursor<&[u8]>>) -> Outline {
             arcs.add(&file.paths[path], name, &value);
         }
     }
-    arcs.outline
+    Ok(arcs.outline)
 }
 
 /// Whether a table's counts fit its bytes.

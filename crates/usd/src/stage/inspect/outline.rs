@@ -4,8 +4,10 @@ use std::collections::HashMap;
 
 use openusd::sdf::{Data, Path, SpecType, Value};
 
+use super::super::ancestry;
 use super::super::usda::SPLINE_FIELD;
 use super::super::value::number;
+use super::Problem;
 
 /// The fields with arcs.
 pub(super) const ARC_FIELDS: [&str; 6] = [
@@ -117,12 +119,12 @@ pub(in crate::stage) enum ArcKind {
 }
 
 /// Returns the outline of a layer with `prims` prims.
-pub(super) fn outline(layer: &Data, prims: u64) -> Outline {
+pub(super) fn outline(layer: &Data, prims: u64) -> Result<Outline, Problem> {
     let mut arcs = Arcs::new(prims);
     if let Some(root) = layer.spec(&Path::abs_root()) {
         for name in ROOT_FIELDS {
             if let Some(value) = root.get(name) {
-                arcs.root(name, value);
+                arcs.root(name, value)?;
             }
         }
     }
@@ -147,7 +149,7 @@ pub(super) fn outline(layer: &Data, prims: u64) -> Outline {
             }
         }
     }
-    arcs.outline
+    Ok(arcs.outline)
 }
 
 /// Collects the arcs of a layer.
@@ -170,16 +172,22 @@ impl Arcs {
 
     /// Adds the field `name` of the layer itself. References that name no prim lead to the default prim, which must be
     /// known before them.
-    pub(super) fn root(&mut self, name: &str, value: &Value) {
+    pub(super) fn root(&mut self, name: &str, value: &Value) -> Result<(), Problem> {
         match value {
             Value::Token(prim) if name == "defaultPrim" => {
                 let prim = prim.as_str();
                 let slash = if prim.starts_with('/') { "" } else { "/" };
-                self.default = Some(format!("{slash}{prim}"));
+                let path = format!("{slash}{prim}");
+                if let Some(defect) = Path::new(&path).ok().as_ref().and_then(ancestry::defect) {
+                    let what = format!("`{}` {defect}", ancestry::beginning(prim));
+                    return Err(Problem::new("defaultPrim", what, "give the name of a prim"));
+                }
+                self.default = Some(path);
             }
             Value::StringVec(paths) if name == "subLayers" => self.outline.sublayers.clone_from(paths),
             _ => {}
         }
+        Ok(())
     }
 
     /// Adds the arcs in the field `name` of the prim or variant at `path`.

@@ -11,7 +11,7 @@ use super::{Problem, USE_ANOTHER_COPY, unreadable};
 pub(super) fn to_binary(bytes: Vec<u8>) -> Result<(Vec<u8>, Outline), Problem> {
     let parsed = usda::parse(encoding(&bytes)?)?;
     drop(bytes);
-    let outline = outline::outline(&parsed.data, parsed.prims);
+    let outline = outline::outline(&parsed.data, parsed.prims)?;
     let mut binary = Cursor::new(Vec::new());
     CrateWriter::write(&parsed.data, &mut binary).map_err(|error| unreadable(&error))?;
     Ok((binary.into_inner(), outline))
@@ -38,7 +38,7 @@ fn encoding(bytes: &[u8]) -> Result<&str, Problem> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::usda::MAX_DEPTH;
+    use super::super::super::ancestry::MAX_DEPTH;
     use super::*;
 
     fn outline(text: &[u8]) -> Result<Outline, Problem> {

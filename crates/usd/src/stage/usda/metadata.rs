@@ -4,6 +4,7 @@ use openusd::sdf::schema::FieldKey;
 use openusd::sdf::{LayerOffset, ListOp, Path, Payload, Permission, Reference, Value};
 use openusd::tf::Token;
 
+use super::super::ancestry::{self, beginning};
 use super::Parser;
 use super::lexer::{Lexer, Outcome};
 use super::value::{boolean, dictionary, double, integer};
@@ -229,9 +230,17 @@ fn absolute(lexer: &mut Lexer, anchor: &Path) -> Outcome<Option<Path>> {
     if text.is_empty() || text.contains('[') {
         return Ok(None);
     }
-    match Path::new(text) {
-        Ok(path) => Ok(Some(anchor.make_absolute(&path))),
-        Err(_) => lexer.error_at(at, format!("<{text}> is not a valid path")),
+    let Ok(path) = Path::new(text) else {
+        return lexer.error_at(at, format!("<{}> is not a valid path", beginning(text)));
+    };
+    sound(lexer, at, anchor.make_absolute(&path)).map(Some)
+}
+
+/// Returns a path that leads to the root.
+fn sound(lexer: &Lexer, at: usize, path: Path) -> Outcome<Path> {
+    match ancestry::defect(&path) {
+        None => Ok(path),
+        Some(defect) => lexer.error_at(at, format!("<{}> {defect}", beginning(path.as_str()))),
     }
 }
 
@@ -248,8 +257,13 @@ fn reference(lexer: &mut Lexer) -> Outcome<Reference> {
         let text = lexer.path()?;
         if !text.is_empty() {
             prim_path = match Path::new(text) {
-                Ok(path) if path.is_abs() && !path.is_property_path() && !text.contains('{') => path,
-                _ => return lexer.error_at(at, format!("<{text}> is not the absolute path of a prim")),
+                Ok(path) if path.is_abs() && !path.is_property_path() && !text.contains('{') => {
+                    sound(lexer, at, path)?
+                }
+                _ => {
+                    let what = format!("<{}> is not the absolute path of a prim", beginning(text));
+                    return lexer.error_at(at, what);
+                }
             };
         }
     }

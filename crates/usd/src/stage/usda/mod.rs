@@ -18,8 +18,7 @@ use openusd::tf::Token;
 use lexer::{Lexer, Outcome};
 pub(super) use property::SPLINE_FIELD;
 
-/// The maximum depth of prims and dictionaries. The library's run time grows with the cube of the depth.
-pub(super) const MAX_DEPTH: usize = 256;
+use super::ancestry::MAX_DEPTH;
 
 /// A layer, and the number of its prims.
 pub(super) struct Parsed {
