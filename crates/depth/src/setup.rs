@@ -1,4 +1,5 @@
 use oaktwin_base::diagnostic::fold_name;
+use oaktwin_base::parameter::Scalar;
 use oaktwin_camera::StereoGeometry;
 
 use crate::filter::Filter;
@@ -27,7 +28,7 @@ pub struct Setup {
     /// The seed of an individual unit's calibration bias; `None` for a unit without bias.
     pub device_seed: Option<u64>,
     /// Parameters by name, which override everything else.
-    pub parameters: Vec<(String, String)>,
+    pub parameters: Vec<(String, Scalar)>,
 }
 
 impl Setup {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use oaktwin_depth::engines::{ENGINES, STEREO_MATCHING};
 use oaktwin_depth::filter::{Chain, parse};
-use oaktwin_depth::parameters::Platform;
+use oaktwin_depth::parameters::{Platform, Scalar};
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::stereo_matching::Pair;
 use oaktwin_depth::{
@@ -86,9 +86,9 @@ fn engine(kind: &'static EngineKind, random: &mut Random<'_>) -> Option<Arc<dyn 
     let names = (kind.parameters)();
     for _ in 0..random.up_to(4) {
         let value = match random.up_to(2) {
-            0 => random.up_to(300).to_string(),
-            1 => random.number().to_string(),
-            _ => random.pick(&["true", "false", "0.5", "0.01", "5"]).to_owned(),
+            0 => random.up_to(300).into(),
+            1 => random.number().into(),
+            _ => Scalar::of(random.pick(&["true", "false", "0.5", "0.01", "5"])),
         };
         setup.parameters.push((random.pick(&names).to_owned(), value));
     }

@@ -32,7 +32,7 @@ pub(crate) fn parameters(bytes: &[u8]) {
             continue;
         };
         let mut setup = Setup::new(800.0, 1280, 0.075);
-        setup.parameters.push((name.to_owned(), value.to_owned()));
+        setup.parameters.push((name.to_owned(), value.into()));
         let Ok(engine) = kind.create(&setup) else { continue };
         for (name, value) in engine.parameters() {
             assert!(!value.contains("NaN"), "{name}={value}");

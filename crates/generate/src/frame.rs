@@ -14,7 +14,7 @@ use oaktwin_pipeline::pair::PairOptions;
 use oaktwin_pipeline::render::{
     OakOptions, PairUse, PlacedCamera, Rig, RigSpec, depth_sensor_of, oak_cameras,
 };
-use oaktwin_pipeline::sensor::{EngineKind, Sensor, SensorOptions};
+use oaktwin_pipeline::sensor::{EngineKind, Scalar, Sensor, SensorOptions};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -61,7 +61,7 @@ struct Explained<'a> {
     frame: u64,
     arrangement: &'a Arrangement,
     camera: DrawnView,
-    parameters: Vec<(String, String)>,
+    parameters: Vec<(String, Scalar)>,
 }
 
 /// The rig of a frame.
@@ -280,7 +280,7 @@ impl Context {
     }
 
     /// Returns the drawn parameters of the engine.
-    fn parameters(&self, frame: u64) -> Vec<(String, String)> {
+    fn parameters(&self, frame: u64) -> Vec<(String, Scalar)> {
         self.drawn("sensor.parameters", &self.file.recipe.sensor.parameters, frame)
     }
 
@@ -295,7 +295,7 @@ impl Context {
         let mut parameters = ColorParameters::default();
         for (name, value) in self.drawn(key, written, frame) {
             parameters
-                .set(&name, &value)
+                .set(&name, value)
                 .map_err(|error| self.unfit(&format!("{key}.{}", error.name), error.what, error.remedy))?;
         }
         Ok(Some(parameters))
@@ -306,13 +306,13 @@ impl Context {
         key: &str,
         parameters: &BTreeMap<String, ParameterValue>,
         frame: u64,
-    ) -> Vec<(String, String)> {
+    ) -> Vec<(String, Scalar)> {
         let value = |name: &String, value: &ParameterValue| match value {
-            ParameterValue::Flag(flag) => flag.to_string(),
-            ParameterValue::Text(text) => text.clone(),
+            ParameterValue::Flag(flag) => Scalar::from(*flag),
+            ParameterValue::Text(text) => text.into(),
             ParameterValue::Number(quantity) => {
                 let mut numbers = self.random.numbers(&format!("{key}.{name}"), frame);
-                quantity.draw(&mut numbers).to_string()
+                quantity.draw(&mut numbers).into()
             }
         };
         parameters

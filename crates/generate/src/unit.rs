@@ -41,7 +41,7 @@ impl DrawnUnit {
             let place = format!("unit.drift.{key}");
             let mut numbers = context.random.numbers(&place, number.unwrap_or(arrangement));
             // The recipe's ranges were checked.
-            let _ = drift.set_by_name(name, &quantity.draw(&mut numbers).to_string());
+            let _ = drift.set_by_name(name, quantity.draw(&mut numbers));
         }
         Self {
             model: model.to_owned(),

@@ -175,6 +175,14 @@ macro_rules! annotators {
                 )+
             }
 
+            /// Adds the data of an annotator, or replaces them. Data of another type than the annotator's are ignored.
+            pub fn put(&mut self, annotator: Annotator, data: Annotation) {
+                match (annotator, data) {
+                    $((Annotator::$variant, Annotation::$kind(data)) => self.$name = Some(data),)+
+                    _ => {}
+                }
+            }
+
             /// Removes and returns an annotation, or returns `None` if the frame does not contain it.
             pub fn take(&mut self, annotator: Annotator) -> Option<Annotation> {
                 match annotator {

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use oaktwin::diagnostic::suggest;
 use oaktwin::sensor::{
-    EngineKind, EngineRef, OptionValue, ParameterFile, SensorOption, SensorOptions, assignment,
+    EngineKind, EngineRef, OptionValue, ParameterFile, Scalar, SensorOption, SensorOptions, assignment,
 };
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -282,7 +282,7 @@ fn assigned(value: &Bound<'_, PyAny>) -> PyResult<String> {
 }
 
 /// Converts a mapping from names to numbers, strings or booleans to the assignments of a command line.
-pub(crate) fn assignments(option: &str, parameters: &Bound<'_, PyAny>) -> PyResult<Vec<(String, String)>> {
+pub(crate) fn assignments(option: &str, parameters: &Bound<'_, PyAny>) -> PyResult<Vec<(String, Scalar)>> {
     let items = parameters
         .call_method0("items")
         .map_err(|_| mistyped(option, parameters, "a dictionary from names to values"))?;
@@ -291,7 +291,7 @@ pub(crate) fn assignments(option: &str, parameters: &Bound<'_, PyAny>) -> PyResu
         let name = name
             .extract()
             .map_err(|_| mistyped(option, &name, "names as keys"))?;
-        Ok((name, assigned(&value)?))
+        Ok((name, Scalar::of(&assigned(&value)?)))
     };
     items.try_iter()?.map(assignment).collect()
 }

@@ -7,7 +7,7 @@ use oaktwin::diagnostic::Finding;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::pair::{PairCameras, PairOptions, illumination};
 use oaktwin::render::{self, OakOptions, PairUse, PlacedCamera, Rig, RigError, RigSpec, oak_cameras};
-use oaktwin::sensor::{EngineInput, EngineKind, Sensor, SensorOptions};
+use oaktwin::sensor::{EngineInput, EngineKind, Scalar, Sensor, SensorOptions};
 
 use crate::protocol::{Failure, OakState};
 use crate::size::{check_memory, check_pixels};
@@ -91,7 +91,7 @@ impl OakState {
             preset: self.preset.clone(),
             filters: self.filters()?,
             parameters: parameters
-                .map(|(name, value)| (name.clone(), value.clone()))
+                .map(|(name, value)| (name.clone(), Scalar::of(value)))
                 .collect(),
             extended_disparity: self.extended_disparity,
             seed: self.seed,

@@ -5,7 +5,7 @@ mod along;
 use std::fmt::Write;
 
 use oaktwin::camera::RigidTransform;
-use oaktwin::sensor::EngineInput;
+use oaktwin::sensor::{EngineInput, Scalar};
 
 use crate::protocol::{ExportRequest, Failure, OakState};
 use crate::robot::SceneRobot;
@@ -24,7 +24,7 @@ pub(crate) fn toml(state: &OakState) -> Result<String, Failure> {
     let engine = state.engine()?;
     let mut out = format!("engine = \"{engine}\"\n\n[parameters]\n");
     for (name, value) in &state.parameters {
-        let _ = writeln!(out, "{} = {}", key(name), toml_value(value));
+        let _ = writeln!(out, "{} = {}", key(name), toml_value(&Scalar::of(value)));
     }
     Ok(out)
 }
@@ -39,12 +39,20 @@ fn key(name: &str) -> String {
 }
 
 /// A value of TOML: a number, a flag or a string.
-fn toml_value(value: &str) -> String {
-    match (value, value.parse::<i64>(), value.parse::<f64>()) {
-        ("true" | "false", _, _) => value.to_owned(),
-        (_, Ok(whole), _) => whole.to_string(),
-        (_, _, Ok(number)) if number.is_finite() => format!("{number:?}"),
-        _ => quoted(value),
+fn toml_value(value: &Scalar) -> String {
+    match value {
+        Scalar::Number(number) => format!("{number:?}"),
+        Scalar::Text(text) => quoted(text),
+        value => value.to_string(),
+    }
+}
+
+/// A value of Python.
+fn python_value(value: &Scalar) -> String {
+    match value {
+        Scalar::Flag(true) => "True".to_owned(),
+        Scalar::Flag(false) => "False".to_owned(),
+        value => toml_value(value),
     }
 }
 
@@ -293,7 +301,7 @@ fn options(studio: &Studio, state: &OakState) -> Result<String, Failure> {
     let parameters = state.lit_options(studio)?.parameters;
     let pairs: Vec<String> = parameters
         .iter()
-        .map(|(name, value)| format!("{}: {}", quoted(name), quoted(value)))
+        .map(|(name, value)| format!("{}: {}", quoted(name), python_value(value)))
         .collect();
     if !pairs.is_empty() {
         let _ = write!(out, ", parameters={{{}}}", pairs.join(", "));
@@ -409,15 +417,20 @@ mod tests {
     fn parameters_are_valid_toml() {
         for (value, expected) in [
             ("7", "7"),
-            ("+5", "5"),
-            (".5", "0.5"),
-            ("1e300", "1e300"),
+            ("-5", "-5"),
+            ("0.5", "0.5"),
+            ("+5", "\"+5\""),
+            ("1e300", "\"1e300\""),
             ("inf", "\"inf\""),
             ("true", "true"),
             ("a\nb = 1", "\"a\\nb = 1\""),
         ] {
-            assert_eq!(toml_value(value), expected);
+            let value = Scalar::of(value);
+            assert_eq!(toml_value(&value), expected);
         }
+        assert_eq!(python_value(&Scalar::of("true")), "True");
+        assert_eq!(python_value(&Scalar::of("0.2")), "0.2");
+        assert_eq!(python_value(&Scalar::of("0x1F")), "\"0x1F\"");
         assert_eq!(key("censusTransform.threshold"), "censusTransform.threshold");
         assert_eq!(key("a = 1\n[b"), "\"a = 1\\n[b\"");
         assert_eq!((key(""), key("a..b")), ("\"\"".to_owned(), "\"a..b\"".to_owned()));

@@ -52,9 +52,7 @@ pub mod optional {
 pub fn deserialize<'de, P: Table, D: Deserializer<'de>>(deserializer: D) -> Result<P, D::Error> {
     let mut parameters = P::defaults(Platform::default());
     for (name, value) in BTreeMap::<String, Scalar>::deserialize(deserializer)? {
-        parameters
-            .set_by_name(&name, &value.to_string())
-            .map_err(D::Error::custom)?;
+        parameters.set_by_name(&name, value).map_err(D::Error::custom)?;
     }
     parameters.check_relations().map_err(D::Error::custom)?;
     Ok(parameters)

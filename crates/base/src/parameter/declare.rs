@@ -83,7 +83,11 @@ macro_rules! parameters {
             ///
             /// # Errors
             /// Returns an error, and changes nothing, if there is no such parameter or the value is invalid or out of range.
-            pub fn set(&mut self, name: &str, value: &str) -> Result<(), $crate::parameter::ParameterError> {
+            pub fn set(
+                &mut self,
+                name: &str,
+                value: impl Into<$crate::parameter::Scalar>,
+            ) -> Result<(), $crate::parameter::ParameterError> {
                 $crate::parameter::Table::set_by_name(self, name, value)
             }
 

@@ -2,7 +2,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-/// The value of a parameter in a file: what its text is in JSON or TOML.
+/// The value of a parameter. A text is read as the parameter's type, as on a command line; any value is, in the end, what its text says.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Scalar {
@@ -37,6 +37,30 @@ impl Scalar {
             .flatten()
             .filter(|value| value.to_string() == text);
         exact.next().unwrap_or_else(|| Self::Text(text.to_owned()))
+    }
+}
+
+macro_rules! from {
+    ($($kind:ident($own:ty): $($other:ty),+;)+) => {$($(
+        impl From<$other> for Scalar {
+            fn from(value: $other) -> Self {
+                Self::$kind(<$own>::from(value))
+            }
+        }
+    )+)+};
+}
+
+from! {
+    Flag(bool): bool;
+    Whole(u64): u8, u16, u32, u64;
+    Integer(i64): i8, i16, i32, i64;
+    Number(f64): f32, f64;
+    Text(String): &str, &String, String;
+}
+
+impl From<&Self> for Scalar {
+    fn from(value: &Self) -> Self {
+        value.clone()
     }
 }
 

@@ -2,7 +2,7 @@ use std::fmt;
 
 use crate::diagnostic::{fold_name, suggest};
 
-use crate::parameter::{About, ParameterError, Platform};
+use crate::parameter::{About, ParameterError, Platform, Scalar};
 
 /// A parameter of `P`: its description and the access to its value.
 pub struct Row<P: 'static> {
@@ -97,9 +97,10 @@ pub trait Table: Clone + 'static {
     ///
     /// # Errors
     /// Returns an error, and changes nothing, if there is no such parameter or the value is invalid or out of range.
-    fn set_by_name(&mut self, name: &str, value: &str) -> Result<(), ParameterError> {
+    fn set_by_name(&mut self, name: &str, value: impl Into<Scalar>) -> Result<(), ParameterError> {
         let row = Self::row(name)?;
         let mut changed = self.clone();
+        let value = value.into().to_string();
         (row.set)(&mut changed, value.trim()).ok_or_else(|| {
             let what = format!("invalid value '{value}'");
             ParameterError::new(row.about.name, what, row.about.expectation())

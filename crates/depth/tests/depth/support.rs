@@ -23,7 +23,7 @@ impl Optics {
         setup.attributes.sensor_size_px = f64::from(self.width);
         setup.attributes.baseline_mm = 1e3 * BASELINE_M;
         setup.parameters = (parameters.iter())
-            .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
+            .map(|(name, value)| ((*name).to_owned(), (*value).into()))
             .collect();
         let filters = filters.iter().map(|text| parse(text).unwrap()).collect();
         let engine = kind.create(&setup).unwrap();

@@ -23,7 +23,7 @@ fn with_parameters(parameters: &[(&str, &str)]) -> SensorOptions {
     SensorOptions {
         parameters: parameters
             .iter()
-            .map(|(a, b)| ((*a).to_owned(), (*b).to_owned()))
+            .map(|(a, b)| ((*a).to_owned(), (*b).into()))
             .collect(),
         ..SensorOptions::default()
     }

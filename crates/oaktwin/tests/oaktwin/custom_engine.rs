@@ -30,7 +30,7 @@ fn twin() -> Twin {
 }
 
 fn sensor(parameters: &[(&str, &str)], filters: &[&str]) -> SensorOptions {
-    let owned = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).to_owned());
+    let owned = |(name, value): &(&str, &str)| ((*name).to_owned(), (*value).into());
     SensorOptions {
         engine: Some((&BLOCK_MATCHING).into()),
         parameters: parameters.iter().map(owned).collect(),

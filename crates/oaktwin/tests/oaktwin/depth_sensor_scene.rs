@@ -54,7 +54,7 @@ fn sensed(parameters: &[(&str, &str)]) -> Image<f32> {
     let owned = parameters.iter();
     let options = SensorOptions {
         parameters: owned
-            .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
+            .map(|(name, value)| ((*name).to_owned(), (*value).into()))
             .collect(),
         ..SensorOptions::default()
     };

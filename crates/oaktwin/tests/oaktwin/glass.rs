@@ -91,7 +91,7 @@ fn measured(renderer: &Renderer, model: &str, engine: &'static EngineKind) -> (Z
         sensor: SensorOptions {
             engine: Some(engine.into()),
             parameters: match is_stereo {
-                true => vec![("subpixel".to_owned(), "true".to_owned())],
+                true => vec![("subpixel".to_owned(), "true".into())],
                 false => Vec::new(),
             },
             ..SensorOptions::default()

@@ -135,7 +135,7 @@ fn the_error_oscillates_with_the_period_of_a_pixel() {
     let options = accuracy::Options {
         engine: SensorOptions {
             engine: Some((&STEREO_MATCHING).into()),
-            parameters: vec![("bias".to_owned(), "0".to_owned())],
+            parameters: vec![("bias".to_owned(), "0".into())],
             ..SensorOptions::default()
         },
         distances_m: Some(disparities.map(|d| own * 0.075 / d).to_vec()),

@@ -62,7 +62,7 @@ pub(super) fn add_loss(pair: &DriftedPair, setup: &mut Setup) {
     }
     let scale = f64::from(setup.width_px) / f64::from(pair.intrinsics.size.width.max(1));
     let lost = lost_share(&pair.drift, &pair.intrinsics, pair.baseline_m, scale);
-    setup.parameters.push(("dropout".to_owned(), lost.to_string()));
+    setup.parameters.push(("dropout".to_owned(), lost.into()));
 }
 
 /// The rectified pair as it was calibrated.

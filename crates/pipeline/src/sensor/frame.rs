@@ -2,8 +2,8 @@
 
 use oaktwin_camera::{Camera, UsdOptics};
 use oaktwin_dataset::View;
-use oaktwin_depth::{Capture, Input, OutputCamera, ParameterError, ReasonCodes, Sensor};
-use oaktwin_image::annotation::{Annotator, Frame};
+use oaktwin_depth::{Capture, Input, Layer, OutputCamera, ParameterError, Sensor};
+use oaktwin_image::annotation::{Annotation, Annotator, Frame};
 use oaktwin_image::{Image, ImageView};
 
 use crate::geometry::{measured_only, positions};
@@ -46,12 +46,6 @@ pub(crate) fn frame(
     let wants = |annotator| request.contains(&annotator);
     let moved_points = capture.take::<Image<[f32; 4]>>(POSITION);
     let moved_colors = capture.take::<Image<[u8; 4]>>(COLOR);
-    let depth_sensor_imager = capture.take(Annotator::DepthSensorImager);
-    let depth_sensor_output_visualization = capture.take(Annotator::DepthSensorOutputVisualization);
-    let depth_sensor_reason = capture
-        .take::<ReasonCodes>(Annotator::DepthSensorReason)
-        .map(Into::into);
-    let depth_sensor_confidence = capture.take(Annotator::DepthSensorConfidence);
     let points = wants(POSITION)
         .then(|| moved_points.unwrap_or_else(|| points(&sensor.output_camera(camera), &capture.distance.0)));
     let colors = match sensor.engine().outputs().contains(&COLOR) {
@@ -64,15 +58,29 @@ pub(crate) fn frame(
             .and_then(|rgb| Image::new(rgb.width(), rgb.height(), rgb.pixels().to_vec()))
             .map(|rgb| measured_only(sensor.filters().companion(rgb), &capture.distance.0)),
     };
-    Frame {
+    let mut frame = Frame {
         depth_sensor_point_cloud_color: colors,
         depth_sensor_point_cloud_position: points,
-        depth_sensor_imager,
-        depth_sensor_output_visualization,
-        depth_sensor_reason,
-        depth_sensor_confidence,
         depth_sensor_distance: wants(Annotator::DepthSensorDistance).then_some(capture.distance),
         ..Frame::default()
+    };
+    for (annotator, layer) in capture.extras {
+        if let Some(data) = annotation(layer) {
+            frame.put(annotator, data);
+        }
+    }
+    frame
+}
+
+/// The annotation of a layer; `None` of outputs that frames do not have.
+fn annotation(layer: Layer) -> Option<Annotation> {
+    match layer {
+        Layer::Levels(levels) => Some(Annotation::Levels(levels)),
+        Layer::Floats(numbers) => Some(Annotation::Scalar(numbers)),
+        Layer::Colors(colors) => Some(Annotation::Color(colors)),
+        Layer::Reasons(codes) => Some(Annotation::Reasons(codes.into())),
+        Layer::Points(points) => Some(Annotation::PixelPoints(points)),
+        Layer::Bytes(_) | Layer::Disparity(_) => None,
     }
 }
 

@@ -16,6 +16,7 @@ mod setup;
 #[cfg(test)]
 mod tests;
 
+pub use oaktwin_base::parameter::Scalar;
 pub use oaktwin_depth::engines::{
     ENGINES, SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, TIME_OF_FLIGHT, calibration_error_px,
 };

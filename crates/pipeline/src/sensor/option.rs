@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use oaktwin_base::parameter::{Choice, Table, choose};
+use oaktwin_base::parameter::{Choice, Scalar, Table, choose};
 use oaktwin_camera::StereoDrift;
 use oaktwin_depth::engines::ENGINES;
 use oaktwin_depth::filter;
@@ -137,7 +137,7 @@ pub static SENSOR_OPTIONS: &[SensorOption] = &[
         is_of_matcher: true,
         set: |options, text| {
             let (name, value) = assignment(text)?;
-            options.parameters.push((name.to_owned(), value.to_owned()));
+            options.parameters.push((name.to_owned(), Scalar::of(value)));
             Ok(())
         },
         get: |options| {

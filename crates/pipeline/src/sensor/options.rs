@@ -1,3 +1,4 @@
+use oaktwin_base::parameter::Scalar;
 use oaktwin_camera::{Intrinsics, StereoDrift};
 use oaktwin_catalog::DepthKind;
 use oaktwin_depth::engines::{STEREO_NOISE, calibration_error_px};
@@ -32,7 +33,7 @@ pub struct SensorOptions {
     /// Filters as text, first to last; they replace the preset's.
     pub filters: Vec<String>,
     /// Parameters of the engine by name, in this order; they override everything else.
-    pub parameters: Vec<(String, String)>,
+    pub parameters: Vec<(String, Scalar)>,
     /// Whether the extended disparity range is enabled: 190 px, or the catalog's values for the extended mode.
     pub extended_disparity: bool,
     /// The Isaac Sim version whose defaults `single_view` has for attributes without a value; by default the version of the scene's
@@ -88,7 +89,7 @@ impl SensorOptions {
             ];
             #[expect(clippy::float_cmp, reason = "a default that nobody changed")]
             let changed = parameters.into_iter().filter(|(_, value, usual)| value != usual);
-            let changed = changed.map(|(name, value, _)| (name.to_owned(), value.to_string()));
+            let changed = changed.map(|(name, value, _)| (name.to_owned(), value.into()));
             self.parameters.splice(0..0, changed);
         }
         self

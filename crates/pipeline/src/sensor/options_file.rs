@@ -151,10 +151,14 @@ mod tests {
         assert_eq!(options.engine.as_ref().unwrap(), &STEREO_NOISE);
         assert_eq!((options.seed, options.device_seed), (u64::MAX, Some(3)));
         assert_eq!(options.drift.unwrap().yaw_mrad, 0.3);
-        let parameters = [("ambient", "1"), ("lookup", "0xA8"), ("noiseSigma", "0.2")];
+        let parameters = [
+            ("ambient", Scalar::Whole(1)),
+            ("lookup", Scalar::from("0xA8")),
+            ("noiseSigma", Scalar::Number(0.2)),
+        ];
         assert_eq!(
             options.parameters,
-            parameters.map(|(name, value)| (name.to_owned(), value.to_owned()))
+            parameters.map(|(name, value)| (name.to_owned(), value))
         );
         let written = serde_json::to_string(&options).unwrap();
         assert_eq!(serde_json::from_str::<SensorOptions>(&written).unwrap(), options);

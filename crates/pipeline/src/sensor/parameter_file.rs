@@ -17,6 +17,7 @@ use toml::Value;
 
 use super::SensorOptions;
 use oaktwin_base::diagnostic::nearest;
+use oaktwin_base::parameter::Scalar;
 use oaktwin_files::{self as files, FileError};
 
 /// The maximum size of a file of parameters.
@@ -30,7 +31,7 @@ pub struct ParameterFile {
     /// The engine.
     pub engine: &'static EngineKind,
     /// The names and values of parameters, in the file's order.
-    pub parameters: Vec<(String, String)>,
+    pub parameters: Vec<(String, Scalar)>,
 }
 
 impl ParameterFile {
@@ -90,11 +91,11 @@ impl ParameterFile {
         };
         let mut parameters = Vec::new();
         for (name, value) in table {
-            let text = match value {
-                Value::String(text) => text.clone(),
-                Value::Integer(number) => number.to_string(),
-                Value::Float(number) => number.to_string(),
-                Value::Boolean(flag) => flag.to_string(),
+            let value = match value {
+                Value::String(text) => text.into(),
+                Value::Integer(number) => (*number).into(),
+                Value::Float(number) => (*number).into(),
+                Value::Boolean(flag) => (*flag).into(),
                 _ => {
                     return Err((
                         format!("parameters.{name}: is neither a number, nor true or false, nor text"),
@@ -102,7 +103,7 @@ impl ParameterFile {
                     ));
                 }
             };
-            parameters.push((name.clone(), text));
+            parameters.push((name.clone(), value));
         }
         let file = Self { engine, parameters };
         file.check()
@@ -157,7 +158,7 @@ mod tests {
         )
         .unwrap();
         let mut options = SensorOptions {
-            parameters: vec![("bias".to_owned(), "0.1".to_owned())],
+            parameters: vec![("bias".to_owned(), "0.1".into())],
             ..SensorOptions::default()
         };
         file.apply(&mut options).unwrap();
@@ -167,7 +168,7 @@ mod tests {
             .iter()
             .rfind(|(name, _)| name == "bias")
             .unwrap();
-        assert_eq!(last.1, "0.1");
+        assert_eq!(last.1, "0.1".into());
         assert_eq!(options.parameters.len(), 5);
         options.engine = Some((&SINGLE_VIEW).into());
         assert!(

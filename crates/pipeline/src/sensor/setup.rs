@@ -57,7 +57,9 @@ impl<'a> Source<'a> {
             .iter()
             .rev()
             .find(|(name, _)| fold_name(name) == "platform");
-        given.and_then(|(_, value)| Platform::from_name(value)).or(own)
+        given
+            .and_then(|(_, value)| Platform::from_name(&value.to_string()))
+            .or(own)
     }
 }
 

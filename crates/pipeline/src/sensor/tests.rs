@@ -188,7 +188,7 @@ fn parameters_by_name_belong_to_their_engine() {
     let with = |engine: &'static EngineKind, name: &str, value: &str| {
         let options = SensorOptions {
             engine: Some(engine.into()),
-            parameters: vec![(name.to_owned(), value.to_owned())],
+            parameters: vec![(name.to_owned(), value.into())],
             ..SensorOptions::default()
         };
         of("OAK-D Pro PoE", 0, &options).map(|(sensor, _)| sensor)
@@ -243,7 +243,7 @@ fn devices_differ_by_their_seed_alone() {
 fn reports_parameters_of_another_processor() {
     let set = |name: &str| SensorOptions {
         engine: Some((&STEREO_MATCHING).into()),
-        parameters: vec![(name.to_owned(), "20".to_owned())],
+        parameters: vec![(name.to_owned(), "20".into())],
         ..SensorOptions::default()
     };
     let of_rvc4 = set("flatnessConfidenceWeight");
@@ -264,7 +264,7 @@ fn rvc2_has_no_median_with_many_subpixel_bits() {
     let with = |model: &str, bits: &str| {
         let options = SensorOptions {
             filters: vec!["median:size=5".to_owned(), "speckle".to_owned()],
-            parameters: vec![("subpixelFractionalBits".to_owned(), bits.to_owned())],
+            parameters: vec![("subpixelFractionalBits".to_owned(), bits.into())],
             ..SensorOptions::default()
         };
         let (sensor, findings) = of(model, 0, &options).unwrap();
@@ -298,8 +298,8 @@ fn the_baseline_of_the_design_scales_depth() {
     let sense = |twin: &Twin| {
         let options = SensorOptions {
             parameters: vec![
-                ("jitter".to_owned(), "0".to_owned()),
-                ("pixelLocking".to_owned(), "0".to_owned()),
+                ("jitter".to_owned(), "0".into()),
+                ("pixelLocking".to_owned(), "0".into()),
             ],
             ..SensorOptions::default()
         };

@@ -11,6 +11,8 @@ use std::cell::{Cell, RefCell};
 use std::panic::resume_unwind;
 use std::path::Path;
 
+use oaktwin_base::diagnostic::Message;
+
 use super::inspect::{Clips, Outline};
 use super::stacks::{Growth, Stacks};
 use super::{SceneLimit, StageError};
@@ -54,12 +56,12 @@ pub(super) struct Budget {
     place: RefCell<String>,
 }
 
-/// The payload with which the reading thread unwinds at a limit.
+/// The payload with which the reading thread unwinds at a limit, or at what the library cannot compose.
 #[derive(Debug)]
 struct Exceeded {
-    limit: SceneLimit,
     place: String,
     what: String,
+    remedy: Message,
 }
 
 /// Returns the error of a limit if a thread unwound with one.
@@ -69,7 +71,7 @@ pub(super) fn exceeded(file: &str, payload: &(dyn Any + Send)) -> Option<StageEr
         file,
         &exceeded.place,
         &exceeded.what,
-        exceeded.limit.remedy(),
+        exceeded.remedy.clone(),
     ))
 }
 
@@ -137,6 +139,11 @@ impl Budget {
                     let what = "its references, inherits, specializes and variants multiply";
                     self.exceed(&prim, what, self.allowed_sites(), "sites");
                 }
+                Growth::Cycle { prim } => stop(Exceeded {
+                    place: prim,
+                    what: "inherits from or specializes itself, directly or through others".to_owned(),
+                    remedy: "remove one of these arcs; OpenUSD ignores the last".into(),
+                }),
                 _ => {}
             }
         }
@@ -235,14 +242,18 @@ impl Budget {
         self.allowed_sites().saturating_sub(self.sites.get())
     }
 
-    /// Unwinds to [`super::guard`]: the library has no other way to stop.
     fn exceed(&self, place: &str, what: &str, allowed: u64, of: &str) -> ! {
-        resume_unwind(Box::new(Exceeded {
-            limit: self.limit,
+        stop(Exceeded {
             place: place.to_owned(),
             what: format!("{what} beyond the limit of {allowed} {of}"),
-        }))
+            remedy: self.limit.remedy(),
+        })
     }
+}
+
+/// Unwinds to [`super::guard`]: the library has no other way to stop.
+fn stop(exceeded: Exceeded) -> ! {
+    resume_unwind(Box::new(exceeded))
 }
 
 /// Returns the cost of composing a prim of `sites` sites, in sites of a simple prim.

@@ -7,6 +7,7 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Add;
 
+use super::class_cycle::{Arcs, class_cycle};
 use super::inspect::{Arc, ArcKind};
 
 /// The count at which counting stops.
@@ -21,10 +22,9 @@ pub(super) struct Closure {
     bound: Extent,
     /// The prim with the most sites.
     place: String,
+    /// A prim that inherits from or specializes itself.
+    cycle: Option<String>,
 }
-
-/// The arcs by prim, with their counts.
-type Arcs = BTreeMap<String, BTreeMap<(ArcKind, String), usize>>;
 
 /// Upper bounds of what arcs lead to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -101,7 +101,7 @@ impl Closure {
             *known = (*known).max(*count);
         }
         if grown {
-            (self.bound, self.place) = Graph::new(&self.arcs).bound();
+            self.update();
         }
         grown
     }
@@ -115,7 +115,17 @@ impl Closure {
                 *known = count.max(*known);
             }
         }
+        self.update();
+    }
+
+    fn update(&mut self) {
         (self.bound, self.place) = Graph::new(&self.arcs).bound();
+        self.cycle = class_cycle(&self.arcs);
+    }
+
+    /// Returns a prim that inherits from or specializes itself, directly or through others.
+    pub(super) fn cycle(&self) -> Option<&str> {
+        self.cycle.as_deref()
     }
 
     /// Returns the largest extent of a prim.

@@ -8,6 +8,7 @@ mod ancestry;
 mod animated;
 mod binding;
 mod budget;
+mod class_cycle;
 mod closure;
 mod composition;
 mod error;

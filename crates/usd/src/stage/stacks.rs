@@ -20,6 +20,8 @@ pub(super) enum Growth {
     Layers { layer: String, count: u64 },
     /// The number of sites of a prim.
     Sites { prim: String, count: u64 },
+    /// A prim that inherits from or specializes itself.
+    Cycle { prim: String },
 }
 
 impl Stacks {
@@ -43,6 +45,11 @@ impl Stacks {
         }
         let stack = &mut self.stacks[stack];
         if stack.add(arcs) {
+            if let Some(prim) = stack.cycle() {
+                growth.push(Growth::Cycle {
+                    prim: prim.to_owned(),
+                });
+            }
             self.largest = self.largest.max(stack.bound());
             growth.push(Growth::Sites {
                 prim: stack.place().to_owned(),

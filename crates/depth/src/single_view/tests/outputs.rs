@@ -27,7 +27,7 @@ impl Inputs {
     fn sense(&self, parameters: Parameters, assumptions: &[(&str, &str)]) -> Output {
         let mut changed = Assumptions::default();
         for (name, value) in assumptions {
-            changed.set(name, value).unwrap();
+            changed.set(name, *value).unwrap();
         }
         let shot = Shot::new((&self.depth).into())
             .with_rgb((&self.rgb).into())

@@ -24,7 +24,7 @@ fn sets_and_reads_every_parameter() {
             ..defaults
         };
         for name in Parameters::names() {
-            copy.set(name, &defaults.get(name).unwrap()).unwrap();
+            copy.set(name, defaults.get(name).unwrap()).unwrap();
         }
         assert_eq!(copy, defaults);
     }

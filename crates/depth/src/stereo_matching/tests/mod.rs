@@ -30,7 +30,7 @@ fn parameters() -> Parameters {
 fn changed(settings: &[(&str, &str)]) -> Parameters {
     let mut p = parameters();
     for (name, value) in settings {
-        p.set(name, value).unwrap();
+        p.set(name, *value).unwrap();
     }
     p
 }

@@ -8,7 +8,7 @@ use crate::stereo_matching::{Matched, Parameters, StereoMatching};
 fn rvc4(settings: &[(&str, &str)]) -> Parameters {
     let mut p = Parameters::new(Platform::Rvc4, STEREO, 1280);
     for (name, value) in settings {
-        p.set(name, value).unwrap();
+        p.set(name, *value).unwrap();
     }
     p
 }

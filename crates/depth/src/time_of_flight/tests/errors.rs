@@ -17,7 +17,7 @@ fn each_name_changes_what_it_reads() {
         assert_eq!(p.get(name).unwrap(), value, "{name}");
         assert_ne!(p, default);
         // What is read can be written.
-        p.set(name, &default.get(name).unwrap()).unwrap();
+        p.set(name, default.get(name).unwrap()).unwrap();
         assert_eq!(p, default);
     }
 }

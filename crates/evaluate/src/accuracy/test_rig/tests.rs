@@ -20,7 +20,7 @@ fn test_rig(model: &str, engine: &'static EngineKind, parameters: &[(&str, &str)
         engine: Some(engine.into()),
         parameters: parameters
             .iter()
-            .map(|(a, b)| ((*a).to_owned(), (*b).to_owned()))
+            .map(|(a, b)| ((*a).to_owned(), (*b).into()))
             .collect(),
         ..SensorOptions::default()
     };

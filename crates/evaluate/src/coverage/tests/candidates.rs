@@ -156,7 +156,7 @@ fn every_engine_measures() {
         size: Some(ImageSize::new(320, 200)),
         ..RigSpec::default()
     };
-    let untextured = ("confidenceThreshold".to_owned(), "0".to_owned());
+    let untextured = ("confidenceThreshold".to_owned(), 0.into());
     small.sensor.parameters.push(untextured);
     let mut decimated = small.clone();
     decimated.sensor.filters.push("decimation".to_owned());
@@ -164,7 +164,7 @@ fn every_engine_measures() {
     matching.sensor.engine = Some((&STEREO_MATCHING).into());
     let mut single = small.clone();
     single.sensor.engine = Some((&SINGLE_VIEW).into());
-    single.sensor.parameters = vec![("confidenceThreshold".to_owned(), "1".to_owned())];
+    single.sensor.parameters = vec![("confidenceThreshold".to_owned(), "1".into())];
     for (model, options) in [
         ("OAK-D ToF", &RigSpec::default()),
         ("OAK-D Pro PoE", &decimated),

@@ -55,9 +55,7 @@ fn rig_of(model: &str, set: &[(&str, &str)]) -> MeasuringRig {
     };
     // The plates have no texture.
     for (name, value) in [("confidenceThreshold", "0")].iter().chain(set) {
-        spec.sensor
-            .parameters
-            .push(((*name).to_owned(), (*value).to_owned()));
+        spec.sensor.parameters.push(((*name).to_owned(), (*value).into()));
     }
     let twin = catalog.nominal(catalog.device(model).unwrap());
     MeasuringRig::new(&twin, None, None, &spec).unwrap().0

@@ -22,9 +22,7 @@ fn options() -> Options {
     Options {
         engine: SensorOptions {
             engine: Some((&TIME_OF_FLIGHT).into()),
-            parameters: CROP
-                .map(|(name, value)| (name.to_owned(), value.to_owned()))
-                .to_vec(),
+            parameters: CROP.map(|(name, value)| (name.to_owned(), value.into())).to_vec(),
             ..SensorOptions::default()
         },
         region: 0.6,
@@ -79,10 +77,7 @@ fn fitted(path: &Path, options: &Options) -> Result<(Report, Vec<Finding>), Stri
 fn with(options: Options, parameter: (&str, &str)) -> Options {
     let mut options = options;
     let (name, value) = parameter;
-    options
-        .engine
-        .parameters
-        .push((name.to_owned(), value.to_owned()));
+    options.engine.parameters.push((name.to_owned(), value.into()));
     options
 }
 

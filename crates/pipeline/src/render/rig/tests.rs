@@ -52,7 +52,7 @@ fn spec(engine: Option<&'static EngineKind>) -> RigSpec {
             // The wall has no texture.
             parameters: match engine {
                 Some(kind) if *kind == TIME_OF_FLIGHT => Vec::new(),
-                _ => vec![("confidenceThreshold".to_owned(), "0".to_owned())],
+                _ => vec![("confidenceThreshold".to_owned(), "0".into())],
             },
             ..SensorOptions::default()
         },

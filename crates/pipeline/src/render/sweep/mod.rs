@@ -10,7 +10,7 @@ use std::sync::Arc;
 use super::camera::PlacedCamera;
 use super::depth_sensor::{DepthSensorError, DepthSensorOptions, depth_sensors, sensor_input};
 use crate::pair::Pair;
-use crate::sensor::{EngineKind, ParameterError, Sensor, SensorOptions};
+use crate::sensor::{EngineKind, ParameterError, Scalar, Sensor, SensorOptions};
 use oaktwin_base::diagnostic::fold_name;
 use oaktwin_depth::Engine;
 use oaktwin_image::Image;
@@ -164,7 +164,7 @@ fn set(options: &mut SensorOptions, name: &str, value: &str) -> Result<(), Param
         "engine" => options.engine = Some(EngineKind::parse(value)?.into()),
         "preset" => options.preset = Some(value.to_owned()),
         "seed" => options.seed = value.parse().map_err(|_| wrong("give a whole number"))?,
-        _ => options.parameters.push((name.to_owned(), value.to_owned())),
+        _ => options.parameters.push((name.to_owned(), Scalar::of(value))),
     }
     Ok(())
 }
@@ -258,12 +258,12 @@ mod tests {
     fn parses_sweeps() {
         let two = sweep(&["maxDistance = 2, 4", "confidenceThreshold=0.5"]).unwrap();
         let options = two.options(&SensorOptions::default()).unwrap();
-        let set: Vec<Vec<(&str, &str)>> = options
+        let set: Vec<Vec<(&str, String)>> = options
             .iter()
             .map(|one| {
                 let parameters = one.parameters.iter();
                 parameters
-                    .map(|(name, value)| (name.as_str(), value.as_str()))
+                    .map(|(name, value)| (name.as_str(), value.to_string()))
                     .collect()
             })
             .collect();
@@ -273,6 +273,7 @@ mod tests {
                 [("maxDistance", "2"), ("confidenceThreshold", "0.5")],
                 [("maxDistance", "4"), ("confidenceThreshold", "0.5")],
             ]
+            .map(|cell| cell.map(|(name, value)| (name, value.to_owned())))
         );
         let engines = sweep(&["engine=single-view,stereo_noise", "seed=7"]).unwrap();
         let options = engines.options(&SensorOptions::default()).unwrap();

@@ -1,7 +1,7 @@
 //! Arguments with a value for each item.
 
 use oaktwin::camera::StereoDrift;
-use oaktwin::sensor::SensorOptions;
+use oaktwin::sensor::{Scalar, SensorOptions};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 
@@ -21,7 +21,7 @@ pub(super) struct Values {
 }
 
 /// The names and values that each item has.
-pub(super) type Assigned = Vec<Vec<(String, String)>>;
+pub(super) type Assigned = Vec<Vec<(String, Scalar)>>;
 
 impl Values {
     /// Returns the options of each item, or those of all if nothing differs.

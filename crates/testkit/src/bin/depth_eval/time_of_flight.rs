@@ -75,7 +75,7 @@ impl Request {
         for (name, value) in &self.parameters {
             match value {
                 Value::String(value) => parameters.set(name, value)?,
-                value => parameters.set(name, &value.to_string())?,
+                value => parameters.set(name, value.to_string())?,
             }
         }
         Ok(TimeOfFlight::new(parameters)?)

@@ -223,7 +223,7 @@ impl Matcher {
     fn new(size: ImageSize, settings: &[(&str, &str)]) -> Result<Self, Box<dyn Error>> {
         let mut parameters = stereo_matching::Parameters::new(Platform::Rvc2, stereo(size.width), size.width);
         for (name, value) in settings {
-            parameters.set(name, value)?;
+            parameters.set(name, *value)?;
         }
         Ok(Self {
             engine: StereoMatching::new(parameters)?,

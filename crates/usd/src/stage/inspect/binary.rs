@@ -136,7 +136,7 @@ fn outline(file: &mut CrateFile<IoCursor<&[u8]>>) -> Result<Outline, Problem> {
     }
     for (path, name, value) in in_prims {
         if let Ok(value) = file.value(value) {
-            arcs.add(&file.paths[path], name, &value);
+            arcs.add(&file.paths[path], name, &value)?;
         }
     }
     Ok(arcs.outline)

@@ -145,7 +145,7 @@ pub(super) fn outline(layer: &Data, prims: u64) -> Result<Outline, Problem> {
     for (path, spec) in with_arcs {
         for name in ARC_FIELDS {
             if let Some(value) = spec.get(name) {
-                arcs.add(path, name, value);
+                arcs.add(path, name, value)?;
             }
         }
     }
@@ -191,7 +191,7 @@ impl Arcs {
     }
 
     /// Adds the arcs in the field `name` of the prim or variant at `path`.
-    pub(super) fn add(&mut self, path: &Path, name: &str, value: &Value) {
+    pub(super) fn add(&mut self, path: &Path, name: &str, value: &Value) -> Result<(), Problem> {
         let prim = path.strip_all_variant_selections();
         let mut push = |kind, target: String| {
             self.outline.arcs.push(Arc {
@@ -228,10 +228,15 @@ impl Arcs {
                     push(ArcKind::Reference, to);
                 }
             }
-            Value::PathListOp(list) => list
-                .iter()
-                .filter_map(target)
-                .for_each(|to| push(ArcKind::Class, to)),
+            Value::PathListOp(list) => {
+                for to in list.iter().filter_map(target) {
+                    if to.contains('.') {
+                        let what = format!("inherits or specializes <{to}>, which is not the path of a prim");
+                        return Err(Problem::new(prim.as_str(), what, "give the path of a prim"));
+                    }
+                    push(ArcKind::Class, to);
+                }
+            }
             Value::StringListOp(list) if name == "variantSetNames" => list
                 .iter()
                 .for_each(|name| push(ArcKind::VariantSet, name.clone())),
@@ -240,6 +245,7 @@ impl Arcs {
                 .for_each(|name| push(ArcKind::VariantSet, name.as_str().to_owned())),
             _ => {}
         }
+        Ok(())
     }
 }
 
