@@ -157,7 +157,7 @@ function pane() {
     buffers: [{ byteLength: positions.length, uri: `data:application/octet-stream;base64,${positions.toString("base64")}` }],
     bufferViews: [{ buffer: 0, byteLength: positions.length }],
     accessors: [accessor(0, 1, 0), accessor(72, 2, -1)],
-    materials: [{ doubleSided: true, extensions: { KHR_materials_transmission: { transmissionFactor: 1 } }, pbrMetallicRoughness: { roughnessFactor: 0 } }, { doubleSided: true }],
+    materials: [{ doubleSided: true, extensions: { KHR_materials_transmission: { transmissionFactor: 1 } }, pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: 0 } }, { doubleSided: true }],
     meshes: [{ primitives: [{ attributes: { POSITION: 0 }, material: 0 }] }, { primitives: [{ attributes: { POSITION: 1 }, material: 1 }] }],
     nodes: [{ mesh: 0, name: "Pane" }, { mesh: 1, name: "Wall" }],
     scenes: [{ nodes: [0, 1] }],

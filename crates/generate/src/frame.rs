@@ -199,29 +199,8 @@ impl<'a> FrameMaker<'a> {
             }
             shots.push(shot);
         }
-        if let Some(Aligned { target, source }) = aligned
-            && wanted.contains(&Annotator::DepthSensorDistance)
-            && let Some(sensor) = rig.sensors()[source].clone()
-        {
-            let own = shots
-                .get(source)
-                .and_then(|shot| shot.frame.depth_sensor_distance.clone());
-            let depth = match own {
-                Some(depth) => Some(depth),
-                None => {
-                    let wanted = [Annotator::DepthSensorDistance];
-                    let (shot, more) = take(&mut rig, source, &wanted)?;
-                    findings.extend(more);
-                    shot.frame.depth_sensor_distance
-                }
-            };
-            if let Some(depth) = depth {
-                let from = (&rig.cameras()[source], &sensor);
-                let shot = &mut shots[target];
-                shot.frame.depth_sensor_distance = context.aligned(twin, from, &depth)?;
-                shot.sensor_view.clone_from(&shot.view);
-                shot.sensor_params.clone_from(&shot.camera_params);
-            }
+        if let Some(aligned) = aligned.filter(|_| wanted.contains(&Annotator::DepthSensorDistance)) {
+            findings.extend(context.put_aligned(twin, &aligned, &mut rig, &mut shots, &mut take)?);
         }
         Ok(Made {
             shots,
