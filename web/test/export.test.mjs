@@ -106,7 +106,7 @@ test("a unit of the population and a drift change what is measured, and enter co
   await context.close();
 });
 
-test("colours are recorded on request, and the command and the script record them alike", { skip }, async () => {
+test("colours are recorded on request, which enters the command and the script", { skip }, async () => {
   const { page, context, errors } = await open(browser);
   const [colour, depth] = [await pixels(page, "color"), await pixels(page, "depth")];
   await page.getByRole("button", { name: "Colours and glass" }).click();
