@@ -339,6 +339,10 @@ export type OakState = {
   /** The brightness of the dot projector and of the scene's own light, for stereo engines. Night is an ambient of 0. */
   projector: number;
   ambient: number;
+  /** The ground truth of transparent surfaces: themselves, or what lies behind the clear ones. */
+  transparent: "surface" | "through";
+  /** The image sensor of colours: only its changed parameters, as text; null if colours are exact. */
+  colorImager: Record<string, string> | null;
   /** The number of the frame of a trajectory or an animation: frames differ in their noise. 0 for a frame on its own. */
   frame: number;
 };

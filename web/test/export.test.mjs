@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after as afterAll, before, test } from "node:test";
-import { addressAfter, after, launch, open, pixels, skip } from "./page.mjs";
+import { addressAfter, after, dropScene, launch, open, pixels, rest, skip } from "./page.mjs";
 
 let browser;
 before(async () => {
@@ -105,3 +105,62 @@ test("a unit of the population and a drift change what is measured, and enter co
   assert.deepEqual(errors, []);
   await context.close();
 });
+
+test("colours are recorded on request, which enters the command and the script", { skip }, async () => {
+  const { page, context, errors } = await open(browser);
+  const [colour, depth] = [await pixels(page, "color"), await pixels(page, "depth")];
+  await page.getByRole("button", { name: "Colours and glass" }).click();
+  await addressAfter(page, () => page.getByLabel("Recorded colours").check());
+  const recorded = await pixels(page, "color");
+  assert.notEqual(recorded, colour);
+  assert.match(await shown(page, "Command line"), /--rgb-imager on/);
+  assert.match(await shown(page, "Python"), /rgb_imager=True/);
+  await addressAfter(page, async () => {
+    await page.getByLabel("Light of the scene").fill("0.01");
+    await page.keyboard.press("Enter");
+  });
+  assert.notEqual(await pixels(page, "color"), recorded, "a dim room is noisy");
+  assert.equal(await pixels(page, "depth"), depth);
+  assert.match(await shown(page, "Command line"), /--rgb-imager light=0.01/);
+  await addressAfter(page, () => page.getByLabel("Recorded colours").uncheck());
+  assert.equal(await pixels(page, "color"), colour);
+  assert.doesNotMatch(await shown(page, "Command line"), /rgb-imager/);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("the ground truth of clear surfaces is theirs, or what is behind them", { skip }, async () => {
+  const { page, context, errors } = await open(browser);
+  await dropScene(page, "pane.gltf", pane());
+  await rest(page);
+  const surface = floats((await exported(page, "Exact depth (NumPy)")).bytes).values;
+  await page.getByRole("button", { name: "Colours and glass" }).click();
+  await addressAfter(page, () => page.getByTestId("transparent").selectOption("through"));
+  const through = floats((await exported(page, "Exact depth (NumPy)")).bytes).values;
+  const farther = surface.filter((value, at) => through[at] > value + 0.01).length;
+  const nearer = surface.filter((value, at) => through[at] < value).length;
+  assert.ok(farther > surface.length / 50 && nearer === 0, `${farther} and ${nearer} of ${surface.length}`);
+  assert.match(await shown(page, "Command line"), /--transparent through/);
+  assert.match(await shown(page, "Python"), /transparent="through"/);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+/** A pane of glass of 2 m before a wall of 4 m, 1 m behind it. */
+function pane() {
+  const corners = (half, z) => [[-half, -half, z], [half, -half, z], [half, half, z], [-half, -half, z], [half, half, z], [-half, half, z]].flat();
+  const positions = Buffer.from(new Float32Array([...corners(1, 0), ...corners(2, -1)]).buffer);
+  const accessor = (byteOffset, half, z) => ({ bufferView: 0, byteOffset, componentType: 5126, count: 6, type: "VEC3", min: [-half, -half, z], max: [half, half, z] });
+  return JSON.stringify({
+    asset: { version: "2.0" },
+    extensionsUsed: ["KHR_materials_transmission"],
+    buffers: [{ byteLength: positions.length, uri: `data:application/octet-stream;base64,${positions.toString("base64")}` }],
+    bufferViews: [{ buffer: 0, byteLength: positions.length }],
+    accessors: [accessor(0, 1, 0), accessor(72, 2, -1)],
+    materials: [{ doubleSided: true, extensions: { KHR_materials_transmission: { transmissionFactor: 1 } }, pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: 0 } }, { doubleSided: true }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, material: 0 }] }, { primitives: [{ attributes: { POSITION: 1 }, material: 1 }] }],
+    nodes: [{ mesh: 0, name: "Pane" }, { mesh: 1, name: "Wall" }],
+    scenes: [{ nodes: [0, 1] }],
+    scene: 0,
+  });
+}

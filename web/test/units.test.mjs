@@ -99,7 +99,8 @@ test("a gesture is one step of undo", () => {
 const state = {
   model: "OAK-D", calibration: null, pose: { position: [1, 2, 3], quaternion: [0, 0, 0, 1] }, sensor: "depth_stereo", lens: "pinhole",
   engine: "stereo-noise", preset: null, filters: ["median"], parameters: { bias: "0.1" }, extendedDisparity: true, seed: 3,
-  deviceSeed: 4, populationSeed: 5, drift: { yaw: "0.3" }, projector: 0.5, ambient: 0, frame: 3,
+  deviceSeed: 4, populationSeed: 5, drift: { yaw: "0.3" }, projector: 0.5, ambient: 0, transparent: "through",
+  colorImager: { light: "0.5" }, frame: 3,
 };
 
 test("a link restores the state, and links with other content are ignored", () => {

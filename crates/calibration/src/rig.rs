@@ -134,6 +134,7 @@ fn twin_camera(role: Role, found: &CameraCalibration) -> TwinCamera {
             source: Source::CalibrationExport,
             sources: Sources::new(),
         },
+        is_monochrome: false,
         readout_s: 0.0,
         pixel_size_um: PIXEL_SIZE_UM,
         intrinsics: found.intrinsics,

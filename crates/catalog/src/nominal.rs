@@ -40,6 +40,7 @@ impl Catalog {
                 TwinCamera {
                     spec: spec.clone(),
                     pixel_size_um: sensor.pixel_size_um,
+                    is_monochrome: sensor.monochrome,
                     readout_s: sensor.readout_s(),
                     intrinsics: Intrinsics::from_hfov(sensor.used_size(), spec.hfov_deg.to_radians()),
                     lens: LensModel::Pinhole,

@@ -51,6 +51,8 @@ pub struct TwinCamera {
     pub spec: Camera,
     /// The pixel pitch of the sensor's mode, µm.
     pub pixel_size_um: f64,
+    /// Whether the sensor has no colour filters.
+    pub is_monochrome: bool,
     /// The readout time, s: how much later the last row is exposed than the first; 0 unless the sensor rolls.
     pub readout_s: f64,
     /// The intrinsics at the sensor's used resolution.

@@ -3,10 +3,12 @@
 use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::RigidTransform;
 use oaktwin_catalog::{LensChoice, Twin};
+use oaktwin_dataset::Shot;
 use oaktwin_depth::align::Fill;
 use oaktwin_image::ZDepth;
+use oaktwin_image::annotation::Annotator;
 use oaktwin_pipeline::align::{AlignTo, align_to};
-use oaktwin_pipeline::render::{OakOptions, PlacedCamera, oak_cameras};
+use oaktwin_pipeline::render::{OakOptions, PlacedCamera, Rig, RigError, oak_cameras};
 use oaktwin_pipeline::sensor::{Sensor, depth_sensor};
 
 use crate::GenerateError;
@@ -19,6 +21,10 @@ pub(crate) struct Aligned {
     pub(crate) target: usize,
     pub(crate) source: usize,
 }
+
+/// Takes a frame of one camera of a rig, with some annotators.
+pub(crate) type Take<'a> =
+    dyn FnMut(&mut Rig, usize, &[Annotator]) -> Result<(Shot, Vec<Finding>), RigError> + 'a;
 
 impl Context {
     /// Returns the names of the cameras to write: the recipe's, or else the camera that depth is aligned to.
@@ -103,11 +109,46 @@ impl Context {
         without.map(note).collect()
     }
 
+    /// Puts measured depth into the frame of the camera that it is aligned to. `take` takes a frame of another camera of the rig.
+    ///
+    /// # Errors
+    /// Returns an error if the sensor cannot measure, or the position of a camera is unknown.
+    pub(crate) fn put_aligned(
+        &self,
+        twin: &Twin,
+        &Aligned { target, source }: &Aligned,
+        rig: &mut Rig,
+        shots: &mut [Shot],
+        take: &mut Take<'_>,
+    ) -> Result<Vec<Finding>, GenerateError> {
+        let Some(sensor) = rig.sensors()[source].clone() else {
+            return Ok(Vec::new());
+        };
+        let own = shots
+            .get(source)
+            .and_then(|shot| shot.frame.depth_sensor_distance.clone());
+        let (depth, findings) = match own {
+            Some(depth) => (Some(depth), Vec::new()),
+            None => {
+                let (shot, findings) = take(rig, source, &[Annotator::DepthSensorDistance])?;
+                (shot.frame.depth_sensor_distance, findings)
+            }
+        };
+        if let Some(depth) = depth {
+            let from = (&rig.cameras()[source], &sensor);
+            let shot = &mut shots[target];
+            shot.frame.depth_sensor_distance = self.aligned(twin, from, &depth)?;
+            shot.sensor_view.clone_from(&shot.view);
+            shot.sensor_params.clone_from(&shot.camera_params);
+        }
+        Ok(findings)
+    }
+
     /// Returns depth that `source` measured with its sensor as the device aligns it to `target`.
     ///
     /// # Errors
     /// Returns an error if the position of a camera is unknown.
-    pub(crate) fn aligned(
+    fn aligned(
         &self,
         twin: &Twin,
         (source, sensor): (&PlacedCamera, &Sensor),

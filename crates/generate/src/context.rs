@@ -6,6 +6,7 @@ use oaktwin_calibration::population::Population;
 use oaktwin_catalog::Catalog;
 use oaktwin_dataset::{FormatKind, Needs};
 use oaktwin_image::annotation::Annotator;
+use oaktwin_imu::Motion;
 use oaktwin_pipeline::render::annotator;
 use oaktwin_pipeline::render::trajectory::{self, TimedPose};
 use oaktwin_pipeline::sensor::EngineRef;
@@ -35,6 +36,8 @@ pub(crate) struct Context {
     pub(crate) times: Option<Vec<f64>>,
     /// The inertial sensors, if the recipe asks for their samples.
     pub(crate) inertial: Option<Inertial>,
+    /// The motion along the trajectory, if frames take time.
+    pub(crate) motion: Option<Motion>,
     pub(crate) annotators: Vec<Annotator>,
     pub(crate) formats: Vec<&'static FormatKind>,
     /// What at least one of the formats requires.
@@ -103,6 +106,7 @@ impl Context {
             times,
             trajectory,
             inertial,
+            motion: None,
             annotators,
             needs: Needs {
                 objects: formats.iter().any(|format| format.needs.objects),
@@ -116,6 +120,7 @@ impl Context {
             file,
         };
         context.check_times()?;
+        context.motion = context.open_motion()?;
         let findings = context.check_inertial()?;
         context.findings.extend(findings);
         Ok(context)

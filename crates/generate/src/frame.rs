@@ -23,6 +23,7 @@ use crate::aligned::Aligned;
 use crate::arrange::{Arrangement, Stage};
 use crate::context::Context;
 use crate::described::objects;
+use crate::motion::DrawnMotion;
 use crate::recipe::{ParameterValue, RgbImagerRule};
 use crate::saved::scene_files;
 use crate::unit::DrawnUnit;
@@ -61,6 +62,8 @@ struct Explained<'a> {
     frame: u64,
     arrangement: &'a Arrangement,
     camera: DrawnView,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    motion: Option<DrawnMotion>,
     parameters: Vec<(String, Scalar)>,
 }
 
@@ -102,6 +105,7 @@ impl<'a> FrameMaker<'a> {
             frame,
             arrangement: &shown.arrangement,
             camera: context.view(shown, frame)?,
+            motion: context.drawn_motion(frame),
             parameters: context.parameters(frame),
         };
         Ok(json!(explained))
@@ -159,10 +163,22 @@ impl<'a> FrameMaker<'a> {
         let annotators = rig.annotators().to_vec();
         findings.extend(arrangement.findings.iter().cloned());
         let recipe = &context.file.recipe;
-        let place = usize::try_from(frame % recipe.frames_per_scene).unwrap_or(usize::MAX);
+        let place = frame % recipe.frames_per_scene;
+        let drawn = context.drawn_motion(frame);
+        let mut moving = drawn.map(|drawn| {
+            let pose = view.world_from_body;
+            context.moving(&drawn, stage.renderer(), pose, place)
+        });
+        let mut take = |rig: &mut Rig, index: usize, annotators: &[Annotator]| match &mut moving {
+            Some(moving) => rig.expose_camera(moving, index, frame, annotators),
+            None => rig.shoot_camera(stage.renderer(), index, None, frame, annotators),
+        };
+        let biases = usize::try_from(place)
+            .ok()
+            .and_then(|place| biases.get(place).copied());
         let mut shots = Vec::new();
         for (index, has_pair) in has_pair.iter().enumerate().take(written) {
-            let (mut shot, more) = rig.shoot_camera(stage.renderer(), index, None, frame, &annotators)?;
+            let (mut shot, more) = take(&mut rig, index, &annotators)?;
             findings.extend(more);
             if !has_pair {
                 shot.stereo = None;
@@ -171,11 +187,10 @@ impl<'a> FrameMaker<'a> {
                 shot.render_product = None;
             }
             shot.sequence = arrangement.number;
-            shot.time_ns = context.time_ns(frame % recipe.frames_per_scene);
-            shot.imu_biases = biases.get(place).copied();
+            shot.time_ns = context.time_ns(place).saturating_add(rig.offset_ns(index));
+            shot.imu_biases = biases;
             if context.needs.objects {
-                let camera = &rig.cameras()[index];
-                let view = camera.view(&camera.world_from_mount);
+                let view = rig.cameras()[index].view(&shot.world_from_mount);
                 let ids = match wanted.contains(&Annotator::InstanceIdSegmentation) {
                     true => shot.frame.instance_id_segmentation.clone(),
                     false => shot.frame.instance_id_segmentation.take(),
@@ -184,29 +199,8 @@ impl<'a> FrameMaker<'a> {
             }
             shots.push(shot);
         }
-        if let Some(Aligned { target, source }) = aligned
-            && wanted.contains(&Annotator::DepthSensorDistance)
-            && let Some(sensor) = rig.sensors()[source].clone()
-        {
-            let own = shots
-                .get(source)
-                .and_then(|shot| shot.frame.depth_sensor_distance.clone());
-            let depth = match own {
-                Some(depth) => Some(depth),
-                None => {
-                    let wanted = [Annotator::DepthSensorDistance];
-                    let (shot, more) = rig.shoot_camera(stage.renderer(), source, None, frame, &wanted)?;
-                    findings.extend(more);
-                    shot.frame.depth_sensor_distance
-                }
-            };
-            if let Some(depth) = depth {
-                let from = (&rig.cameras()[source], &sensor);
-                let shot = &mut shots[target];
-                shot.frame.depth_sensor_distance = context.aligned(twin, from, &depth)?;
-                shot.sensor_view.clone_from(&shot.view);
-                shot.sensor_params.clone_from(&shot.camera_params);
-            }
+        if let Some(aligned) = aligned.filter(|_| wanted.contains(&Annotator::DepthSensorDistance)) {
+            findings.extend(context.put_aligned(twin, &aligned, &mut rig, &mut shots, &mut take)?);
         }
         Ok(Made {
             shots,
@@ -263,6 +257,20 @@ impl Context {
             body_from_camera: camera.mount_from_camera,
         };
         search.find(frame)
+    }
+
+    /// Returns the cameras of the recipe, and then the one that measures aligned depth if it is not among them.
+    pub(crate) fn all_cameras(&self, twin: &Twin) -> Result<Vec<PlacedCamera>, GenerateError> {
+        let (mut cameras, _) = self.cameras(twin, &RigidTransform::IDENTITY)?;
+        let (_, added) = self.find_aligned(twin, &cameras)?;
+        if let Some(added) = added {
+            let options = OakOptions {
+                cameras: &[added],
+                ..OakOptions::default()
+            };
+            cameras.extend(oak_cameras(twin, &RigidTransform::IDENTITY, &options)?.0);
+        }
+        Ok(cameras)
     }
 
     fn cameras(
@@ -365,6 +373,10 @@ impl Context {
                 false => PairUse::Matched,
             },
             rgb_imager: self.rgb_imager(frame)?,
+            shutter: self.drawn_motion(frame).map(|motion| motion.shutter()),
+            camera_offsets_ms: (recipe.camera.motion.as_ref())
+                .map(|motion| motion.camera_offsets_ms.clone())
+                .unwrap_or_default(),
             transparent: recipe.output.transparent,
             ..RigSpec::default()
         };

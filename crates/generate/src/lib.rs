@@ -32,6 +32,7 @@ mod error;
 mod frame;
 mod inertial;
 mod models;
+mod motion;
 mod object_model;
 mod random;
 pub mod recipe;

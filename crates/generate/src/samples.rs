@@ -9,8 +9,7 @@ use oaktwin_camera::math::DVec3;
 use oaktwin_catalog::InertialPart;
 use oaktwin_dataset::{WriteError, euroc};
 use oaktwin_files::OutputFiles;
-use oaktwin_pipeline::imu::{ImuOptions, ImuSimulation, motion};
-use oaktwin_pipeline::render::trajectory::TimedPose;
+use oaktwin_pipeline::imu::{ImuOptions, ImuSimulation};
 
 use crate::GenerateError;
 use crate::context::Context;
@@ -78,7 +77,7 @@ impl Context {
     }
 
     /// Returns the time of a frame of an arrangement since its first one, seconds.
-    fn since_first_s(&self, index: u64) -> f64 {
+    pub(crate) fn since_first_s(&self, index: u64) -> f64 {
         #[expect(clippy::cast_precision_loss, reason = "times of a sequence, nanoseconds")]
         let seconds = self.time_ns(index).saturating_sub(self.time_ns(0)) as f64 * 1e-9;
         seconds
@@ -91,15 +90,7 @@ impl Context {
         number: u64,
         unit: &DrawnUnit,
     ) -> Result<(ImuSimulation, Vec<Finding>), GenerateError> {
-        let timed = (0..self.file.recipe.frames_per_scene).zip(&self.trajectory);
-        let timed: Vec<TimedPose> = timed
-            .map(|(index, pose)| TimedPose {
-                time_s: Some(self.since_first_s(index)),
-                ..*pose
-            })
-            .collect();
-        let motion = motion(&timed)
-            .map_err(|error| self.unfit("camera.trajectory", error.to_string(), "correct the trajectory"))?;
+        let motion = self.motion_of_poses()?;
         let twin = self.units(&unit.model).twin(unit.number);
         let options = ImuOptions {
             rate_hz: inertial.rule.rate_hz,

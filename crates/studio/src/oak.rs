@@ -2,11 +2,14 @@
 
 use oaktwin::camera::{ImageSize, RigidTransform};
 use oaktwin::catalog::{Device, LensChoice, Twin};
+use oaktwin::depth::imager::ColorParameters;
 use oaktwin::depth::parameters::choose;
 use oaktwin::diagnostic::Finding;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::pair::{PairCameras, PairOptions, illumination};
-use oaktwin::render::{self, OakOptions, PairUse, PlacedCamera, Rig, RigError, RigSpec, oak_cameras};
+use oaktwin::render::{
+    self, OakOptions, PairUse, PlacedCamera, Rig, RigError, RigSpec, Transparent, oak_cameras,
+};
 use oaktwin::sensor::{EngineInput, EngineKind, Scalar, Sensor, SensorOptions};
 
 use crate::protocol::{Failure, OakState};
@@ -23,6 +26,8 @@ pub(crate) struct Oak {
     pub(crate) twin: Twin,
     pub(crate) camera: PlacedCamera,
     pub(crate) sensor: Sensor,
+    /// The rig of this camera alone.
+    pub(crate) rig: Rig,
     /// The stereo pair, if the device has one.
     pub(crate) pair: Option<PairCameras>,
     pub(crate) findings: Vec<Finding>,
@@ -123,6 +128,24 @@ impl OakState {
         Ok(self.options()?.lit_by(light))
     }
 
+    /// Returns the ground truth of transparent surfaces.
+    pub(crate) fn transparent(&self) -> Result<Transparent, Failure> {
+        choose("transparent", &self.transparent).map_err(|error| Failure::of("transparent", &error))
+    }
+
+    /// Returns the image sensor of colours, if they are recorded.
+    pub(crate) fn color_imager(&self) -> Result<Option<ColorParameters>, Failure> {
+        let Some(changed) = &self.color_imager else {
+            return Ok(None);
+        };
+        let mut parameters = ColorParameters::default();
+        for (name, value) in changed {
+            let set = parameters.set(name, value).and_then(|()| parameters.check());
+            set.map_err(|error| Failure::of("colorImager", &error))?;
+        }
+        Ok(Some(parameters))
+    }
+
     /// Returns the specification of the rig, with images of a size.
     pub(crate) fn spec(&self, studio: &Studio, size: Option<ImageSize>) -> Result<RigSpec, Failure> {
         Ok(RigSpec {
@@ -136,6 +159,8 @@ impl OakState {
                 lens: self.lens()?,
                 ..PairOptions::default()
             },
+            rgb_imager: self.color_imager()?,
+            transparent: self.transparent()?,
             ..RigSpec::default()
         })
     }
@@ -190,6 +215,7 @@ impl Oak {
             twin,
             camera,
             sensor,
+            rig,
             pair,
             findings,
         })

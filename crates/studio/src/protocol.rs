@@ -5,6 +5,7 @@ mod scene;
 use std::collections::BTreeMap;
 
 use oaktwin::diagnostic::Finding;
+use oaktwin::render::Transparent;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::value::RawValue;
@@ -108,9 +109,21 @@ pub(crate) struct OakState {
     /// The brightness of the dot projector and of the scene's own light, for stereo engines. Night is an ambient of 0.
     pub(crate) projector: f64,
     pub(crate) ambient: f64,
+    /// The ground truth of transparent surfaces: themselves, or what lies behind the clear ones.
+    #[cfg_attr(test, ts(type = "\"surface\" | \"through\""))]
+    #[serde(default = "surface")]
+    pub(crate) transparent: String,
+    /// The image sensor of colours: only its changed parameters, as text; null if colours are exact.
+    #[cfg_attr(test, ts(type = "Record<string, string> | null"))]
+    #[serde(default)]
+    pub(crate) color_imager: Option<BTreeMap<String, String>>,
     /// The number of the frame of a trajectory or an animation: frames differ in their noise. 0 for a frame on its own.
     #[serde(default)]
     pub(crate) frame: u64,
+}
+
+fn surface() -> String {
+    Transparent::default().name().to_owned()
 }
 
 /// A pose of the body in the world.

@@ -1,10 +1,12 @@
 //! The current state as a command line, a Python script and a file of parameters, which reproduce it to the byte.
 
 mod along;
+mod images;
 
 use std::fmt::Write;
 
 use oaktwin::camera::RigidTransform;
+use oaktwin::render::Transparent;
 use oaktwin::sensor::{EngineInput, Scalar};
 
 use crate::protocol::{ExportRequest, Failure, OakState};
@@ -13,6 +15,7 @@ use crate::scene::LoadedScene;
 use crate::size::image_size;
 use crate::studio::Studio;
 use along::{Along, along};
+use images::images;
 
 /// The folder of the calibrations of units that a command draws.
 const UNITS: &str = "units";
@@ -139,6 +142,17 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
         option("projector", &state.projector.to_string());
         option("ambient", &state.ambient.to_string());
     }
+    if state.transparent()? != Transparent::default() {
+        option("transparent", &state.transparent);
+    }
+    if let Some(changed) = &state.color_imager {
+        if changed.is_empty() {
+            option("rgb-imager", "on");
+        }
+        for (name, value) in changed {
+            option("rgb-imager", &format!("{name}={value}"));
+        }
+    }
     option("annotators", "rgb,distance_to_image_plane,depth_sensor_distance");
     option("output", "oak");
     if state.extended_disparity {
@@ -226,6 +240,7 @@ pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String,
              depth = matcher(pair[\"rectified_left\"], pair[\"rectified_right\"])[\"depth\"]\n",
             state.projector, state.ambient, state.seed
         );
+        out += &images(state, image_size(request.size)?)?;
         return Ok(out);
     }
     let kind = state.sensor_kind();
@@ -245,6 +260,7 @@ pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String,
          depth = sensor(seen[\"distance_to_image_plane\"], seen[\"rgb\"]{frame})\n",
         kind = quoted(kind)
     );
+    out += &images(state, image_size(request.size)?)?;
     Ok(out)
 }
 

@@ -8,7 +8,9 @@ use oaktwin::diagnostic::{Finding, add_new};
 use oaktwin::image::annotation::{Annotator, Frame};
 use oaktwin::image::{Image, ImageView, ZDepth};
 use oaktwin::pair::Pair;
-use oaktwin::render::{AnnotateOptions, Backend, DepthSensorSource, Renderer, View, sensor_input};
+use oaktwin::render::{
+    AnnotateOptions, Backend, DepthSensorSource, Renderer, Transparent, View, sensor_input,
+};
 use oaktwin::sensor::{Input, Technology};
 
 use crate::oak::Oak;
@@ -48,6 +50,11 @@ struct Key {
     scene: String,
     view: View,
     color_step: u32,
+    transparent: String,
+    /// Whether the light of the colours is kept, because they are recorded.
+    is_recorded: bool,
+    /// Whether the engine measures at two times, and whether it models a technology: what it sees beside depth and colours.
+    engine: [bool; 2],
 }
 
 /// The rendered images of a view.
@@ -59,6 +66,8 @@ struct Seen {
     findings: Vec<Finding>,
     /// The pair, with the state that it was rendered for.
     pair: Option<(PairKey, Arc<Pair>)>,
+    /// The images with recorded colours, with the state that they are recorded for.
+    recorded: Option<(OakState, Arc<Frame>)>,
     /// Ground truth of the sensor's output camera, where it differs.
     reference: Option<(View, Arc<ZDepth>)>,
 }
@@ -120,7 +129,7 @@ impl Station {
         let number = request.state.frame;
         let view = oak.camera.view(&world_from_body);
         let color_step = request.color_step.unwrap_or(1).clamp(1, MAX_COLOR_STEP);
-        let seen = self.see(&scene, view, color_step, check)?;
+        let seen = self.see(&scene, &oak, &request.state, view, color_step, check)?;
         if let Some(cameras) = &oak.pair {
             let key = PairKey(light_of(&request.state), request.size);
             if seen.pair.as_ref().is_none_or(|(known, _)| *known != key) {
@@ -158,7 +167,9 @@ impl Station {
         };
         let reference = match output_view == view {
             true => None,
-            false => Some(seen.reference(&scene.renderer, output_view, check)?),
+            false => {
+                Some(seen.reference(&scene.renderer, output_view, request.state.transparent()?, check)?)
+            }
         };
         findings.append(&mut oak.findings);
         findings.extend(seen.findings.iter().cloned());
@@ -170,7 +181,7 @@ impl Station {
             engine: Arc::clone(oak.sensor.engine()),
             view,
             output: output_view,
-            frame: Arc::clone(&seen.frame),
+            frame: seen.recorded(&oak, &request.state),
             reference,
             capture: Arc::new(capture),
             pair,
@@ -215,22 +226,28 @@ impl Station {
     fn see(
         &mut self,
         scene: &LoadedScene,
+        oak: &Oak,
+        state: &OakState,
         view: View,
         color_step: u32,
         check: Check<'_>,
     ) -> Result<&mut Seen, Failure> {
+        let engine = oak.sensor.engine();
         let key = Key {
             scene: scene.info.id.clone(),
             view,
             color_step,
+            transparent: state.transparent.clone(),
+            is_recorded: state.color_imager.is_some(),
+            engine: [engine.ages_s().is_some(), engine.kind().models.is_some()],
         };
         let known = self.views.iter().position(|seen| seen.key == key);
         let seen = match known {
             Some(index) => self.views.remove(index),
             None => {
                 let (frame, findings) = match color_step {
-                    1 => annotate(&scene.renderer, &view, &TRUTH),
-                    step => with_coarse_color(&scene.renderer, &view, step),
+                    1 => oak.rig.annotate(&scene.renderer, 0, &view, &TRUTH),
+                    step => with_coarse_color(&scene.renderer, oak, &view, step),
                 };
                 check()?;
                 Seen {
@@ -238,6 +255,7 @@ impl Station {
                     frame: Arc::new(frame),
                     findings,
                     pair: None,
+                    recorded: None,
                     reference: None,
                 }
             }
@@ -274,14 +292,11 @@ pub(crate) fn measured(
     Station::default().measure(studio, &request, &|| Ok(())).cloned()
 }
 
-fn annotate(renderer: &Renderer, view: &View, annotators: &[Annotator]) -> (Frame, Vec<Finding>) {
-    renderer.annotate(view, annotators, Backend::Auto, &AnnotateOptions::default())
-}
-
 /// Renders ground truth, with colours that are interpolated between those of every `step` pixels: shading takes most of the time.
 /// Copies would have no texture between neighbours.
-fn with_coarse_color(renderer: &Renderer, view: &View, step: u32) -> (Frame, Vec<Finding>) {
-    let (mut frame, mut findings) = annotate(renderer, view, &[Annotator::DistanceToImagePlane]);
+fn with_coarse_color(renderer: &Renderer, oak: &Oak, view: &View, step: u32) -> (Frame, Vec<Finding>) {
+    let truth = [Annotator::DistanceToImagePlane];
+    let (mut frame, mut findings) = oak.rig.annotate(renderer, 0, view, &truth);
     let ImageSize { width, height } = view.camera.intrinsics.size;
     let size = ImageSize::new(width.div_ceil(step), height.div_ceil(step));
     let coarse = View {
@@ -291,7 +306,8 @@ fn with_coarse_color(renderer: &Renderer, view: &View, step: u32) -> (Frame, Vec
         ),
         ..*view
     };
-    let (colors, more) = annotate(renderer, &coarse, &[Annotator::Rgb]);
+    let options = AnnotateOptions::default();
+    let (colors, more) = renderer.annotate(&coarse, &[Annotator::Rgb], Backend::Auto, &options);
     findings.extend(more);
     frame.rgb = colors.rgb.map(|colors| enlarged(&colors, width, height));
     (frame, findings)
@@ -341,17 +357,44 @@ fn enlarged(small: &Image<[u8; 4]>, width: u32, height: u32) -> Image<[u8; 4]> {
 }
 
 impl Seen {
+    /// Returns the images with the colours that the camera records. Those of movements are exact.
+    fn recorded(&mut self, oak: &Oak, state: &OakState) -> Arc<Frame> {
+        if self.frame.light.is_none() {
+            return Arc::clone(&self.frame);
+        }
+        // What the engine does with colours leaves them as they are.
+        let state = light_of(state);
+        match &self.recorded {
+            Some((known, frame)) if *known == state => Arc::clone(frame),
+            _ => {
+                let mut frame = (*self.frame).clone();
+                oak.rig.record_colors(0, state.frame, &mut frame);
+                let frame = Arc::new(frame);
+                self.recorded = Some((state, Arc::clone(&frame)));
+                frame
+            }
+        }
+    }
+
     fn reference(
         &mut self,
         renderer: &Renderer,
         view: View,
+        transparent: Transparent,
         check: Check<'_>,
     ) -> Result<Arc<ZDepth>, Failure> {
         Ok(match &self.reference {
             Some((known, depth)) if *known == view => Arc::clone(depth),
             _ => {
-                let depth = Arc::new(renderer.depth(&view, Backend::Auto));
+                let options = AnnotateOptions {
+                    transparent,
+                    ..AnnotateOptions::default()
+                };
+                let truth = [Annotator::DistanceToImagePlane];
+                let (frame, _) = renderer.annotate(&view, &truth, Backend::Auto, &options);
                 check()?;
+                let depth = frame.distance_to_image_plane;
+                let depth = Arc::new(depth.unwrap_or_else(|| renderer.depth(&view, Backend::Auto)));
                 self.reference = Some((view, Arc::clone(&depth)));
                 depth
             }

@@ -91,14 +91,16 @@ export function defaultState(model: Model, pose: Pose): OakState {
     drift: {},
     projector: model.hasProjector ? 1 : 0,
     ambient: 1,
+    transparent: "surface",
+    colorImager: null,
     frame: 0,
   };
 }
 
 /** Returns the state of another model that keeps what does not depend on the model. */
 export function withModel(state: OakState, model: Model): OakState {
-  const { pose, seed, deviceSeed, populationSeed, ambient, frame } = state;
-  const next = { ...defaultState(model, pose), seed, deviceSeed, populationSeed, ambient, frame };
+  const { pose, seed, deviceSeed, populationSeed, ambient, transparent, colorImager, frame } = state;
+  const next = { ...defaultState(model, pose), seed, deviceSeed, populationSeed, ambient, transparent, colorImager, frame };
   const sensor = model.depthSensors.find(({ id }) => id === state.sensor);
   if (!sensor) return next;
   const drift = sensor.kind === "stereo" ? state.drift : {};

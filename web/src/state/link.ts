@@ -130,6 +130,8 @@ function stateFrom(json: unknown): OakState | null {
     drift: texts(json.drift),
     projector: number(json.projector, 1),
     ambient: number(json.ambient, 1),
+    transparent: json.transparent === "through" ? "through" : "surface",
+    colorImager: isObject(json.colorImager) ? texts(json.colorImager) : null,
     frame: isFrame(json.frame) ? (json.frame as number) : 0,
   };
 }

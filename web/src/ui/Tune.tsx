@@ -5,6 +5,7 @@ import { grouped } from "../state/parameters";
 import { SHARED, setForAll } from "../studio/forall";
 import { words } from "../util/format";
 import { useSelected, useStore } from "../util/store";
+import { ColoursSection } from "./Colours";
 import { Button, Check, NumberField, Section, Select } from "./controls";
 import { useApp } from "./context";
 import { FilterList } from "./FilterList";
@@ -27,12 +28,13 @@ export function Tune() {
   if (!sensor) return <p class="hint pad">{state.model} has no depth sensor. Choose another model.</p>;
   const problem = (field: string) => (rejection?.field === field ? rejection.error : undefined);
   // What no field below shows is shown with the sensor.
-  const hasField = rejection?.field === "filters" || rejection?.field?.startsWith("drift.") || engine?.parameters.some(({ name }) => name === rejection?.field);
+  const hasField = ["filters", "colorImager", "transparent"].includes(rejection?.field ?? "") || rejection?.field?.startsWith("drift.") || engine?.parameters.some(({ name }) => name === rejection?.field);
   return (
     <>
       <SensorSection state={state} sensor={sensor} problem={hasField ? undefined : rejection?.error} />
       <UnitSection state={state} problem={problem} />
       {sensor.kind === "stereo" && <DriftSection state={state} problem={problem} />}
+      <ColoursSection state={state} problem={problem} />
       <Section title="Filters" isOpen={state.filters !== null}>
         <FilterList
           filters={catalog.filters}

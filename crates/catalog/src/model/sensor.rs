@@ -40,6 +40,9 @@ pub struct Sensor {
     /// The readout time in the used mode, ms: how much later a rolling sensor exposes its last row than its first.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub readout_ms: Option<f64>,
+    /// Whether the sensor has no colour filters, so that its images are grey.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub monochrome: bool,
     /// The wavelength of the light source in nm, for time-of-flight sensors.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wavelength_nm: Option<f64>,

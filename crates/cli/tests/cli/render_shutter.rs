@@ -133,6 +133,17 @@ fn cameras_have_their_own_times() {
     };
     let moved = of("later")[2] - of("same")[2];
     assert!((moved - 0.75).abs() < 1e-6, "{moved}: {truth}");
+
+    program.good(&words(&format!(
+        "render stage.usda --model OAK-D-Pro-PoE --camera rgb --trajectory path.tum {OUTPUTS} --exposure 5 --camera-offset rgb=50 --record a.mcap"
+    )));
+    let file = read(&program, "a.mcap");
+    let messages = mcap::MessageStream::new(&file).unwrap();
+    let images = messages
+        .map(Result::unwrap)
+        .filter(|message| message.channel.topic.ends_with("/rgb"));
+    let times: Vec<u64> = images.map(|message| message.log_time).collect();
+    assert_eq!(times, [50_000_000, 150_000_000, 250_000_000]);
 }
 
 /// A triangle that moves 2 m to the left in 2 s, and whose third corner rises by its morph target, and sinks again.

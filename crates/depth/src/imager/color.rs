@@ -2,11 +2,12 @@
 
 use oaktwin_base::parameter::{Platform, parameters};
 use oaktwin_camera::Intrinsics;
+use oaktwin_image::Image;
 use oaktwin_image::srgb::srgb_from_linear;
-use oaktwin_image::{Image, ImageView};
 
 use super::demosaic::{self, UNITS};
-use super::{Bits, Exposure, Imager, Parameters, Recorded, blur};
+use super::rows::Rows;
+use super::{Bits, Exposure, Imager, Parameters, blur, mosaic};
 use crate::ParameterError;
 use crate::random::{Stage, Stream};
 
@@ -68,7 +69,23 @@ pub struct Photosites {
     pub pitch_um: f64,
     /// The number of photosites along the side of a pixel; at least 1 is used.
     pub per_pixel: f64,
+    /// Whether they have no colour filters, so that images are grey.
+    pub is_monochrome: bool,
 }
+
+/// How the photosites of a sensor see colours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Layout {
+    /// One channel in each pixel, and the others from its surroundings.
+    Mosaic,
+    /// All channels in each pixel.
+    Whole,
+    /// Luminance.
+    Monochrome,
+}
+
+/// The shares of red, green and blue in Rec. 709's luminance, as in the images of stereo pairs.
+const LUMINANCE: [f32; 3] = [0.2126, 0.7152, 0.0722];
 
 /// The image sensor of a colour camera.
 ///
@@ -78,7 +95,8 @@ pub struct Photosites {
 /// 3. **Noise** of each channel as by an [`Imager`] of 10 bits. Red and blue filters pass less light, which the balance of white makes up for.
 /// 4. **Mosaic**: where a pixel is one photosite, it has one channel, red and green or green and blue by turns, and the others come from
 ///    its surroundings (Malvar, He, Cutler: "High-quality linear interpolation for demosaicing of Bayer-patterned color images", ICASSP
-///    2004). Where images are at least twice reduced, each pixel has its own photosites of all channels.
+///    2004). Where images are at least twice reduced, each pixel has its own photosites of all channels. Photosites without filters see
+///    luminance, with all of their electrons, and images are grey.
 /// 5. **Encoding** in sRGB without a tone curve, so that saturated pixels are white.
 ///
 /// Denoising and sharpening, which devices add, are not modelled.
@@ -86,7 +104,7 @@ pub struct Photosites {
 pub struct ColorImager {
     channels: [Imager; 3],
     light: f32,
-    is_mosaic: bool,
+    layout: Layout,
 }
 
 impl ColorImager {
@@ -98,12 +116,22 @@ impl ColorImager {
         parameters.check()?;
         let p = parameters;
         let across = photosites.per_pixel.max(1.0);
-        let is_mosaic = across < WHOLE_MOSAIC;
+        let layout = match photosites.is_monochrome {
+            true => Layout::Monochrome,
+            false if across < WHOLE_MOSAIC => Layout::Mosaic,
+            false => Layout::Whole,
+        };
         let lens = p.lens_blur_px / across;
         let well = p.well_density_e * photosites.pitch_um * photosites.pitch_um;
-        let gains = [p.red_gain, 1.0, p.blue_gain];
+        let gains = match layout {
+            Layout::Monochrome => [1.0; 3],
+            Layout::Mosaic | Layout::Whole => [p.red_gain, 1.0, p.blue_gain],
+        };
         let channel = |index: usize| {
-            let share = if is_mosaic { 1.0 } else { SHARES[index] };
+            let share = match layout {
+                Layout::Whole => SHARES[index],
+                Layout::Mosaic | Layout::Monochrome => 1.0,
+            };
             let count = across * across * share;
             Imager::new(Parameters {
                 auto_exposure: p.auto_exposure,
@@ -123,20 +151,8 @@ impl ColorImager {
             channels: [channel(0)?, channel(1)?, channel(2)?],
             #[expect(clippy::cast_possible_truncation, reason = "light is float32")]
             light: p.light as f32,
-            is_mosaic,
+            layout,
         })
-    }
-
-    /// The sensors of red, green and blue.
-    #[must_use]
-    pub fn channels(&self) -> &[Imager; 3] {
-        &self.channels
-    }
-
-    /// Whether each pixel records one channel, and the others come from its surroundings.
-    #[must_use]
-    pub fn is_mosaic(&self) -> bool {
-        self.is_mosaic
     }
 
     /// Returns the colours that the sensor records of linear light, sRGB with the coverage of the light; light of 1 is a white surface in
@@ -172,14 +188,6 @@ impl ColorImager {
         colors
     }
 
-    /// Returns the exposure for an image.
-    fn expose(&self, planes: &[Image<f32>; 3], intrinsics: &Intrinsics) -> Exposure {
-        let views = planes
-            .each_ref()
-            .map(|plane| (ImageView::from(plane), intrinsics));
-        self.channels[1].expose(&views)
-    }
-
     /// Returns linear colours in [`UNITS`] of a step of 10 bits.
     fn linear(
         &self,
@@ -190,21 +198,37 @@ impl ColorImager {
         frame: u64,
     ) -> Image<[u16; 3]> {
         let scale = scale * self.light;
-        let planes = [0, 1, 2].map(|channel: usize| light.map(|pixel| pixel[channel] * scale));
-        let exposure = self.expose(&planes, intrinsics);
-        let record = |channel: usize, item: u32| {
-            let plane = random.plane(Stage::Color, frame, item);
-            let found =
-                self.channels[channel].record((&planes[channel]).into(), intrinsics, exposure, &plane);
-            match found {
-                Recorded::Ten(image) => image,
-                Recorded::Eight(image) => image.map(|value| u16::from(*value)),
-            }
+        let random = [0, 1, 2].map(|item| random.plane(Stage::Color, frame, item));
+        let rows = |exposure: Exposure, channel: usize, random| {
+            Rows::new(self.channels[channel].parameters(), intrinsics, exposure, random)
         };
-        let recorded = [record(0, 0), record(1, 1), record(2, 2)];
-        match self.is_mosaic {
-            true => demosaic::demosaic(&recorded),
-            false => demosaic::whole(&recorded),
+        let numbers = |plane: &Image<f32>, rows: &Rows<'_>| {
+            let mut out = Image::filled(plane.width(), plane.height(), 0u16);
+            rows.record(plane.into(), out.pixels_mut());
+            out
+        };
+        if self.layout == Layout::Monochrome {
+            let luminance = |pixel: &[f32; 4]| {
+                let channels = pixel.iter().zip(LUMINANCE);
+                channels.map(|(value, share)| value * share).sum::<f32>() * scale
+            };
+            let plane = light.map(luminance);
+            let exposure = self.channels[1].expose(&[((&plane).into(), intrinsics)]);
+            let grey = numbers(&plane, &rows(exposure, 1, &random[0]));
+            return grey.map(|value| [value * UNITS; 3]);
+        }
+        let planes = [0, 1, 2].map(|channel: usize| light.map(|pixel| pixel[channel] * scale));
+        let views = planes.each_ref().map(|plane| (plane.into(), intrinsics));
+        let exposure = self.channels[1].expose(&views);
+        match self.layout {
+            Layout::Mosaic => {
+                let rows = [0, 1, 2].map(|channel| rows(exposure, channel, &random[0]));
+                demosaic::demosaic(&mosaic::record(&planes, &rows))
+            }
+            _ => demosaic::whole(
+                &[0, 1, 2]
+                    .map(|channel| numbers(&planes[channel], &rows(exposure, channel, &random[channel]))),
+            ),
         }
     }
 }
@@ -235,6 +259,7 @@ mod tests {
         let photosites = Photosites {
             pitch_um: 1.55,
             per_pixel,
+            is_monochrome: false,
         };
         let imager = ColorImager::new(parameters, photosites).unwrap();
         let [r, g, b] = light.map(|value| value as f32);
@@ -326,6 +351,7 @@ mod tests {
             let photosites = Photosites {
                 pitch_um: 1.55,
                 per_pixel,
+                is_monochrome: false,
             };
             let imager = ColorImager::new(p, photosites).unwrap();
             let light = Image::filled(64, 48, [0.25, 0.125, 3.0, 0.6]);
@@ -343,6 +369,33 @@ mod tests {
                 "{per_pixel}: {:?}",
                 colors.get(9, 9)
             );
+        }
+    }
+
+    /// Without filters, all light counts, and every pixel has one random number of its own.
+    #[test]
+    fn monochrome_sensors_record_luminance() {
+        let p = parameters();
+        let light = [0.5f32, 0.4, 0.3];
+        let [r, g, b] = light;
+        for per_pixel in [1.0, 3.0] {
+            let photosites = Photosites {
+                pitch_um: 1.55,
+                per_pixel,
+                is_monochrome: true,
+            };
+            let imager = ColorImager::new(p, photosites).unwrap();
+            let image = Image::filled(SIZE.width, SIZE.height, [r, g, b, 1.0]);
+            let intrinsics = Intrinsics::from_hfov(SIZE, 1.2);
+            let image = imager.linear(&image, 1.0, &intrinsics, &Stream::new(3, "left"), 5);
+            assert!(image.pixels().iter().all(|[r, g, b]| r == g && g == b));
+            let luminance = 0.2126 * 0.5 + 0.7152 * 0.4 + 0.0722 * 0.3;
+            let variance = recorded_variance(&p, 1, luminance, per_pixel * per_pixel);
+            for place in [[0, 0], [1, 0], [1, 1]] {
+                let [mean, found] = moments(&image, 0, place);
+                assert!((found / variance - 1.0).abs() < 0.03, "{found} {variance}");
+                assert!((mean - luminance * p.exposure).abs() < 3e-4, "{mean}");
+            }
         }
     }
 

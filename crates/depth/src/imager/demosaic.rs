@@ -75,28 +75,16 @@ const SITES: [[Weights; 3]; 4] = [
     [ACROSS, GREEN, OWN],
 ];
 
-/// The channel of each of them.
-const CHANNELS: [usize; 4] = [0, 1, 1, 2];
-
-/// Returns the colours of recorded channels, of which each pixel uses one; in [`UNITS`].
-pub(super) fn demosaic(recorded: &[Image<u16>; 3]) -> Image<[u16; 3]> {
-    let [red, _, _] = recorded;
-    let (width, height) = (red.width(), red.height());
-    let mut raw = red.clone();
+/// Returns the colours of a recorded mosaic, in [`UNITS`].
+pub(super) fn demosaic(raw: &Image<u16>) -> Image<[u16; 3]> {
+    let (width, height) = (raw.width(), raw.height());
     let row_length = (width as usize).max(1);
     let site = |x: usize, y: usize| (x & 1) + 2 * (y & 1);
-    for (y, row) in raw.pixels_mut().chunks_mut(row_length).enumerate() {
-        for (x, value) in row.iter_mut().enumerate() {
-            if let Some(own) = recorded[CHANNELS[site(x, y)]].pixels().get(y * row_length + x) {
-                *value = *own;
-            }
-        }
-    }
     let mut colors = Image::filled(width, height, [0u16; 3]);
     let rows = colors.pixels_mut().par_chunks_mut(row_length).enumerate();
     rows.for_each(|(y, row)| {
         // Five rows with two mirrored pixels at both ends.
-        let around = [0, 1, 2, 3, 4].map(|row| padded(&raw, inside(y + row, height)));
+        let around = [0, 1, 2, 3, 4].map(|row| padded(raw, inside(y + row, height)));
         for (x, color) in row.iter_mut().enumerate() {
             *color = SITES[site(x, y)].map(|weights| {
                 let sum: i32 = (weights.iter())
@@ -151,7 +139,7 @@ mod tests {
             .flat_map(|y| (0..60).map(move |x| 100 + 7 * x + 3 * y))
             .collect();
         let plane = Image::new(60, 40, slope).unwrap();
-        let colors = demosaic(&[plane.clone(), plane.clone(), plane.clone()]);
+        let colors = demosaic(&plane);
         for y in 2..38 {
             for x in 2..58 {
                 let expected = plane.get(x, y).unwrap() * UNITS;
@@ -160,7 +148,7 @@ mod tests {
         }
         for (width, height) in [(1, 1), (2, 1), (1, 3), (3, 2), (5, 4)] {
             let grey = Image::filled(width, height, 500u16);
-            let colors = demosaic(&[grey.clone(), grey.clone(), grey.clone()]);
+            let colors = demosaic(&grey);
             assert!(colors.pixels().iter().all(|color| *color == [8000; 3]));
         }
     }

@@ -19,6 +19,7 @@ mod blur;
 mod color;
 mod demosaic;
 mod expose;
+mod mosaic;
 mod parameters;
 mod recorded;
 mod rows;

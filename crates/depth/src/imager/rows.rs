@@ -11,7 +11,7 @@ use super::{Exposure, Parameters};
 use crate::random::Plane;
 
 /// The number of rows in a unit of work.
-const ROWS: usize = 16;
+pub(super) const ROWS: usize = 16;
 
 /// The type of a recorded value.
 pub(super) trait Number: Copy + Default + Send {
@@ -71,11 +71,9 @@ impl Falloff {
     }
 }
 
-/// The constants of an image.
-pub(super) struct Rows<'a> {
-    random: &'a Plane,
-    blur: Blur,
-    falloff: Falloff,
+/// How light becomes values.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Response {
     /// The number of electrons of light 1.
     electrons: f32,
     /// The limit of electrons, far above saturation.
@@ -83,7 +81,41 @@ pub(super) struct Rows<'a> {
     read_variance: f32,
     per_electron: f32,
     largest: f32,
-    noise: bool,
+}
+
+/// The constants of an image.
+pub(super) struct Rows<'a> {
+    pub(super) random: &'a Plane,
+    pub(super) blur: Blur,
+    pub(super) falloff: Falloff,
+    pub(super) response: Response,
+    pub(super) noise: bool,
+}
+
+impl Response {
+    /// Returns the recorded value of light, with a standard normal number for its noise.
+    #[inline(always)]
+    pub(super) fn value<N: Number>(&self, light: f32, normal: f32) -> N {
+        let electrons = light * self.electrons;
+        let electrons = if electrons > 0.0 { electrons } else { 0.0 };
+        let electrons = electrons.min(self.most_electrons);
+        let noisy = electrons + (electrons + self.read_variance).sqrt() * normal;
+        let number = (noisy * self.per_electron).max(0.0).min(self.largest);
+        N::of(saturating_trunc(number + 0.5))
+    }
+
+    /// Returns one of two, without a branch.
+    #[inline(always)]
+    pub(super) fn pick(is_first: bool, first: &Self, second: &Self) -> Self {
+        let pick = |first, second| if is_first { first } else { second };
+        Self {
+            electrons: pick(first.electrons, second.electrons),
+            most_electrons: pick(first.most_electrons, second.most_electrons),
+            read_variance: pick(first.read_variance, second.read_variance),
+            per_electron: pick(first.per_electron, second.per_electron),
+            largest: pick(first.largest, second.largest),
+        }
+    }
 }
 
 impl<'a> Rows<'a> {
@@ -100,11 +132,13 @@ impl<'a> Rows<'a> {
             random,
             blur: Blur::new(parameters.lens_blur_px),
             falloff: Falloff::new(intrinsics, parameters.vignetting),
-            electrons: (full * exposure.time) as f32,
-            most_electrons: (100.0 * full) as f32,
-            read_variance: (parameters.read_noise_e * parameters.read_noise_e) as f32,
-            per_electron: (f64::from(largest) * exposure.gain / full) as f32,
-            largest,
+            response: Response {
+                electrons: (full * exposure.time) as f32,
+                most_electrons: (100.0 * full) as f32,
+                read_variance: (parameters.read_noise_e * parameters.read_noise_e) as f32,
+                per_electron: (f64::from(largest) * exposure.gain / full) as f32,
+                largest,
+            },
             noise: parameters.noise,
         }
     }
@@ -202,12 +236,7 @@ fn record<N: Number>(
     falloff: impl Fn(u32) -> f32,
 ) {
     for (((out, &light), &normal), x) in out.iter_mut().zip(light).zip(normals).zip(0u32..) {
-        let electrons = light * rows.electrons * falloff(x);
-        let electrons = if electrons > 0.0 { electrons } else { 0.0 };
-        let electrons = electrons.min(rows.most_electrons);
-        let noisy = electrons + (electrons + rows.read_variance).sqrt() * normal;
-        let number = (noisy * rows.per_electron).max(0.0).min(rows.largest);
-        *out = N::of(saturating_trunc(number + 0.5));
+        *out = rows.response.value(light * falloff(x), normal);
     }
 }
 

@@ -4,7 +4,7 @@ use oaktwin_camera::ImageSize;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{ImuRule, ParameterValue, Quantity, Texts};
+use super::{ImuRule, MotionRule, ParameterValue, Quantity, Texts};
 
 /// The camera and its place: on a sphere, in a box or along a trajectory. By default it is on a sphere around the objects.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
@@ -34,6 +34,9 @@ pub struct CameraRule {
     /// The inertial sensor, for the format `euroc` with a trajectory. Its samples have the times of the frames.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub imu: Option<ImuRule>,
+    /// The motion during a frame; by default frames are moments.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub motion: Option<MotionRule>,
     /// The target of the camera: `objects`, `scene`, the path of a prim or a point [x, y, z]. `objects` is one of the objects, and
     /// the centre of the base scene if there are none.
     pub look_at: Target,
@@ -62,6 +65,7 @@ impl Default for CameraRule {
             inside: None,
             trajectory: None,
             imu: None,
+            motion: None,
             look_at: Target::default(),
             look_jitter_m: 0.05,
             roll_deg: Quantity::Normal {

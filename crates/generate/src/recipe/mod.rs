@@ -3,6 +3,7 @@
 mod camera;
 mod imu;
 mod light;
+mod motion;
 mod objects;
 mod output;
 mod page;
@@ -20,6 +21,7 @@ use serde::{Deserialize, Serialize};
 pub use camera::{BoxPlacement, CameraRule, RgbImagerRule, SpherePlacement, Target};
 pub use imu::ImuRule;
 pub use light::{Lamps, LightRule, Sky, Sun};
+pub use motion::MotionRule;
 pub use objects::{Appearance, LookRule, ObjectRule, Pose, Region};
 pub use output::{OutputRule, ParameterValue, SensorRule};
 pub use page::page;

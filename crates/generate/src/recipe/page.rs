@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::schema;
 
 /// The tables of a recipe: how they are written, and the definition in the schema.
-const TABLES: [(&str, &str); 19] = [
+const TABLES: [(&str, &str); 20] = [
     ("", ""),
     ("scene_options", "SceneRule"),
     ("[objects]", "ObjectRule"),
@@ -21,6 +21,7 @@ const TABLES: [(&str, &str); 19] = [
     ("camera.sphere", "SpherePlacement"),
     ("camera.box", "BoxPlacement"),
     ("camera.imu", "ImuRule"),
+    ("camera.motion", "MotionRule"),
     ("unit", "UnitRule"),
     ("unit.drift", "DriftRule"),
     ("sensor", "SensorRule"),
@@ -93,6 +94,9 @@ fn kind(value: &Value) -> String {
     }
     let name = value["type"].as_str().or_else(|| value["type"][0].as_str());
     match name {
+        Some("array") if value["items"]["$ref"] == "#/$defs/Quantity" => {
+            format!("{} quantities", value["minItems"])
+        }
         Some("array") if value["items"]["$ref"].is_string() => "list of tables".to_owned(),
         Some("array") => {
             let count = value["minItems"].as_u64().unwrap_or_default();

@@ -9,7 +9,8 @@ use oaktwin_base::parameter::Table;
 use serde::Serialize;
 
 use super::{
-    Appearance, CameraRule, DriftRule, ObjectRule, Quantity, Recipe, RecipeFile, Region, Target, UnitRule,
+    Appearance, CameraRule, DriftRule, MotionRule, ObjectRule, Quantity, Recipe, RecipeFile, Region, Target,
+    UnitRule,
 };
 
 /// The maximum size of a recipe.
@@ -267,6 +268,25 @@ fn check_unit(unit: &UnitRule) -> Result<(), Wrong> {
     Ok(())
 }
 
+fn check_motion(motion: &MotionRule, is_path: bool) -> Result<(), Wrong> {
+    for (key, quantity, [min, max]) in motion.quantities() {
+        within(&format!("camera.motion.{key}"), &quantity, min, max)?;
+    }
+    match (motion.has_velocity(), is_path) {
+        (true, true) => Err(wrong(
+            "camera.motion",
+            "has a velocity, and the trajectory another one",
+            "remove velocity_m_s and angular_velocity_deg_s, or camera.trajectory",
+        )),
+        (false, false) => Err(wrong(
+            "camera.motion",
+            "has no velocity",
+            "add velocity_m_s, angular_velocity_deg_s or camera.trajectory",
+        )),
+        _ => Ok(()),
+    }
+}
+
 fn check_camera(camera: &CameraRule) -> Result<(), Wrong> {
     if camera.model.0.is_empty() {
         return Err(wrong(
@@ -291,6 +311,9 @@ fn check_camera(camera: &CameraRule) -> Result<(), Wrong> {
     }
     if let Some(rate_hz) = camera.imu.as_ref().and_then(|imu| imu.rate_hz) {
         within("camera.imu.rate_hz", &rate_hz.into(), 1e-3, 1e5)?;
+    }
+    if let Some(motion) = &camera.motion {
+        check_motion(motion, camera.trajectory.is_some())?;
     }
     if let Some(sphere) = &camera.sphere {
         within("camera.sphere.distance_m", &sphere.distance_m, 1e-3, 1e6)?;

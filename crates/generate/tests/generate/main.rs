@@ -4,6 +4,7 @@ mod case;
 mod generate;
 mod heaps;
 mod imu;
+mod motion;
 mod recipes;
 mod resume;
 mod sizes;

@@ -75,6 +75,20 @@ fn colours_are_recorded_and_depth_is_not() {
     assert!((85.0..125.0).contains(&mean), "{mean}");
 }
 
+/// The OV9282 of the pair has no colour filters, and the IMX378 has.
+#[test]
+fn monochrome_cameras_record_grey() {
+    let colourful = |frame: &Frame| {
+        let rgb = frame.rgb.as_ref().unwrap();
+        rgb.pixels().iter().any(|[r, g, b, _]| r != g || g != b)
+    };
+    let recorded = shoot(&["rgb", "left", "depth"], Some(ColorParameters::default()), 0);
+    assert_eq!(
+        recorded.iter().map(colourful).collect::<Vec<_>>(),
+        [true, false, false]
+    );
+}
+
 /// With a fixed exposure, half the light gives half of each value, and a dim room is noisy.
 #[test]
 fn the_light_is_a_parameter() {

@@ -64,6 +64,13 @@ pub struct CameraAttributes {
 }
 
 impl PlacedCamera {
+    /// Whether a name is the camera's: what it is on its device, its path, or the last part of the path.
+    #[must_use]
+    pub fn is_called(&self, name: &str) -> bool {
+        let last = self.path.rsplit('/').next();
+        self.role.as_deref() == Some(name) || self.path == name || last == Some(name)
+    }
+
     /// Returns the view with the mount at a pose.
     #[must_use]
     pub fn view(&self, world_from_mount: &RigidTransform) -> View {

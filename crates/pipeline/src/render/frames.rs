@@ -309,7 +309,7 @@ fn render_all(
                 let renderer = frames.renderer();
                 rig.shoot_camera(renderer, index, pose.as_ref(), number as u64, &annotators)?
             };
-            shot.time_ns = time_ns.saturating_add(offset_ns(&rig, index));
+            shot.time_ns = time_ns.saturating_add(rig.offset_ns(index));
             note(more, is_strict, findings)?;
             if producer.write(shot).is_break() {
                 return Ok(ControlFlow::Break(()));
@@ -317,16 +317,6 @@ fn render_all(
         }
     }
     Ok(producer.finish())
-}
-
-/// How long after the time of a frame a camera takes it, ns.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "at most 10 s, not negative"
-)]
-fn offset_ns(rig: &Rig, camera: usize) -> u64 {
-    (rig.offset_s(camera) * 1e9).round() as u64
 }
 
 /// Keeps findings without duplicates; a warning is an error if the task is strict.

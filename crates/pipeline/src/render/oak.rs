@@ -204,6 +204,7 @@ fn place(
         photosites: Photosites {
             pitch_um: candidate.camera.pixel_size_um,
             per_pixel: pixel_size_um / candidate.camera.pixel_size_um,
+            is_monochrome: candidate.camera.is_monochrome,
         },
         attributes: CameraAttributes {
             optics: UsdOptics::from_intrinsics(&intrinsics, pixel_size_um, Default::default()),

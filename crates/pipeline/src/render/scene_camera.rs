@@ -269,6 +269,7 @@ fn place(
                 pitch_um: (camera.optics().horizontal_aperture_mm * 1e3 / f64::from(size.width))
                     .min(MAX_PITCH_UM),
                 per_pixel: 1.0,
+                is_monochrome: false,
             },
             attributes: CameraAttributes {
                 optics: camera.optics(),

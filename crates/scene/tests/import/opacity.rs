@@ -43,6 +43,20 @@ fn gltf_glass() {
 }
 
 #[test]
+fn images_of_transmission_are_reported() {
+    let textured = |factor: f32| {
+        format!(
+            r#"{{"extensions":{{"KHR_materials_transmission":{{"transmissionFactor":{factor},"transmissionTexture":{{"index":0}}}}}}}}"#
+        )
+    };
+    let (read, codes) = gltf_materials(&textured(0.9));
+    assert_eq!(read[0].transmission.unwrap().share, 0.9);
+    assert!(codes.contains(&"unsupported-material"), "{codes:?}");
+    let (_, codes) = gltf_materials(&textured(0.0));
+    assert!(!codes.contains(&"unsupported-material"), "{codes:?}");
+}
+
+#[test]
 fn gltf_masks_cut_surfaces() {
     let textured =
         r#""pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.75],"baseColorTexture":{"index":0}}"#;

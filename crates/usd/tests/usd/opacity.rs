@@ -193,6 +193,13 @@ fn glass_and_mirrors() {
         (Some([1.0; 3]), false)
     );
 
+    let image = "float inputs:transmission_weight.connect = </Look/T.outputs:r>";
+    let (textured, codes) = material("ND_open_pbr_surface_surfaceshader", image);
+    assert_eq!(
+        (textured.transmission, codes),
+        (None, vec!["unsupported-material"])
+    );
+
     let (gltf, _) = material("ND_gltf_pbr_surfaceshader", "float inputs:transmission = 0.5");
     let transmission = gltf.transmission.unwrap();
     assert_eq!(

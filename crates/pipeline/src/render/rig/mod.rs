@@ -108,6 +108,17 @@ impl Rig {
         self.offsets_s.get(camera).copied().unwrap_or(0.0)
     }
 
+    /// The same in nanoseconds, as stamps have it.
+    #[must_use]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "at most 10 s, not negative"
+    )]
+    pub fn offset_ns(&self, camera: usize) -> u64 {
+        (self.offset_s(camera) * 1e9).round() as u64
+    }
+
     /// Whether frames have times besides their own.
     pub(in crate::render) fn takes_time(&self) -> bool {
         self.shutter.is_some() || self.offsets_s.iter().any(|offset_s| *offset_s > 0.0)

@@ -104,6 +104,46 @@ impl Rig {
         self.take(&mut moments, index, number, annotators, self.shutter)
     }
 
+    /// Renders annotators of a view, with all that the engine of a camera's depth sensor and its image sensor see: the inputs of
+    /// [`Rig::record_colors`] and of [`sensor_input`](crate::render::sensor_input).
+    #[must_use]
+    pub fn annotate(
+        &self,
+        renderer: &Renderer,
+        index: usize,
+        view: &View,
+        annotators: &[Annotator],
+    ) -> (Frame, Vec<Finding>) {
+        let options = AnnotateOptions {
+            keeps_light: index < self.imagers.len(),
+            ..self.annotate_options()
+        };
+        let (mut frame, findings) = renderer.annotate(view, annotators, self.backend, &options);
+        let sensor = self.sensors.get(index).and_then(Option::as_ref);
+        add_inputs(
+            &engines(sensor, None, index),
+            renderer,
+            view,
+            self.backend,
+            &mut frame,
+        );
+        (frame, findings)
+    }
+
+    /// Replaces the colours of a frame by those that the image sensor of a camera records of them, if colours are recorded.
+    pub fn record_colors(&self, index: usize, number: u64, frame: &mut Frame) {
+        if let (Some(imager), Some(camera)) = (self.imagers.get(index), self.cameras.get(index)) {
+            imager.record(&camera.camera, number, frame);
+        }
+    }
+
+    fn annotate_options(&self) -> AnnotateOptions {
+        AnnotateOptions {
+            transparent: self.transparent,
+            ..AnnotateOptions::default()
+        }
+    }
+
     fn take(
         &mut self,
         moments: &mut dyn Moments,
@@ -113,6 +153,7 @@ impl Rig {
         shutter: Option<Shutter>,
     ) -> Result<(Shot, Vec<Finding>), RigError> {
         let camera = &self.cameras[index];
+        let options = self.annotate_options();
         let is_requested = annotators.iter().any(|one| one.is_depth_sensor());
         let sensor = self.sensors[index].as_mut().filter(|_| is_requested);
         let swept = self.swept.as_mut().filter(|swept| swept.has(index));
@@ -123,9 +164,8 @@ impl Rig {
         let imager = (self.imagers.get(index)).filter(|_| annotators.contains(&Annotator::Rgb));
         let needed = scene_annotators(annotators, sensor.is_some() || swept.is_some());
         let options = AnnotateOptions {
-            transparent: self.transparent,
             keeps_light: imager.is_some(),
-            ..AnnotateOptions::default()
+            ..options
         };
         let asked = Asked {
             camera,

@@ -88,6 +88,13 @@ impl Shutter {
         Ok(())
     }
 
+    /// Returns the exposure of a camera's rows and its readout time, s.
+    #[must_use]
+    pub fn times_s(&self, camera: &PlacedCamera) -> [f64; 2] {
+        let timing = self.timing(camera.readout_s);
+        [timing.exposure_s, timing.readout_s]
+    }
+
     /// The times of a camera with a readout of its own, s.
     pub(crate) fn timing(&self, readout_s: Option<f64>) -> Timing {
         let given_s = self.readout_ms.map(|readout_ms| readout_ms * 1e-3);
@@ -110,10 +117,6 @@ pub(super) fn offsets_s(
     cameras: &[PlacedCamera],
     offsets_ms: &BTreeMap<String, f64>,
 ) -> Result<Vec<f64>, Message> {
-    let name = |camera: &PlacedCamera| {
-        let last = camera.path.rsplit('/').next().unwrap_or_default().to_owned();
-        [camera.role.clone().unwrap_or_default(), last, camera.path.clone()]
-    };
     let mut offsets_s = vec![0.0; cameras.len()];
     for (asked, offset_ms) in offsets_ms {
         let option = || opt("camera-offset").with(format!("{asked}={offset_ms}"));
@@ -123,7 +126,7 @@ pub(super) fn offsets_s(
                 format!(": is out of range; give 0 to {MAX_MS} ms")
             ]);
         }
-        let Some(index) = cameras.iter().position(|camera| name(camera).contains(asked)) else {
+        let Some(index) = cameras.iter().position(|camera| camera.is_called(asked)) else {
             let names: Vec<String> = cameras
                 .iter()
                 .map(|camera| camera.role.clone().unwrap_or_else(|| camera.path.clone()))

@@ -64,6 +64,10 @@ impl Materials {
             for problem in problems.into_iter().flatten() {
                 builder.warn("material-value", &name, problem);
             }
+            if has_transmission_image(material) {
+                let problem = "its transmission has an image, which is not read; all of the surface transmits the share of its factor";
+                builder.warn("unsupported-material", &name, problem);
+            }
             let number = builder.add_material(read);
             MaterialInfo {
                 number,
@@ -82,7 +86,14 @@ impl Materials {
     }
 }
 
-/// Reads the transmission and the index of refraction. Returns what is wrong with them. Images of the transmission are not read.
+/// Whether a material transmits more in some parts than in others.
+fn has_transmission_image(material: &json::Material) -> bool {
+    let extensions = material.extensions.as_ref();
+    let transmission = extensions.and_then(|extensions| extensions.transmission.as_ref());
+    transmission.is_some_and(|own| own.transmission_texture.is_some() && own.transmission_factor.0 > 0.0)
+}
+
+/// Reads the transmission and the index of refraction. Returns what is wrong with them.
 fn read_optics(material: &json::Material, read: &mut Material) -> [Option<String>; 2] {
     let Some(extensions) = &material.extensions else {
         return [None, None];

@@ -32,6 +32,14 @@ impl Reading<'_> {
         let name = format!("inputs:{weight}");
         let share = self.number(shader, &name).unwrap_or(0.0);
         self.report(Material::not_a_share(weight, share));
+        if let Some(Input::Node(_)) = input(self.reader, &shader.shader, &name) {
+            self.findings.warn(
+                "unsupported-material",
+                self.place,
+                format!("its {weight} is a node, which is not read; its surface transmits nothing"),
+                "author a number",
+            );
+        }
         if share > 0.0 {
             let white = || Some([1.0; 3]);
             material.transmission = Some(Transmission {
