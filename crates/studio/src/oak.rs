@@ -112,7 +112,7 @@ impl OakState {
     }
 
     /// Returns the intensity of the dot projector: 0 where there is none, unless a matcher asks for its dots, which is an error.
-    fn projector(&self, studio: &Studio) -> Result<f64, Failure> {
+    pub(crate) fn projector(&self, studio: &Studio) -> Result<f64, Failure> {
         let is_matcher = self.engine()?.input == EngineInput::Pair;
         Ok(match self.device(studio)?.projector {
             None if !is_matcher => 0.0,

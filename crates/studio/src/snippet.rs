@@ -6,6 +6,7 @@ mod images;
 use std::fmt::Write;
 
 use oaktwin::camera::RigidTransform;
+use oaktwin::pair::PairOptions;
 use oaktwin::render::Transparent;
 use oaktwin::sensor::{EngineInput, Scalar};
 
@@ -227,38 +228,33 @@ pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String,
         "{made_by}import numpy as np\nimport oaktwin\n\n{device}\nscene = oaktwin.Scene.open({}{units})\nworld_from_body = np.array({world_from_body})\n",
         quoted(&scene.argument)
     );
-    let options = options(studio, state)?;
-    let unit = unit(state)?;
-    if state.engine()?.input == EngineInput::Pair {
-        let size = size.map_or_else(String::new, |size| {
-            format!("size=({}, {}), ", size.width, size.height)
-        });
-        let _ = write!(
-            out,
-            "\npair = scene.render_pair(\n    device, world_from_body, {size}projector={:?}, ambient={:?}, seed={}{unit}{frame}\n)\n\
-             matcher = oaktwin.StereoMatcher(device, raw=False{options})\n\
-             depth = matcher(pair[\"rectified_left\"], pair[\"rectified_right\"])[\"depth\"]\n",
-            state.projector, state.ambient, state.seed
-        );
-        out += &images(state, image_size(request.size)?)?;
-        return Ok(out);
-    }
-    let kind = state.sensor_kind();
-    let resized = size.map_or_else(String::new, |size| {
-        format!(".resized({}, {}, rule=\"depthai\")", size.width, size.height)
+    let kind = quoted(state.sensor_kind());
+    let engine = quoted(&state.engine);
+    let seed = match state.seed {
+        0 => String::new(),
+        seed => format!(", seed={seed}"),
+    };
+    let mut light = size.map_or_else(String::new, |size| {
+        format!(", size=({}, {})", size.width, size.height)
     });
-    let mut engine = format!(", engine={}", quoted(&state.engine));
-    if state.seed != 0 {
-        let _ = write!(engine, ", seed={}", state.seed);
+    let usual = PairOptions::default();
+    let projector = state.projector(studio)?;
+    for (name, value, usual) in [
+        ("projector", projector, usual.projector),
+        ("ambient", state.ambient, usual.ambient),
+    ] {
+        #[expect(clippy::float_cmp, reason = "a default that nobody changed")]
+        if value != usual {
+            let _ = write!(light, ", {name}={value:?}");
+        }
     }
-    engine.push_str(&unit);
     let _ = write!(
         out,
-        "camera = device.depth_camera({kind}){resized}\n\n\
-         seen = scene.render(\n    camera,\n    world_from_body @ camera.body_from_camera,\n    annotators=[\"rgb\", \"distance_to_image_plane\"],\n)\n\
-         sensor = oaktwin.DepthSensor(device, sensor={kind}, camera=camera{engine}{options})\n\
-         depth = sensor(seen[\"distance_to_image_plane\"], seen[\"rgb\"]{frame})\n",
-        kind = quoted(kind)
+        "sensor = oaktwin.DepthSensor(device, sensor={kind}, engine={engine}{seed}{}{})\n\n\
+         shot = sensor.shoot(scene, world_from_body{light}{frame})\n\
+         depth = shot.depth\n",
+        unit(state)?,
+        options(state)?
     );
     out += &images(state, image_size(request.size)?)?;
     Ok(out)
@@ -299,8 +295,8 @@ fn unit(state: &OakState) -> Result<String, Failure> {
     Ok(out)
 }
 
-/// The arguments that sensors and matchers share, each with a comma in front.
-fn options(studio: &Studio, state: &OakState) -> Result<String, Failure> {
+/// The arguments that describe the mode of the sensor, each with a comma in front.
+fn options(state: &OakState) -> Result<String, Failure> {
     let mut out = String::new();
     if let Some(preset) = &state.preset {
         let _ = write!(out, ", preset={}", quoted(&preset.to_lowercase()));
@@ -314,7 +310,7 @@ fn options(studio: &Studio, state: &OakState) -> Result<String, Failure> {
     if !filters.is_empty() {
         let _ = write!(out, ", filters=[{}]", filters.join(", "));
     }
-    let parameters = state.lit_options(studio)?.parameters;
+    let parameters = state.options()?.parameters;
     let pairs: Vec<String> = parameters
         .iter()
         .map(|(name, value)| format!("{}: {}", quoted(name), python_value(value)))
