@@ -23,7 +23,7 @@ fn names_files(text: &str) -> bool {
 }
 
 /// Returns the id of a scene in any posture, at any time.
-fn in_any_state(id: &str) -> &str {
+pub(crate) fn in_any_state(id: &str) -> &str {
     let id = split(id).map_or(id, |(own, _)| own);
     id.rsplit_once('@').map_or(id, |(own, _)| own)
 }

@@ -19,6 +19,7 @@ mod job;
 mod kept;
 mod live;
 mod mesh;
+mod motion;
 mod oak;
 mod offline;
 mod page;

@@ -1,6 +1,7 @@
 //! The current state as a command line, a Python script and a file of parameters, which reproduce it to the byte.
 
 mod along;
+mod coverage;
 
 use std::fmt::Write;
 
@@ -13,6 +14,7 @@ use crate::scene::LoadedScene;
 use crate::size::image_size;
 use crate::studio::Studio;
 use along::{Along, along};
+pub(crate) use coverage::coverage;
 
 /// The folder of the calibrations of units that a command draws.
 const UNITS: &str = "units";
@@ -48,13 +50,13 @@ fn toml_value(value: &str) -> String {
     }
 }
 
-/// Returns the commands that write the files of a scene, and the first words of one that renders it.
-fn begun(scene: &LoadedScene) -> (String, Vec<String>) {
+/// Returns the commands that write the files of a scene, and the first words of one that opens it, without its robot.
+fn begun(scene: &LoadedScene, command: &str) -> (String, Vec<String>) {
     let mut out = String::new();
     if let Some(command) = &scene.made_by {
         let _ = writeln!(out, "{command}");
     }
-    let mut words = ["oaktwin", "render"].map(str::to_owned).to_vec();
+    let mut words = ["oaktwin", command].map(str::to_owned).to_vec();
     words.push(shell(&file(&scene.argument)));
     let (up, scale) = scene.given;
     if let Some(up) = up {
@@ -63,31 +65,58 @@ fn begun(scene: &LoadedScene) -> (String, Vec<String>) {
     if let Some(scale) = scale {
         words.extend(["--scale".to_owned(), format!("{scale:?}")]);
     }
-    if let Some(robot) = &scene.robot {
-        let (table, arguments) = posture(robot);
-        out += &table;
-        words.extend(arguments.iter().map(|word| shell(word)));
-    }
     (out, words)
+}
+
+/// Adds an option to the words of a command.
+fn option(words: &mut Vec<String>, name: &str, value: &str) {
+    // A value that begins like an option follows an equals sign.
+    match value.starts_with('-') {
+        true => words.push(shell(&format!("--{name}={value}"))),
+        false => words.extend([format!("--{name}"), shell(value)]),
+    }
 }
 
 /// Returns a command that writes the images of the state.
 pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String, Failure> {
     let state = &request.state;
     let scene = studio.scenes.get(&request.scene)?;
-    let (mut out, mut words) = begun(&scene);
-    // A value that begins like an option follows an equals sign.
-    let mut option = |name: &str, value: &str| match value.starts_with('-') {
-        true => words.push(shell(&format!("--{name}={value}"))),
-        false => words.extend([format!("--{name}"), shell(value)]),
-    };
+    let (mut out, mut words) = begun(&scene, "render");
+    if let Some(robot) = &scene.robot {
+        let (table, arguments) = posture(robot);
+        out += &table;
+        words.extend(arguments.iter().map(|word| shell(word)));
+    }
     let path = along(studio, request)?;
     if let Some(time) = scene.time {
         match &path {
-            None => option("time", &format!("{time:?}")),
-            Some(path) => option("frames", &path.codes(request)?),
+            None => option(&mut words, "time", &format!("{time:?}")),
+            Some(path) => option(&mut words, "frames", &path.codes(request)?),
         }
     }
+    let size = image_size(request.size)?.map(|size| size.to_string());
+    words.extend(oak(studio, state, ("camera", &state.sensor), size, &mut out)?);
+    option(
+        &mut words,
+        "annotators",
+        "rgb,distance_to_image_plane,depth_sensor_distance",
+    );
+    option(&mut words, "output", "oak");
+    words.extend(pose(state, path.as_ref(), &mut out));
+    let _ = writeln!(out, "{}", words.join(" "));
+    Ok(out)
+}
+
+/// Returns the options that describe an OAK, whose depth sensor is named by the option `sensor`. Adds the command that writes its unit.
+fn oak(
+    studio: &Studio,
+    state: &OakState,
+    sensor: (&str, &str),
+    size: Option<String>,
+    out: &mut String,
+) -> Result<Vec<String>, Failure> {
+    let mut words = Vec::new();
+    let mut option = |name: &str, value: &str| option(&mut words, name, value);
     option("model", &state.model);
     if let Some(id) = &state.calibration {
         option("calibration", &file(&studio.calibrations.name(id)?));
@@ -103,9 +132,9 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
     if state.lens != "pinhole" {
         option("lens", &state.lens);
     }
-    option("camera", &state.sensor);
-    if let Some(size) = image_size(request.size)? {
-        option("resolution", &size.to_string());
+    option(sensor.0, sensor.1);
+    if let Some(size) = size {
+        option("resolution", &size);
     }
     option("engine", &state.engine);
     if let Some(preset) = &state.preset {
@@ -131,14 +160,10 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
         option("projector", &state.projector.to_string());
         option("ambient", &state.ambient.to_string());
     }
-    option("annotators", "rgb,distance_to_image_plane,depth_sensor_distance");
-    option("output", "oak");
     if state.extended_disparity {
         words.push("--extended-disparity".to_owned());
     }
-    words.extend(pose(state, path.as_ref(), &mut out));
-    let _ = writeln!(out, "{}", words.join(" "));
-    Ok(out)
+    Ok(words)
 }
 
 /// Returns the words that place the OAK.

@@ -9,6 +9,7 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore, TryAcquireError, watch};
 
 use crate::calibration::Calibrations;
 use crate::guard::Guard;
+use crate::motion::Motions;
 use crate::scene::Scenes;
 use crate::trajectory::Trajectories;
 
@@ -32,13 +33,14 @@ pub(crate) struct Studio {
     pub(crate) scenes: Scenes,
     pub(crate) calibrations: Calibrations,
     pub(crate) trajectories: Trajectories,
+    pub(crate) motions: Motions,
     pub(crate) guard: Guard,
     /// The folder for files that are being received, which is removed when the server ends.
     pub(crate) uploads: PathBuf,
     pub(crate) computing: Arc<Semaphore>,
     pub(crate) jobs: Arc<Semaphore>,
     pub(crate) receiving: Semaphore,
-    pub(crate) requests: Semaphore,
+    pub(crate) requests: Arc<Semaphore>,
     pages: Arc<Semaphore>,
     stop: watch::Sender<bool>,
 }
@@ -57,12 +59,13 @@ impl Studio {
             scenes,
             calibrations: Calibrations::default(),
             trajectories: Trajectories::default(),
+            motions: Motions::default(),
             guard,
             uploads,
             computing: Arc::new(Semaphore::new(COMPUTING)),
             jobs: Arc::new(Semaphore::new(JOBS)),
             receiving: Semaphore::new(UPLOADS),
-            requests: Semaphore::new(MAX_REQUESTS),
+            requests: Arc::new(Semaphore::new(MAX_REQUESTS)),
             pages: Arc::new(Semaphore::new(MAX_PAGES)),
             stop: watch::Sender::new(false),
         }

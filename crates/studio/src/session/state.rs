@@ -15,6 +15,8 @@ pub(super) struct State {
     pub(super) scene: SceneEntry,
     pub(super) calibrations: Vec<Entry>,
     pub(super) trajectory: Option<Entry>,
+    #[serde(default)]
+    pub(super) motion: Option<Entry>,
 }
 
 #[derive(Debug, Serialize, Deserialize)]
