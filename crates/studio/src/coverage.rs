@@ -12,7 +12,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::job::Job;
 use crate::mesh;
-use crate::protocol::{Failure, OakState, Pose};
+use crate::pose::ORIGIN;
+use crate::protocol::{Failure, OakState};
 use crate::scene::LoadedScene;
 use crate::size::check_memory;
 use crate::studio::Studio;
@@ -142,14 +143,10 @@ pub(crate) fn rig(studio: &Studio, state: &OakState) -> Result<MeasuringRig, Fai
 
 /// Returns the OAKs of states, each once, and the index of that of each state.
 fn rigs(studio: &Studio, states: &[OakState], job: &Job) -> Result<(Vec<MeasuringRig>, Vec<usize>), Failure> {
-    let origin = Pose {
-        position: [0.0; 3],
-        quaternion: [0.0, 0.0, 0.0, 1.0],
-    };
     let (mut known, mut rigs, mut indices) = (Vec::new(), Vec::new(), Vec::new());
     for state in states {
         let unplaced = OakState {
-            pose: origin,
+            pose: ORIGIN,
             ..state.clone()
         };
         let index = known.iter().position(|one| *one == unplaced);

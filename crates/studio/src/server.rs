@@ -131,10 +131,7 @@ async fn scene_mesh(
 }
 
 async fn scene_textures(State(studio): Server, Path(id): Path<String>) -> Response {
-    let made = move |studio: &Studio, job: &job::Job| {
-        let scene = studio.scenes.get(&id)?;
-        mesh::of_textures(&scene, job)
-    };
+    let made = move |studio: &Studio, job: &job::Job| studio.scenes.get(&id)?.textures(job);
     match job::run(&studio, job::VIEW, made).await {
         Ok(bytes) => binary(bytes),
         Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),

@@ -97,13 +97,12 @@ pub(crate) fn save(studio: &Studio, request: SaveRequest) -> Result<File, Failur
         posture,
     };
     if let Some(dropped) = dropped {
-        let file = format!("robot/{}", dropped.name);
-        files.push((file.clone(), dropped.bytes.clone()));
-        entry.robot = Some(Entry {
-            id: own.to_owned(),
-            name: dropped.name.clone(),
-            file,
-        });
+        entry.robot = Some(Entry::put(
+            &mut files,
+            "robot",
+            (own, &dropped.name),
+            &dropped.bytes,
+        ));
     }
     if scene.kept.is_some() {
         let place = format!("scene/{}", entry.name);
@@ -113,30 +112,24 @@ pub(crate) fn save(studio: &Studio, request: SaveRequest) -> Result<File, Failur
     let mut calibrations = Vec::new();
     for (number, id) in request.calibrations.iter().enumerate() {
         let dropped = studio.calibrations.get(id)?;
-        let name = dropped.info.name.clone();
-        let file = format!("calibrations/{number}/{name}");
-        files.push((file.clone(), dropped.bytes.clone()));
-        let id = dropped.info.id.clone();
-        calibrations.push(Entry { id, name, file });
+        let (folder, info) = (format!("calibrations/{number}"), &dropped.info);
+        calibrations.push(Entry::put(
+            &mut files,
+            &folder,
+            (&info.id, &info.name),
+            &dropped.bytes,
+        ));
     }
-    let mut path = None;
-    if let Some(id) = &request.trajectory {
-        let dropped = studio.trajectories.get(id)?;
-        let name = dropped.info.name.clone();
-        let file = format!("trajectory/{name}");
-        files.push((file.clone(), dropped.bytes.clone()));
-        let id = dropped.info.id.clone();
-        path = Some(Entry { id, name, file });
-    }
-    let mut motion = None;
-    if let Some(id) = &request.motion {
-        let dropped = studio.motions.get(id)?;
-        let name = dropped.info.name.clone();
-        let file = format!("motion/{name}");
-        files.push((file.clone(), dropped.bytes.clone()));
-        let id = dropped.info.id.clone();
-        motion = Some(Entry { id, name, file });
-    }
+    let path = request.trajectory.as_ref().map(|id| studio.trajectories.get(id));
+    let path = path.transpose()?.map(|dropped| {
+        let info = &dropped.info;
+        Entry::put(&mut files, "trajectory", (&info.id, &info.name), &dropped.bytes)
+    });
+    let motion = request.motion.as_ref().map(|id| studio.motions.get(id));
+    let motion = motion.transpose()?.map(|dropped| {
+        let info = &dropped.info;
+        Entry::put(&mut files, "motion", (&info.id, &info.name), &dropped.bytes)
+    });
     let stem = entry.name.split('.').next().unwrap_or_default().to_owned();
     let state = State {
         version: VERSION,

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use oaktwin::catalog::Catalog;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, TryAcquireError, watch};
 
+use crate::accuracy::Curves;
 use crate::calibration::Calibrations;
 use crate::guard::Guard;
 use crate::motion::Motions;
@@ -34,6 +35,7 @@ pub(crate) struct Studio {
     pub(crate) calibrations: Calibrations,
     pub(crate) trajectories: Trajectories,
     pub(crate) motions: Motions,
+    pub(crate) curves: Curves,
     pub(crate) guard: Guard,
     /// The folder for files that are being received, which is removed when the server ends.
     pub(crate) uploads: PathBuf,
@@ -60,6 +62,7 @@ impl Studio {
             calibrations: Calibrations::default(),
             trajectories: Trajectories::default(),
             motions: Motions::default(),
+            curves: Curves::default(),
             guard,
             uploads,
             computing: Arc::new(Semaphore::new(COMPUTING)),

@@ -39,7 +39,11 @@ impl Textures {
     pub(super) fn get(&self, scene: &Scene, index: u32) -> Option<&Loaded> {
         let slot = self.loaded.get(index as usize)?;
         let texture = scene.textures.get(index as usize)?;
-        Some(slot.get_or_init(|| Loaded::new(texture)))
+        if slot.get().is_none() {
+            // Decoding waits for other threads of the pool, which must not wait for this texture meanwhile: two may decode it at once.
+            let _ = slot.set(Loaded::new(texture));
+        }
+        slot.get()
     }
 
     /// Returns a texture that is already decoded.
