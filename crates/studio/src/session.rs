@@ -141,17 +141,19 @@ pub(crate) fn save(studio: &Studio, request: SaveRequest) -> Result<File, Failur
         trajectory: path,
         motion,
     };
-    let failed =
-        |error: &dyn ToString| Failure::from(format!("the session cannot be saved: {}", error.to_string()));
-    let json = serde_json::to_vec_pretty(&state).map_err(|error| failed(&error))?;
-    let mut packed = vec![(STATE, json.as_slice())];
-    packed.extend(
-        files
-            .iter()
-            .map(|(place, bytes)| (place.as_str(), bytes.as_slice())),
-    );
-    let bytes = usdz::pack(&packed).map_err(|error| failed(&error))?;
+    let bytes = packed(&state, &files)
+        .map_err(|error| Failure::from(format!("the session cannot be saved: {error}")))?;
     Ok(File::new(format!("{stem}.oaktwin"), bytes))
+}
+
+/// Makes the archive of a state and files.
+fn packed(state: &State, files: &[(String, Vec<u8>)]) -> Result<Vec<u8>, Box<dyn std::error::Error>> {
+    let json = serde_json::to_vec_pretty(state)?;
+    let files = files
+        .iter()
+        .map(|(place, bytes)| (place.as_str(), bytes.as_slice()));
+    let all: Vec<(&str, &[u8])> = std::iter::once((STATE, json.as_slice())).chain(files).collect();
+    Ok(usdz::pack(&all)?)
 }
 
 /// Opens a session that was received as a file with a name. A session that cannot be opened changes nothing.

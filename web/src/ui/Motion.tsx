@@ -85,10 +85,10 @@ function Postures({ robot, list, answer }: { robot: RobotInfo; list: MotionInfo;
         <thead>
           <tr>
             <th scope="col">No.</th>
-            <th scope="col" data-tip="The share of the surface that the camera sees">Visible, %</th>
-            <th scope="col" data-tip="The share of the surface that is measured">Measured, %</th>
-            <th scope="col" data-tip="The share of the surface that the robot hides from its camera">Robot hides, %</th>
-            <th scope="col" data-tip="The median of the absolute errors">|Error|, mm</th>
+            <th scope="col" data-tip="The share of the surface that the camera sees"><span class="column-name upright">Visible, %</span></th>
+            <th scope="col" data-tip="The share of the surface that is measured"><span class="column-name upright">Measured, %</span></th>
+            <th scope="col" data-tip="The share of the surface that the robot hides from its camera"><span class="column-name upright">Robot hides, %</span></th>
+            <th scope="col" data-tip="The median of the absolute errors"><span class="column-name upright">|Error|, mm</span></th>
             <td />
           </tr>
         </thead>

@@ -13,7 +13,7 @@ export function TextDialog({ title, text, onClose }: { title: string; text: stri
   const copy = () => copyText(text).then(() => setCopied(true), (error) => studio.report("Copying", error));
   return (
     <Dialog title={title} onClose={onClose}>
-      {scene?.id.startsWith("dropped-") && <p class="hint">{`Run this in the folder of ${scene.name}.`}</p>}
+      {scene?.id.startsWith("dropped-") && <p class="hint">{`Run this in the folder of ${scene.robot ? "the dropped files" : scene.name}.`}</p>}
       <pre class="code" tabIndex={0} data-testid="snippet">{text}</pre>
       <div class="row spread"><Button icon="copy" label={isCopied ? "Copied" : "Copy"} isNamed onClick={copy} class="primary" /></div>
     </Dialog>

@@ -72,3 +72,40 @@ fn pyramid(texture: &Texture) -> Result<Pyramid, Finding> {
     let (image, is_high_range) = texture_file::decoded(texture, PLAIN)?;
     Ok(Pyramid::new(image, is_high_range || is_srgb))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use std::sync::Arc;
+
+    use oaktwin_image::Image;
+    use oaktwin_scene::TextureSource;
+    use rayon::prelude::*;
+
+    #[test]
+    fn threads_of_the_pool_and_others_decode_the_same_textures_at_once() {
+        let texture = || Texture {
+            source: TextureSource::Pixels(Arc::new(Image::new(256, 256, [90, 120, 30, 255]))),
+            color_space: ColorSpace::Auto,
+        };
+        let scene = Scene {
+            textures: (0..8).map(|_| texture()).collect(),
+            ..Scene::default()
+        };
+        for _ in 0..20 {
+            let textures = Textures::new(&scene);
+            let is_shown = |index| {
+                textures
+                    .get(&scene, index)
+                    .is_some_and(|one| one.finding.is_none())
+            };
+            std::thread::scope(|scope| {
+                for _ in 0..3 {
+                    scope.spawn(|| assert!((0..8).all(is_shown)));
+                }
+                scope.spawn(|| assert!((0..8_u32).into_par_iter().all(is_shown)));
+            });
+        }
+    }
+}
