@@ -85,8 +85,10 @@ mod tests {
 
     #[test]
     fn threads_of_the_pool_and_others_decode_the_same_textures_at_once() {
+        let image = Image::new(256, 256, vec![[90, 120, 30, 255]; 256 * 256]).unwrap();
+        let image = Arc::new(image);
         let texture = || Texture {
-            source: TextureSource::Pixels(Arc::new(Image::new(256, 256, [90, 120, 30, 255]))),
+            source: TextureSource::Pixels(Arc::clone(&image)),
             color_space: ColorSpace::Auto,
         };
         let scene = Scene {
