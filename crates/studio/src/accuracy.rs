@@ -1,8 +1,5 @@
 //! The accuracy of an OAK over distance, by the vendor's method.
 
-use std::collections::VecDeque;
-use std::sync::{Mutex, PoisonError};
-
 use oaktwin::accuracy::{Bench, Options, Row};
 use oaktwin::sensor::EngineInput;
 
@@ -18,13 +15,6 @@ const CAPTURES: u32 = 2;
 /// The same for an engine that matches images.
 const MATCHED_UNITS: u32 = 1;
 
-/// The number of curves that are kept.
-const KEPT: usize = 32;
-
-/// Curves that were measured, with their OAKs; the one that was asked for last is the last.
-#[derive(Debug, Default)]
-pub(crate) struct Curves(Mutex<VecDeque<(OakState, AccuracyCurve)>>);
-
 /// Returns the accuracy at about twenty distances, which is measured once for each OAK.
 pub(crate) fn curve(studio: &Studio, state: &OakState, job: &Job) -> Result<AccuracyCurve, Failure> {
     // Where an OAK is has no effect.
@@ -33,20 +23,11 @@ pub(crate) fn curve(studio: &Studio, state: &OakState, job: &Job) -> Result<Accu
         frame: 0,
         ..state.clone()
     };
-    let kept = || studio.curves.0.lock().unwrap_or_else(PoisonError::into_inner);
-    let mut known = kept();
-    let place = known.iter().position(|(other, _)| *other == state);
-    if let Some(found) = place.and_then(|place| known.remove(place)) {
-        known.push_back(found.clone());
-        return Ok(found.1);
+    if let Some(known) = studio.curves.get(&state) {
+        return Ok(known);
     }
-    drop(known);
     let curve = measure(studio, &state, job)?;
-    let mut known = kept();
-    known.push_back((state, curve.clone()));
-    while known.len() > KEPT {
-        known.pop_front();
-    }
+    studio.curves.add(state, curve.clone());
     Ok(curve)
 }
 

@@ -26,8 +26,8 @@ use crate::scene::LoadedScene;
 use crate::session::{SaveRequest, SessionInfo};
 use crate::studio::Studio;
 use crate::{
-    accuracy, calibration, coverage, dropped_robot, export, guard, job, live, mesh, motion, page, session,
-    trajectory, upload,
+    accuracy, calibration, coverage, dropped_robot, export, guard, job, live, mesh, motion, page, postures,
+    session, trajectory, upload,
 };
 
 /// The maximum length of a request's JSON, and of a calibration, bytes.
@@ -287,7 +287,7 @@ async fn known_trajectory(State(studio): Server, Path(id): Path<String>) -> Resp
 
 async fn drop_motion(State(studio): Server, Query(query): Query<RobotQuery>, body: Body) -> Response {
     let too_large = "the dropped file is too large for a list of postures, or did not arrive; drop a part of it, or use `oaktwin coverage --joints`";
-    let bytes = match received(body, motion::MAX_BYTES, too_large).await {
+    let bytes = match received(body, postures::MAX_BYTES, too_large).await {
         Ok(bytes) => bytes,
         Err(response) => return response,
     };
@@ -295,7 +295,7 @@ async fn drop_motion(State(studio): Server, Query(query): Query<RobotQuery>, bod
         job::run(&studio, job::FILE, move |studio, _| {
             let name = upload::file_name(&query.name)?;
             let scene = studio.scenes.get(&query.scene)?;
-            let dropped = motion::Dropped::read(&scene, &name, bytes.into())?;
+            let dropped = postures::Dropped::read(&scene, &name, bytes.into())?;
             Ok(studio.motions.add(dropped))
         })
         .await,

@@ -19,7 +19,7 @@ use state::{Entry, SceneEntry, State};
 
 use crate::dropped_robot::{self, Received};
 use crate::file::File;
-use crate::motion::{self, MotionInfo};
+use crate::postures::{self, MotionInfo};
 use crate::protocol::{CalibrationInfo, Failure, SceneInfo, TrajectoryInfo};
 use crate::robot::{posed, split};
 use crate::scene::LoadedScene;
@@ -191,9 +191,9 @@ pub(crate) fn open(studio: &Studio, path: &Path, name: &str) -> Result<SessionIn
     });
     let path = path.transpose()?;
     let motion = state.motion.as_ref().map(|entry| {
-        let bytes = archive.file(&entry.file, motion::MAX_BYTES as u64)?;
+        let bytes = archive.file(&entry.file, postures::MAX_BYTES as u64)?;
         let name = upload::file_name(&entry.name)?;
-        let read = motion::Dropped::read(robot.as_ref().unwrap_or(scene.get()), &name, bytes)?;
+        let read = postures::Dropped::read(robot.as_ref().unwrap_or(scene.get()), &name, bytes)?;
         archive.check_id(&entry.id, &read.info.id, &entry.name)?;
         Ok::<_, Failure>(read)
     });
@@ -378,7 +378,7 @@ mod tests {
         let placed = dropped_robot::dropped(&one, &part, "r.urdf", robot.as_bytes()).unwrap();
         let id = posed(&placed.id, "1.5");
         let scene = one.scenes.get(&id).unwrap();
-        let motion = motion::Dropped::read(&scene, "m.csv", b"j\n0\n2\n".to_vec()).unwrap();
+        let motion = postures::Dropped::read(&scene, "m.csv", b"j\n0\n2\n".to_vec()).unwrap();
         let request = SaveRequest {
             document: to_raw_value(&serde_json::json!({ "scene": id })).unwrap(),
             display: to_raw_value(&Value::Null).unwrap(),

@@ -7,10 +7,10 @@ use std::sync::Arc;
 use oaktwin::catalog::Catalog;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, TryAcquireError, watch};
 
-use crate::accuracy::Curves;
 use crate::calibration::Calibrations;
+use crate::curves::Curves;
 use crate::guard::Guard;
-use crate::motion::Motions;
+use crate::postures::Motions;
 use crate::scene::Scenes;
 use crate::trajectory::Trajectories;
 

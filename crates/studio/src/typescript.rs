@@ -11,7 +11,8 @@ use ts_rs::{Config, TS, TypeVisitor};
 use crate::catalog::CatalogInfo;
 use crate::coverage::{CoverageAnswer, CoverageRequest, SurfaceRequest};
 use crate::mesh::textured;
-use crate::motion::{Line, MotionInfo, MotionRequest};
+use crate::motion::{Line, MotionRequest};
+use crate::postures::MotionInfo;
 use crate::protocol::{
     AccuracyCurve, ExportRequest, Failure, FrameHeader, FrameRequest, MeshHeader, ProbeRequest, ServerMessage,
 };

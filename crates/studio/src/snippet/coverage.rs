@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use super::{begun, file, oak, option, shell};
 use crate::coverage::RegionRequest;
-use crate::motion::{Dropped, MotionRequest};
+use crate::motion::MotionRequest;
+use crate::postures::Dropped;
 use crate::protocol::{Failure, Pose};
 use crate::scene::LoadedScene;
 use crate::studio::Studio;
