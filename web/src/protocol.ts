@@ -19,6 +19,10 @@
  * | `POST /api/calibrations?name=unit.json`, the file as the body | {@link CalibrationInfo}; 422 with {@link Failure} |
  * | `POST /api/trajectories?name=path.txt`, the file as the body | {@link TrajectoryInfo}; 422 with {@link Failure} |
  * | `GET /api/trajectories/{id}` | {@link TrajectoryInfo} |
+ * | `POST /api/motions?name=poses.csv&scene=ID`, postures of the scene's robot as the body | {@link MotionInfo}; 422 with {@link Failure} |
+ * | `GET /api/motions/{id}` | {@link MotionInfo} |
+ * | `POST /api/motions/coverage`, {@link MotionRequest} | lines of JSON, each a {@link MotionLine}, as they come; 422 with {@link Failure} |
+ * | `POST /api/motions/command`, {@link MotionRequest} | a file with the command that measures the same; 422 with {@link Failure} |
  * | `POST /api/session/save`, {@link SaveRequest} | a file |
  * | `POST /api/session/open?name=room.oaktwin`, the file as the body | {@link SessionInfo}; 422 with {@link Failure} |
  * | `GET /api/models/{name}/body` | a mesh in the body frame |
@@ -312,6 +316,39 @@ export type Model = {
   depthSensors: Array<DepthSensor>;
 };
 
+export type MotionAnswer = {
+  postures: Array<PostureCoverage>;
+  /** By all postures together: a point is measured if it is in one of them. */
+  together: PoseCoverage;
+  /** `coverage.csv` as the command writes it. */
+  csv: string;
+};
+
+/** A list of postures of the robot in a scene. */
+export type MotionInfo = {
+  id: string;
+  name: string;
+  /** The positions of `RobotInfo.joints` in each posture. */
+  postures: Array<Array<number>>;
+  /** The joints that have no column in the file, so that they do not move. */
+  atRest: Array<string>;
+};
+
+/** A line of the answer to a [`MotionRequest`]: how many postures are done, and at last the result or an error. */
+export type MotionLine = { "type": "progress", done: number, total: number, } | { "type": "answer" } & MotionAnswer | { "type": "error" } & Failure;
+
+/** Asks for the coverage of a region over a list of postures, by an OAK on a link or, without one, in the world. */
+export type MotionRequest = {
+  /** The scene, with the robot in the posture to which the pose of the state belongs. */
+  scene: string;
+  motion: string;
+  mount: string | null;
+  state: OakState;
+  region: CoverageRegion;
+  /** The largest error of a point that counts as measured; null for any. */
+  toleranceMm: number | null;
+};
+
 /** Everything that determines the outputs of one OAK. It is what a link to the page stores. */
 export type OakState = {
   model: string;
@@ -378,6 +415,23 @@ export type Pose = {
 
 /** What is measured of a region's surface. */
 export type PoseCoverage = {
+  /** The share of the surface that the camera sees, measured or not. */
+  seen: number;
+  /** The share that is measured. */
+  measured: number;
+  medianAbsoluteErrorM: number | null;
+  /** The shares that are not measured, by the name of the reason. */
+  lost: Record<string, number>;
+  /** The share of the pixels that show the robot of the scene; null without a robot, and for all OAKs together. */
+  ownRobot: number | null;
+};
+
+/** The coverage in a posture. */
+export type PostureCoverage = {
+  /** The share of the surface that the robot hides. */
+  hiddenByRobot: number;
+  /** The links in the image, with the share of the pixels that show each, the largest first. */
+  links: Array<[string, number]>;
   /** The share of the surface that the camera sees, measured or not. */
   seen: number;
   /** The share that is measured. */
@@ -477,6 +531,8 @@ export type SaveRequest = {
   scene: string;
   calibrations: Array<string>;
   trajectory: string | null;
+  /** The list of postures of the scene's robot. */
+  motion: string | null;
 };
 
 export type SceneInfo = {
@@ -515,6 +571,7 @@ export type SessionInfo = {
   scene: SceneInfo;
   calibrations: Array<CalibrationInfo>;
   trajectory: TrajectoryInfo | null;
+  motion: MotionInfo | null;
 };
 
 /** An OAK with the size of its images. */

@@ -87,7 +87,7 @@ const started = performance.now();
 // Usable: images are there, the 3D view is drawn and controls answer. The images of full size follow.
 let usable = 0;
 const shown = (page) => page.waitForFunction(() => window.studio?.painted >= 4 && window.studio.drawn > 0, null, { polling: 10 });
-const { page } = await open(browser, { opened: async (page) => {
+const { page } = await open(browser, { fullSize: "large", opened: async (page) => {
   await shown(page);
   usable = performance.now() - started;
 } });

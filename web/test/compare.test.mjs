@@ -120,7 +120,7 @@ test("each of three questions leads to a result in two clicks", { skip }, async 
 });
 
 test("an image is saved in full resolution with its scale and a caption", { skip }, async () => {
-  const { page, context, errors } = await open(browser, { viewport: { width: 1024, height: 700 } });
+  const { page, context, errors } = await open(browser, { viewport: { width: 1024, height: 700 }, fullSize: "large" });
   for (const name of ["Error with its scale (PNG)", "Sensor depth with its scale (PNG)"]) {
     await page.getByTestId("export").click();
     const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("menuitem", { name, exact: true }).click()]);

@@ -25,7 +25,7 @@ export const FOLDER = new URL("looks/", import.meta.url).pathname;
 
 /** Opens the page as a look shows it. */
 export async function openLook(browser, { viewport, colorScheme, show }) {
-  const opened = await open(browser, { viewport, colorScheme });
+  const opened = await open(browser, { viewport, colorScheme, fullSize: "large" });
   await show(opened.page);
   return opened;
 }

@@ -18,9 +18,16 @@ export async function launch(args = []) {
   return chromium.launch({ executablePath, timeout: PATIENCE, args: ["--no-sandbox", ...args] });
 }
 
-/** Opens the page and waits for its first images. `errors` collects what the console and the page report. */
-export async function open(browser, { path = "", viewport = { width: 1280, height: 800 }, opened = async () => {}, ...options } = {}) {
+/**
+ * Opens the page and waits for its first images. `errors` collects what the console and the page report. Images at rest are small unless a
+ * test is about large ones, because a server of a debug build takes seconds for those.
+ */
+export async function open(browser, { path = "", viewport = { width: 1280, height: 800 }, fullSize = "small", opened = async () => {}, ...options } = {}) {
   const context = await browser.newContext({ viewport, ...options });
+  await context.addInitScript((size) => {
+    const key = "oaktwin-studio-display";
+    localStorage.setItem(key, JSON.stringify({ fullSize: size, ...JSON.parse(localStorage.getItem(key) ?? "{}") }));
+  }, fullSize);
   context.setDefaultTimeout(PATIENCE);
   const page = await context.newPage();
   const errors = [];

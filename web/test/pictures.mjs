@@ -11,7 +11,7 @@ const ROBOT = new URL("../../examples/robots/gripper.urdf", import.meta.url);
 const browser = await launch();
 
 async function film() {
-  const { page, context } = await open(browser, { viewport: { width: 1280, height: 800 }, colorScheme: "dark" });
+  const { page, context } = await open(browser, { viewport: { width: 1280, height: 800 }, colorScheme: "dark", fullSize: "large" });
   await writeFile(`${folder}/studio.webp`, (await record(page)).file());
   await context.close();
 }
@@ -70,7 +70,7 @@ const STEPS = [
 async function steps() {
   const wanted = STEPS.filter(({ name }) => names.length === 0 || names.includes(name));
   for (const { name, show, colorScheme = "light" } of wanted) {
-    const { page, context } = await open(browser, { viewport: { width: 1440, height: 900 }, colorScheme });
+    const { page, context } = await open(browser, { viewport: { width: 1440, height: 900 }, colorScheme, fullSize: "large" });
     await show(page);
     await rest(page);
     await writeFile(`${folder}/${name}.webp`, await scaled(page, await page.screenshot(), 1200, "image/webp"));

@@ -105,7 +105,7 @@ const state = {
 
 test("a link restores the state, and links with other content are ignored", () => {
   const document = {
-    scene: "demo", moment: null, trajectory: null, oaks: [{ key: "oak1", isHidden: false, mount: "hand", state }], selected: "oak1", arePosesLinked: false,
+    scene: "demo", moment: null, trajectory: null, motion: "dropped-list", oaks: [{ key: "oak1", isHidden: false, mount: "hand", state }], selected: "oak1", arePosesLinked: false,
     region: [0, 0, 0.5, 1], target: { object: "/Größe/日本" },
   };
   const display = { ...DEFAULT_DISPLAY, depthMap: "turbo", panels: ["error"] };

@@ -14,7 +14,7 @@ afterAll(() => browser?.close());
 const PLATE = "v 2 -2 -2\nv 2 2 -2\nv 2 2 2\nv 2 -2 2\nf 1 3 2\nf 1 4 3\n";
 
 async function openPlate() {
-  const opened = await open(browser, { viewport: { width: 1440, height: 900 } });
+  const opened = await open(browser, { viewport: { width: 1440, height: 900 }, fullSize: "large" });
   const { page } = opened;
   await dropScene(page, "plate.obj", PLATE);
   await after(page, () => page.evaluate(() => window.studio.document.commit("test", (before) => ({

@@ -28,15 +28,18 @@ function picture(file) {
   throw new Error("the browser made no lossy WebP file");
 }
 
-/** Joins files of one size; each frame is `{ file, milliseconds }`. It repeats without end. */
+/**
+ * Joins files; each frame is `{ file, milliseconds, place }` and replaces the rectangle `place`: left, top, width and height, of which the first two are even. It
+ * repeats without end.
+ */
 export function animation(frames, width, height) {
   const hasAnimation = Buffer.from([0x02, 0, 0, 0]);
   const chunks = [
     chunk("VP8X", hasAnimation, numbers(width - 1, height - 1)),
     chunk("ANIM", Buffer.from([255, 255, 255, 255, 0, 0])),
-    ...frames.map(({ file, milliseconds }) => {
+    ...frames.map(({ file, milliseconds, place: [left, top, own, ownHeight] }) => {
       const isOpaque = Buffer.from([0x02]);
-      return chunk("ANMF", numbers(0, 0, width - 1, height - 1, milliseconds), isOpaque, picture(file));
+      return chunk("ANMF", numbers(left / 2, top / 2, own - 1, ownHeight - 1, milliseconds), isOpaque, picture(file));
     }),
   ];
   return chunk("RIFF", Buffer.from("WEBP", "latin1"), ...chunks);

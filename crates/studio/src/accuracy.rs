@@ -5,6 +5,7 @@ use oaktwin::sensor::EngineInput;
 
 use crate::catalog::bands;
 use crate::job::Job;
+use crate::pose::ORIGIN;
 use crate::protocol::{AccuracyCurve, Failure, OakState};
 use crate::studio::Studio;
 
@@ -14,8 +15,23 @@ const CAPTURES: u32 = 2;
 /// The same for an engine that matches images.
 const MATCHED_UNITS: u32 = 1;
 
-/// Measures the accuracy at about twenty distances.
+/// Returns the accuracy at about twenty distances, which is measured once for each OAK.
 pub(crate) fn curve(studio: &Studio, state: &OakState, job: &Job) -> Result<AccuracyCurve, Failure> {
+    // Where an OAK is has no effect.
+    let state = OakState {
+        pose: ORIGIN,
+        frame: 0,
+        ..state.clone()
+    };
+    if let Some(known) = studio.curves.get(&state) {
+        return Ok(known);
+    }
+    let curve = measure(studio, &state, job)?;
+    studio.curves.add(state, curve.clone());
+    Ok(curve)
+}
+
+fn measure(studio: &Studio, state: &OakState, job: &Job) -> Result<AccuracyCurve, Failure> {
     let twin = state.twin(studio)?;
     let is_matching = state.engine()?.input == EngineInput::Pair;
     let options = Options {

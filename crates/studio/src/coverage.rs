@@ -12,7 +12,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::job::Job;
 use crate::mesh;
-use crate::protocol::{Failure, OakState, Pose};
+use crate::pose::ORIGIN;
+use crate::protocol::{Failure, OakState};
 use crate::scene::LoadedScene;
 use crate::size::check_memory;
 use crate::studio::Studio;
@@ -41,7 +42,7 @@ pub(crate) struct CoverageRequest {
 #[derive(Clone, Debug, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "CoverageRegion"))]
 #[serde(untagged)]
-enum RegionRequest {
+pub(crate) enum RegionRequest {
     Box { minimum: [f64; 3], maximum: [f64; 3] },
     Object { object: String },
 }
@@ -58,7 +59,7 @@ pub(crate) struct CoverageAnswer {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
-struct PoseCoverage {
+pub(crate) struct PoseCoverage {
     /// The share of the surface that the camera sees, measured or not.
     seen: f64,
     /// The share that is measured.
@@ -113,7 +114,7 @@ pub(crate) fn surface(studio: &Studio, request: &SurfaceRequest) -> Result<Vec<u
 }
 
 /// Returns the region, unless it has too many triangles for an answer in time.
-fn within_budget(scene: &LoadedScene, request: &RegionRequest) -> Result<Region, Failure> {
+pub(crate) fn within_budget(scene: &LoadedScene, request: &RegionRequest) -> Result<Region, Failure> {
     let failed = |error: CoverageError| Failure::of("region", &error);
     let mut region = request.region();
     let robot = scene.robot.iter();
@@ -130,7 +131,7 @@ fn within_budget(scene: &LoadedScene, request: &RegionRequest) -> Result<Region,
 }
 
 /// Returns the OAK of a state.
-fn rig(studio: &Studio, state: &OakState) -> Result<MeasuringRig, Failure> {
+pub(crate) fn rig(studio: &Studio, state: &OakState) -> Result<MeasuringRig, Failure> {
     let twin = state.twin(studio)?;
     let (spec, sensor) = (state.spec(studio, None)?, Some(state.sensor_kind()));
     let made = MeasuringRig::new(&twin, sensor, Some(spec.pair.projector), &spec);
@@ -142,14 +143,10 @@ fn rig(studio: &Studio, state: &OakState) -> Result<MeasuringRig, Failure> {
 
 /// Returns the OAKs of states, each once, and the index of that of each state.
 fn rigs(studio: &Studio, states: &[OakState], job: &Job) -> Result<(Vec<MeasuringRig>, Vec<usize>), Failure> {
-    let origin = Pose {
-        position: [0.0; 3],
-        quaternion: [0.0, 0.0, 0.0, 1.0],
-    };
     let (mut known, mut rigs, mut indices) = (Vec::new(), Vec::new(), Vec::new());
     for state in states {
         let unplaced = OakState {
-            pose: origin,
+            pose: ORIGIN,
             ..state.clone()
         };
         let index = known.iter().position(|one| *one == unplaced);
@@ -209,26 +206,24 @@ pub(crate) fn coverage(
             link: None,
             postures: &[],
         };
-        Some(carrier.own_robot(&scene.renderer, candidate).share)
+        Some(carrier.own_share(&scene.renderer, candidate))
     };
-    let poses = (found.candidates.into_iter().zip(&candidates)).map(|(found, candidate)| PoseCoverage {
-        own_robot: own_robot(candidate),
-        ..found.shares.into()
-    });
+    let poses = (found.candidates.into_iter().zip(&candidates))
+        .map(|(found, candidate)| PoseCoverage::new(found.shares, own_robot(candidate)));
     Ok(CoverageAnswer {
         poses: poses.collect(),
-        together: found.together.into(),
+        together: PoseCoverage::new(found.together, None),
     })
 }
 
-impl From<Shares> for PoseCoverage {
-    fn from(shares: Shares) -> Self {
+impl PoseCoverage {
+    pub(crate) fn new(shares: Shares, own_robot: Option<f64>) -> Self {
         Self {
             seen: shares.seen,
             measured: shares.measured,
             median_absolute_error_m: shares.median_absolute_error_mm.map(|error| error * 1e-3),
             lost: shares.lost,
-            own_robot: None,
+            own_robot,
         }
     }
 }

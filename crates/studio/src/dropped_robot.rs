@@ -6,7 +6,7 @@ use oaktwin::render::{OpenOptions, SceneFile};
 use tempfile::TempDir;
 
 use crate::protocol::{Failure, SceneInfo};
-use crate::robot::{DroppedFile, RobotFile, split};
+use crate::robot::{DroppedFile, RobotFile, in_any_state};
 use crate::scene::LoadedScene;
 use crate::studio::Studio;
 use crate::upload;
@@ -20,12 +20,6 @@ fn names_files(text: &str) -> bool {
         let rest = rest.strip_prefix("name").unwrap_or(rest);
         rest.trim_start().starts_with('=')
     })
-}
-
-/// Returns the id of a scene in any posture, at any time.
-fn in_any_state(id: &str) -> &str {
-    let id = split(id).map_or(id, |(own, _)| own);
-    id.rsplit_once('@').map_or(id, |(own, _)| own)
 }
 
 /// Puts a dropped robot into a scene, and returns what the page knows about the new scene.

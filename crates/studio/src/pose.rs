@@ -3,6 +3,12 @@ use oaktwin::render;
 
 use crate::protocol::{Failure, Pose};
 
+/// The pose of the world's frame.
+pub(crate) const ORIGIN: Pose = Pose {
+    position: [0.0; 3],
+    quaternion: [0.0, 0.0, 0.0, 1.0],
+};
+
 /// Returns the pose of a transform.
 pub(crate) fn pose_of(world_from_body: &RigidTransform) -> Pose {
     Pose {

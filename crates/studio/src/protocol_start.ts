@@ -19,6 +19,10 @@
  * | `POST /api/calibrations?name=unit.json`, the file as the body | {@link CalibrationInfo}; 422 with {@link Failure} |
  * | `POST /api/trajectories?name=path.txt`, the file as the body | {@link TrajectoryInfo}; 422 with {@link Failure} |
  * | `GET /api/trajectories/{id}` | {@link TrajectoryInfo} |
+ * | `POST /api/motions?name=poses.csv&scene=ID`, postures of the scene's robot as the body | {@link MotionInfo}; 422 with {@link Failure} |
+ * | `GET /api/motions/{id}` | {@link MotionInfo} |
+ * | `POST /api/motions/coverage`, {@link MotionRequest} | lines of JSON, each a {@link MotionLine}, as they come; 422 with {@link Failure} |
+ * | `POST /api/motions/command`, {@link MotionRequest} | a file with the command that measures the same; 422 with {@link Failure} |
  * | `POST /api/session/save`, {@link SaveRequest} | a file |
  * | `POST /api/session/open?name=room.oaktwin`, the file as the body | {@link SessionInfo}; 422 with {@link Failure} |
  * | `GET /api/models/{name}/body` | a mesh in the body frame |

@@ -133,3 +133,9 @@ pub(crate) fn posed(id: &str, posture: &str) -> String {
 pub(crate) fn split(id: &str) -> Option<(&str, &str)> {
     id.split_once(POSTURE)
 }
+
+/// Returns the id of a scene in any posture, at any time.
+pub(crate) fn in_any_state(id: &str) -> &str {
+    let id = split(id).map_or(id, |(own, _)| own);
+    id.rsplit_once('@').map_or(id, |(own, _)| own)
+}

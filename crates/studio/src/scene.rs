@@ -53,6 +53,7 @@ pub(crate) struct LoadedScene {
     moving: Option<Moving>,
     pub(crate) robot: Option<SceneRobot>,
     meshes: Mutex<BTreeMap<usize, Bytes>>,
+    textures: Mutex<Option<Bytes>>,
 }
 
 /// A dropped file on the disk, which is removed with its scene.
@@ -115,6 +116,7 @@ impl LoadedScene {
             moving,
             robot: None,
             meshes: Mutex::default(),
+            textures: Mutex::default(),
         })
     }
 
@@ -181,6 +183,7 @@ impl LoadedScene {
             moving: None,
             robot: self.robot.clone(),
             meshes: Mutex::default(),
+            textures: Mutex::default(),
         }
     }
 
@@ -281,6 +284,17 @@ impl LoadedScene {
             .get_mut()
             .unwrap_or_else(PoisonError::into_inner)
             .clear();
+        self.textures = Mutex::default();
+    }
+
+    /// Returns the surfaces with their textures, which are made once.
+    pub(crate) fn textures(&self, job: &Job) -> Result<Bytes, Failure> {
+        let mut textures = self.textures.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = &*textures {
+            return Ok(known.clone());
+        }
+        let made = Bytes::from(mesh::of_textures(self, job)?);
+        Ok(textures.insert(made).clone())
     }
 
     /// Sets the pose from which the page first shows the scene.

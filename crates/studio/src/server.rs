@@ -19,13 +19,15 @@ use tokio::time::timeout;
 use crate::answer::{binary, failure, file, json, json_or_failure};
 use crate::catalog::CatalogInfo;
 use crate::coverage::{CoverageRequest, SurfaceRequest};
+use crate::file::File;
+use crate::motion::MotionRequest;
 use crate::protocol::{ExportRequest, Failure, OakState};
 use crate::scene::LoadedScene;
 use crate::session::{SaveRequest, SessionInfo};
 use crate::studio::Studio;
 use crate::{
-    accuracy, calibration, coverage, dropped_robot, export, guard, job, live, mesh, page, session,
-    trajectory, upload,
+    accuracy, calibration, coverage, dropped_robot, export, guard, job, live, mesh, motion, page, postures,
+    session, trajectory, upload,
 };
 
 /// The maximum length of a request's JSON, and of a calibration, bytes.
@@ -55,6 +57,10 @@ pub(crate) fn router(studio: &Arc<Studio>) -> Router {
         .route("/api/calibrations", post(drop_calibration))
         .route("/api/trajectories", post(drop_trajectory))
         .route("/api/trajectories/{id}", get(known_trajectory))
+        .route("/api/motions", post(drop_motion))
+        .route("/api/motions/{id}", get(known_motion))
+        .route("/api/motions/coverage", post(motion_coverage))
+        .route("/api/motions/command", post(motion_command))
         .route("/api/session/save", post(save_session))
         .route("/api/session/open", post(open_session))
         .route("/api/models/{name}/body", get(body_mesh))
@@ -78,11 +84,12 @@ pub(crate) fn router(studio: &Arc<Studio>) -> Router {
 async fn admit(State(studio): Server, request: Request, next: Next) -> Response {
     match studio.requests.try_acquire() {
         Ok(_admitted) => next.run(request).await,
-        Err(_) => {
-            let error = "too many requests wait for their answers; try again later".to_owned();
-            failure(StatusCode::SERVICE_UNAVAILABLE, Failure::from(error))
-        }
+        Err(_) => failure(StatusCode::SERVICE_UNAVAILABLE, too_many()),
     }
+}
+
+fn too_many() -> Failure {
+    Failure::from("too many requests wait for their answers; try again later".to_owned())
 }
 
 async fn catalog(State(studio): Server) -> Response {
@@ -124,10 +131,7 @@ async fn scene_mesh(
 }
 
 async fn scene_textures(State(studio): Server, Path(id): Path<String>) -> Response {
-    let made = move |studio: &Studio, job: &job::Job| {
-        let scene = studio.scenes.get(&id)?;
-        mesh::of_textures(&scene, job)
-    };
+    let made = move |studio: &Studio, job: &job::Job| studio.scenes.get(&id)?.textures(job);
     match job::run(&studio, job::VIEW, made).await {
         Ok(bytes) => binary(bytes),
         Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),
@@ -211,11 +215,10 @@ async fn dropped_scene(
 #[derive(Deserialize)]
 struct RobotQuery {
     name: String,
-    /// The scene that the robot is put into.
+    /// The scene that a robot is put into, or whose robot a list of postures is for.
     scene: String,
 }
 
-/// Puts a dropped robot into a scene, which becomes another one.
 /// Receives a small file. Otherwise returns the answer, with an error.
 async fn received(body: Body, limit: usize, error: &str) -> Result<Bytes, Response> {
     match timeout(JSON_TIME, axum::body::to_bytes(body, limit)).await {
@@ -227,6 +230,7 @@ async fn received(body: Body, limit: usize, error: &str) -> Result<Bytes, Respon
     }
 }
 
+/// Puts a dropped robot into a scene, which becomes another one.
 async fn drop_robot(State(studio): Server, Query(query): Query<RobotQuery>, body: Body) -> Response {
     let too_large = "the dropped file is too large for a robot, or did not arrive; drop a URDF or MJCF file";
     let bytes = match received(body, dropped_robot::MAX_BYTES, too_large).await {
@@ -278,6 +282,57 @@ async fn known_trajectory(State(studio): Server, Path(id): Path<String>) -> Resp
     match studio.trajectories.get(&id) {
         Ok(dropped) => json(&dropped.info),
         Err(error) => failure(StatusCode::NOT_FOUND, error),
+    }
+}
+
+async fn drop_motion(State(studio): Server, Query(query): Query<RobotQuery>, body: Body) -> Response {
+    let too_large = "the dropped file is too large for a list of postures, or did not arrive; drop a part of it, or use `oaktwin coverage --joints`";
+    let bytes = match received(body, postures::MAX_BYTES, too_large).await {
+        Ok(bytes) => bytes,
+        Err(response) => return response,
+    };
+    json_or_failure(
+        job::run(&studio, job::FILE, move |studio, _| {
+            let name = upload::file_name(&query.name)?;
+            let scene = studio.scenes.get(&query.scene)?;
+            let dropped = postures::Dropped::read(&scene, &name, bytes.into())?;
+            Ok(studio.motions.add(dropped))
+        })
+        .await,
+    )
+}
+
+async fn known_motion(State(studio): Server, Path(id): Path<String>) -> Response {
+    match studio.motions.get(&id) {
+        Ok(dropped) => json(&dropped.info),
+        Err(error) => failure(StatusCode::NOT_FOUND, error),
+    }
+}
+
+/// Measures the coverage over a list of postures, and says meanwhile how many are done.
+async fn motion_coverage(State(studio): Server, body: Body) -> Response {
+    let Ok(permit) = Arc::clone(&studio.requests).try_acquire_owned() else {
+        return failure(StatusCode::SERVICE_UNAVAILABLE, too_many());
+    };
+    match request::<MotionRequest>(body).await {
+        Ok(asked) => binary(Body::from_stream(motion::lines(studio, asked, permit))),
+        Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),
+    }
+}
+
+async fn motion_command(State(studio): Server, body: Body) -> Response {
+    let made = match request::<MotionRequest>(body).await {
+        Ok(asked) => {
+            job::run(&studio, job::FILE, move |studio, _| {
+                motion::command(studio, &asked)
+            })
+            .await
+        }
+        Err(error) => Err(error),
+    };
+    match made {
+        Ok(text) => file(File::text("coverage.sh", text)),
+        Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),
     }
 }
 

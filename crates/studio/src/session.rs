@@ -19,6 +19,7 @@ use state::{Entry, SceneEntry, State};
 
 use crate::dropped_robot::{self, Received};
 use crate::file::File;
+use crate::postures::{self, MotionInfo};
 use crate::protocol::{CalibrationInfo, Failure, SceneInfo, TrajectoryInfo};
 use crate::robot::{posed, split};
 use crate::scene::LoadedScene;
@@ -48,6 +49,8 @@ pub(crate) struct SaveRequest {
     scene: String,
     calibrations: Vec<String>,
     trajectory: Option<String>,
+    /// The list of postures of the scene's robot.
+    motion: Option<String>,
 }
 
 /// What a page shows after a session was opened.
@@ -61,6 +64,7 @@ pub(crate) struct SessionInfo {
     scene: SceneInfo,
     calibrations: Vec<CalibrationInfo>,
     trajectory: Option<TrajectoryInfo>,
+    motion: Option<MotionInfo>,
 }
 
 /// Makes the file of a session.
@@ -93,13 +97,12 @@ pub(crate) fn save(studio: &Studio, request: SaveRequest) -> Result<File, Failur
         posture,
     };
     if let Some(dropped) = dropped {
-        let file = format!("robot/{}", dropped.name);
-        files.push((file.clone(), dropped.bytes.clone()));
-        entry.robot = Some(Entry {
-            id: own.to_owned(),
-            name: dropped.name.clone(),
-            file,
-        });
+        entry.robot = Some(Entry::put(
+            &mut files,
+            "robot",
+            (own, &dropped.name),
+            &dropped.bytes,
+        ));
     }
     if scene.kept.is_some() {
         let place = format!("scene/{}", entry.name);
@@ -109,21 +112,24 @@ pub(crate) fn save(studio: &Studio, request: SaveRequest) -> Result<File, Failur
     let mut calibrations = Vec::new();
     for (number, id) in request.calibrations.iter().enumerate() {
         let dropped = studio.calibrations.get(id)?;
-        let name = dropped.info.name.clone();
-        let file = format!("calibrations/{number}/{name}");
-        files.push((file.clone(), dropped.bytes.clone()));
-        let id = dropped.info.id.clone();
-        calibrations.push(Entry { id, name, file });
+        let (folder, info) = (format!("calibrations/{number}"), &dropped.info);
+        calibrations.push(Entry::put(
+            &mut files,
+            &folder,
+            (&info.id, &info.name),
+            &dropped.bytes,
+        ));
     }
-    let mut path = None;
-    if let Some(id) = &request.trajectory {
-        let dropped = studio.trajectories.get(id)?;
-        let name = dropped.info.name.clone();
-        let file = format!("trajectory/{name}");
-        files.push((file.clone(), dropped.bytes.clone()));
-        let id = dropped.info.id.clone();
-        path = Some(Entry { id, name, file });
-    }
+    let path = request.trajectory.as_ref().map(|id| studio.trajectories.get(id));
+    let path = path.transpose()?.map(|dropped| {
+        let info = &dropped.info;
+        Entry::put(&mut files, "trajectory", (&info.id, &info.name), &dropped.bytes)
+    });
+    let motion = request.motion.as_ref().map(|id| studio.motions.get(id));
+    let motion = motion.transpose()?.map(|dropped| {
+        let info = &dropped.info;
+        Entry::put(&mut files, "motion", (&info.id, &info.name), &dropped.bytes)
+    });
     let stem = entry.name.split('.').next().unwrap_or_default().to_owned();
     let state = State {
         version: VERSION,
@@ -133,18 +139,21 @@ pub(crate) fn save(studio: &Studio, request: SaveRequest) -> Result<File, Failur
         scene: entry,
         calibrations,
         trajectory: path,
+        motion,
     };
-    let failed =
-        |error: &dyn ToString| Failure::from(format!("the session cannot be saved: {}", error.to_string()));
-    let json = serde_json::to_vec_pretty(&state).map_err(|error| failed(&error))?;
-    let mut packed = vec![(STATE, json.as_slice())];
-    packed.extend(
-        files
-            .iter()
-            .map(|(place, bytes)| (place.as_str(), bytes.as_slice())),
-    );
-    let bytes = usdz::pack(&packed).map_err(|error| failed(&error))?;
+    let bytes = packed(&state, &files)
+        .map_err(|error| Failure::from(format!("the session cannot be saved: {error}")))?;
     Ok(File::new(format!("{stem}.oaktwin"), bytes))
+}
+
+/// Makes the archive of a state and files.
+fn packed(state: &State, files: &[(String, Vec<u8>)]) -> Result<Vec<u8>, Box<dyn std::error::Error>> {
+    let json = serde_json::to_vec_pretty(state)?;
+    let files = files
+        .iter()
+        .map(|(place, bytes)| (place.as_str(), bytes.as_slice()));
+    let all: Vec<(&str, &[u8])> = std::iter::once((STATE, json.as_slice())).chain(files).collect();
+    Ok(usdz::pack(&all)?)
 }
 
 /// Opens a session that was received as a file with a name. A session that cannot be opened changes nothing.
@@ -181,6 +190,14 @@ pub(crate) fn open(studio: &Studio, path: &Path, name: &str) -> Result<SessionIn
         Ok::<_, Failure>(read)
     });
     let path = path.transpose()?;
+    let motion = state.motion.as_ref().map(|entry| {
+        let bytes = archive.file(&entry.file, postures::MAX_BYTES as u64)?;
+        let name = upload::file_name(&entry.name)?;
+        let read = postures::Dropped::read(robot.as_ref().unwrap_or(scene.get()), &name, bytes)?;
+        archive.check_id(&entry.id, &read.info.id, &entry.name)?;
+        Ok::<_, Failure>(read)
+    });
+    let motion = motion.transpose()?;
     // Everything was read.
     Ok(SessionInfo {
         document: state.document,
@@ -190,6 +207,7 @@ pub(crate) fn open(studio: &Studio, path: &Path, name: &str) -> Result<SessionIn
             .map(|dropped| studio.calibrations.add(dropped))
             .collect(),
         trajectory: path.map(|dropped| studio.trajectories.add(dropped)),
+        motion: motion.map(|dropped| studio.motions.add(dropped)),
     })
 }
 
@@ -320,6 +338,7 @@ mod tests {
             scene: id,
             calibrations: Vec::new(),
             trajectory: Some(studio.trajectories.add(path).id),
+            motion: None,
         };
         let file = save(studio, request).unwrap();
         assert_eq!(file.name, "part.oaktwin");
@@ -358,18 +377,22 @@ mod tests {
             <joint name='j' type='prismatic'><parent link='a'/><child link='b'/><axis xyz='1 0 0'/><limit lower='0' upper='2'/></joint></robot>";
         let placed = dropped_robot::dropped(&one, &part, "r.urdf", robot.as_bytes()).unwrap();
         let id = posed(&placed.id, "1.5");
+        let scene = one.scenes.get(&id).unwrap();
+        let motion = postures::Dropped::read(&scene, "m.csv", b"j\n0\n2\n".to_vec()).unwrap();
         let request = SaveRequest {
             document: to_raw_value(&serde_json::json!({ "scene": id })).unwrap(),
             display: to_raw_value(&Value::Null).unwrap(),
             scene: id.clone(),
             calibrations: Vec::new(),
             trajectory: None,
+            motion: Some(one.motions.add(motion).id),
         };
         let bytes = save(&one, request).unwrap().bytes;
         let other = studio();
         let info = opened(&other, &bytes).unwrap();
         assert_eq!(info.scene.id, id);
         assert_eq!(info.scene.robot.unwrap().joints[0].position, 1.5);
+        assert_eq!(info.motion.unwrap().postures, [[0.0], [2.0]]);
         let text = String::from_utf8_lossy(&bytes).replace("\"1.5\"", "\"9.5\"");
         let state = &text[text.find('{').unwrap()..=text.rfind('}').unwrap()];
         let files = [(STATE, state.as_bytes()), ("robot/r.urdf", robot.as_bytes())];

@@ -1,13 +1,12 @@
 //! The current state as a command line, a Python script and a file of parameters, which reproduce it to the byte.
 
 mod along;
+mod coverage;
 mod images;
+mod python;
 
 use std::fmt::Write;
 
-use oaktwin::camera::RigidTransform;
-use oaktwin::pair::PairOptions;
-use oaktwin::render::Transparent;
 use oaktwin::sensor::{EngineInput, Scalar};
 
 use crate::protocol::{ExportRequest, Failure, OakState};
@@ -16,7 +15,8 @@ use crate::scene::LoadedScene;
 use crate::size::image_size;
 use crate::studio::Studio;
 use along::{Along, along};
-use images::images;
+pub(crate) use coverage::coverage;
+pub(crate) use python::python;
 
 /// The folder of the calibrations of units that a command draws.
 const UNITS: &str = "units";
@@ -51,22 +51,13 @@ fn toml_value(value: &Scalar) -> String {
     }
 }
 
-/// A value of Python.
-fn python_value(value: &Scalar) -> String {
-    match value {
-        Scalar::Flag(true) => "True".to_owned(),
-        Scalar::Flag(false) => "False".to_owned(),
-        value => toml_value(value),
-    }
-}
-
-/// Returns the commands that write the files of a scene, and the first words of one that renders it.
-fn begun(scene: &LoadedScene) -> (String, Vec<String>) {
+/// Returns the commands that write the files of a scene, and the first words of one that opens it, without its robot.
+fn begun(scene: &LoadedScene, command: &str) -> (String, Vec<String>) {
     let mut out = String::new();
     if let Some(command) = &scene.made_by {
         let _ = writeln!(out, "{command}");
     }
-    let mut words = ["oaktwin", "render"].map(str::to_owned).to_vec();
+    let mut words = ["oaktwin", command].map(str::to_owned).to_vec();
     words.push(shell(&file(&scene.argument)));
     let (up, scale) = scene.given;
     if let Some(up) = up {
@@ -75,31 +66,59 @@ fn begun(scene: &LoadedScene) -> (String, Vec<String>) {
     if let Some(scale) = scale {
         words.extend(["--scale".to_owned(), format!("{scale:?}")]);
     }
-    if let Some(robot) = &scene.robot {
-        let (table, arguments) = posture(robot);
-        out += &table;
-        words.extend(arguments.iter().map(|word| shell(word)));
-    }
     (out, words)
+}
+
+/// Adds an option to the words of a command.
+fn option(words: &mut Vec<String>, name: &str, value: &str) {
+    // A value that begins like an option follows an equals sign.
+    match value.starts_with('-') {
+        true => words.push(shell(&format!("--{name}={value}"))),
+        false => words.extend([format!("--{name}"), shell(value)]),
+    }
 }
 
 /// Returns a command that writes the images of the state.
 pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String, Failure> {
     let state = &request.state;
     let scene = studio.scenes.get(&request.scene)?;
-    let (mut out, mut words) = begun(&scene);
-    // A value that begins like an option follows an equals sign.
-    let mut option = |name: &str, value: &str| match value.starts_with('-') {
-        true => words.push(shell(&format!("--{name}={value}"))),
-        false => words.extend([format!("--{name}"), shell(value)]),
-    };
+    let (mut out, mut words) = begun(&scene, "render");
+    if let Some(robot) = &scene.robot {
+        let (table, arguments) = posture(robot);
+        out += &table;
+        words.extend(arguments.iter().map(|word| shell(word)));
+    }
     let path = along(studio, request)?;
     if let Some(time) = scene.time {
         match &path {
-            None => option("time", &format!("{time:?}")),
-            Some(path) => option("frames", &path.codes(request)?),
+            None => option(&mut words, "time", &format!("{time:?}")),
+            Some(path) => option(&mut words, "frames", &path.codes(request)?),
         }
     }
+    let size = image_size(request.size)?.map(|size| size.to_string());
+    words.extend(oak(studio, state, ("camera", &state.sensor), size, &mut out)?);
+    images::arguments(state, &mut words)?;
+    option(
+        &mut words,
+        "annotators",
+        "rgb,distance_to_image_plane,depth_sensor_distance",
+    );
+    option(&mut words, "output", "oak");
+    words.extend(pose(state, path.as_ref(), &mut out));
+    let _ = writeln!(out, "{}", words.join(" "));
+    Ok(out)
+}
+
+/// Returns the options that describe an OAK, whose depth sensor is named by the option `sensor`. Adds the command that writes its unit.
+fn oak(
+    studio: &Studio,
+    state: &OakState,
+    sensor: (&str, &str),
+    size: Option<String>,
+    out: &mut String,
+) -> Result<Vec<String>, Failure> {
+    let mut words = Vec::new();
+    let mut option = |name: &str, value: &str| option(&mut words, name, value);
     option("model", &state.model);
     if let Some(id) = &state.calibration {
         option("calibration", &file(&studio.calibrations.name(id)?));
@@ -115,9 +134,9 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
     if state.lens != "pinhole" {
         option("lens", &state.lens);
     }
-    option("camera", &state.sensor);
-    if let Some(size) = image_size(request.size)? {
-        option("resolution", &size.to_string());
+    option(sensor.0, sensor.1);
+    if let Some(size) = size {
+        option("resolution", &size);
     }
     option("engine", &state.engine);
     if let Some(preset) = &state.preset {
@@ -143,25 +162,10 @@ pub(crate) fn command(studio: &Studio, request: &ExportRequest) -> Result<String
         option("projector", &state.projector.to_string());
         option("ambient", &state.ambient.to_string());
     }
-    if state.transparent()? != Transparent::default() {
-        option("transparent", &state.transparent);
-    }
-    if let Some(changed) = &state.color_imager {
-        if changed.is_empty() {
-            option("rgb-imager", "on");
-        }
-        for (name, value) in changed {
-            option("rgb-imager", &format!("{name}={value}"));
-        }
-    }
-    option("annotators", "rgb,distance_to_image_plane,depth_sensor_distance");
-    option("output", "oak");
     if state.extended_disparity {
         words.push("--extended-disparity".to_owned());
     }
-    words.extend(pose(state, path.as_ref(), &mut out));
-    let _ = writeln!(out, "{}", words.join(" "));
-    Ok(out)
+    Ok(words)
 }
 
 /// Returns the words that place the OAK.
@@ -199,134 +203,6 @@ fn posture(robot: &SceneRobot) -> (String, Vec<String>) {
         true => (table, robot.arguments.iter().cloned().chain(joints).collect()),
         false => (String::new(), robot.arguments.clone()),
     }
-}
-
-/// Returns a script that computes the images of the state.
-pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String, Failure> {
-    let state = &request.state;
-    let scene = studio.scenes.get(&request.scene)?;
-    if scene.robot.is_some() {
-        let error = "robots are not available in Python; take the command";
-        return Err(Failure::of("scene", error));
-    }
-    let device = device(studio, state)?;
-    let world_from_body = matrix(&state.pose.transform()?);
-    let size = image_size(request.size)?;
-    let comment = |command: &String| format!("# `{command}` writes the scene.\n");
-    let made_by = scene.made_by.as_ref().map(comment).unwrap_or_default();
-    let (up, scale) = scene.given;
-    let up = up.map_or_else(String::new, |up| format!(", up={}", quoted(up.name())));
-    let time = scene
-        .time
-        .map_or_else(String::new, |time| format!(", time={time:?}"));
-    let units = time + &scale.map_or_else(String::new, |scale| format!(", scale={scale:?}")) + &up;
-    let frame = match state.frame {
-        0 => String::new(),
-        frame => format!(", frame={frame}"),
-    };
-    let mut out = format!(
-        "{made_by}import numpy as np\nimport oaktwin\n\n{device}\nscene = oaktwin.Scene.open({}{units})\nworld_from_body = np.array({world_from_body})\n",
-        quoted(&scene.argument)
-    );
-    let kind = quoted(state.sensor_kind());
-    let engine = quoted(&state.engine);
-    let seed = match state.seed {
-        0 => String::new(),
-        seed => format!(", seed={seed}"),
-    };
-    let mut light = size.map_or_else(String::new, |size| {
-        format!(", size=({}, {})", size.width, size.height)
-    });
-    let usual = PairOptions::default();
-    let projector = state.projector(studio)?;
-    for (name, value, usual) in [
-        ("projector", projector, usual.projector),
-        ("ambient", state.ambient, usual.ambient),
-    ] {
-        #[expect(clippy::float_cmp, reason = "a default that nobody changed")]
-        if value != usual {
-            let _ = write!(light, ", {name}={value:?}");
-        }
-    }
-    let _ = write!(
-        out,
-        "sensor = oaktwin.DepthSensor(device, sensor={kind}, engine={engine}{seed}{}{})\n\n\
-         shot = sensor.shoot(scene, world_from_body{light}{frame})\n\
-         depth = shot.depth\n",
-        unit(state)?,
-        options(state)?
-    );
-    out += &images(state, image_size(request.size)?)?;
-    Ok(out)
-}
-
-fn device(studio: &Studio, state: &OakState) -> Result<String, Failure> {
-    let lens = match state.lens.as_str() {
-        "pinhole" => String::new(),
-        lens => format!(", lens={}", quoted(lens)),
-    };
-    Ok(match &state.calibration {
-        Some(id) => {
-            let name = studio.calibrations.name(id)?;
-            format!(
-                "device = oaktwin.Device.from_calibration({}, {}{lens})",
-                quoted(&name),
-                quoted(&state.model)
-            )
-        }
-        None => {
-            let unit = state.population_seed.map_or_else(String::new, |seed| {
-                format!("\ndevice = device.population(1, seed={seed})[0]")
-            });
-            format!("device = oaktwin.Device({}{lens}){unit}", quoted(&state.model))
-        }
-    })
-}
-
-/// The arguments that describe the unit, each with a comma in front.
-fn unit(state: &OakState) -> Result<String, Failure> {
-    let mut out = String::new();
-    if let Some(seed) = state.device_seed {
-        let _ = write!(out, ", device_seed={seed}");
-    }
-    if let Some(drift) = state.drift()? {
-        let _ = write!(out, ", drift={}", quoted(&drift.to_text()));
-    }
-    Ok(out)
-}
-
-/// The arguments that describe the mode of the sensor, each with a comma in front.
-fn options(state: &OakState) -> Result<String, Failure> {
-    let mut out = String::new();
-    if let Some(preset) = &state.preset {
-        let _ = write!(out, ", preset={}", quoted(&preset.to_lowercase()));
-    }
-    let filters: Vec<String> = state
-        .filters
-        .iter()
-        .flatten()
-        .map(|filter| quoted(filter))
-        .collect();
-    if !filters.is_empty() {
-        let _ = write!(out, ", filters=[{}]", filters.join(", "));
-    }
-    let parameters = state.options()?.parameters;
-    let pairs: Vec<String> = parameters
-        .iter()
-        .map(|(name, value)| format!("{}: {}", quoted(name), python_value(value)))
-        .collect();
-    if !pairs.is_empty() {
-        let _ = write!(out, ", parameters={{{}}}", pairs.join(", "));
-    }
-    if state.extended_disparity {
-        out.push_str(", extended_disparity=True");
-    }
-    Ok(out)
-}
-
-fn matrix(transform: &RigidTransform) -> String {
-    let row = |row: [f64; 4]| format!("[{}]", row.map(|x| format!("{x:?}")).join(", "));
-    format!("[{}]", transform.rows().map(row).join(", "))
 }
 
 /// The name of a file that no program takes for an option.
@@ -440,9 +316,6 @@ mod tests {
             let value = Scalar::of(value);
             assert_eq!(toml_value(&value), expected);
         }
-        assert_eq!(python_value(&Scalar::of("true")), "True");
-        assert_eq!(python_value(&Scalar::of("0.2")), "0.2");
-        assert_eq!(python_value(&Scalar::of("0x1F")), "\"0x1F\"");
         assert_eq!(key("censusTransform.threshold"), "censusTransform.threshold");
         assert_eq!(key("a = 1\n[b"), "\"a = 1\\n[b\"");
         assert_eq!((key(""), key("a..b")), ("\"\"".to_owned(), "\"a..b\"".to_owned()));

@@ -8,7 +8,9 @@ use oaktwin::catalog::Catalog;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, TryAcquireError, watch};
 
 use crate::calibration::Calibrations;
+use crate::curves::Curves;
 use crate::guard::Guard;
+use crate::postures::Motions;
 use crate::scene::Scenes;
 use crate::trajectory::Trajectories;
 
@@ -32,13 +34,15 @@ pub(crate) struct Studio {
     pub(crate) scenes: Scenes,
     pub(crate) calibrations: Calibrations,
     pub(crate) trajectories: Trajectories,
+    pub(crate) motions: Motions,
+    pub(crate) curves: Curves,
     pub(crate) guard: Guard,
     /// The folder for files that are being received, which is removed when the server ends.
     pub(crate) uploads: PathBuf,
     pub(crate) computing: Arc<Semaphore>,
     pub(crate) jobs: Arc<Semaphore>,
     pub(crate) receiving: Semaphore,
-    pub(crate) requests: Semaphore,
+    pub(crate) requests: Arc<Semaphore>,
     pages: Arc<Semaphore>,
     stop: watch::Sender<bool>,
 }
@@ -57,12 +61,14 @@ impl Studio {
             scenes,
             calibrations: Calibrations::default(),
             trajectories: Trajectories::default(),
+            motions: Motions::default(),
+            curves: Curves::default(),
             guard,
             uploads,
             computing: Arc::new(Semaphore::new(COMPUTING)),
             jobs: Arc::new(Semaphore::new(JOBS)),
             receiving: Semaphore::new(UPLOADS),
-            requests: Semaphore::new(MAX_REQUESTS),
+            requests: Arc::new(Semaphore::new(MAX_REQUESTS)),
             pages: Arc::new(Semaphore::new(MAX_PAGES)),
             stop: watch::Sender::new(false),
         }

@@ -11,6 +11,8 @@ use ts_rs::{Config, TS, TypeVisitor};
 use crate::catalog::CatalogInfo;
 use crate::coverage::{CoverageAnswer, CoverageRequest, SurfaceRequest};
 use crate::mesh::textured;
+use crate::motion::{Line, MotionRequest};
+use crate::postures::MotionInfo;
 use crate::protocol::{
     AccuracyCurve, ExportRequest, Failure, FrameHeader, FrameRequest, MeshHeader, ProbeRequest, ServerMessage,
 };
@@ -126,6 +128,9 @@ fn the_pages_types_are_current() {
     declarations.visit::<CoverageRequest>();
     declarations.visit::<CoverageAnswer>();
     declarations.visit::<SurfaceRequest>();
+    declarations.visit::<MotionInfo>();
+    declarations.visit::<MotionRequest>();
+    declarations.visit::<Line>();
     declarations.visit::<SaveRequest>();
     declarations.visit::<SessionInfo>();
     // The order in which a type's dependencies are visited differs from build to build.

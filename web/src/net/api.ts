@@ -1,5 +1,5 @@
 import type {
-  AccuracyCurve, CalibrationInfo, Catalog, CoverageAnswer, CoverageRequest, ExportRequest, Failure, Finding, OakState, SaveRequest, SceneInfo,
+  AccuracyCurve, CalibrationInfo, Catalog, CoverageAnswer, CoverageRequest, ExportRequest, Failure, Finding, MotionAnswer, MotionInfo, MotionLine, MotionRequest, OakState, SaveRequest, SceneInfo,
   SessionInfo, SurfaceRequest, TrajectoryInfo,
 } from "../protocol";
 import type { Units } from "../state/units";
@@ -51,6 +51,19 @@ function posted(body: unknown, signal?: AbortSignal): RequestInit {
   return init;
 }
 
+/** The lines of an answer, as they come. */
+async function* lines(response: Response): AsyncGenerator<string> {
+  const reader = response.body?.pipeThrough(new TextDecoderStream()).getReader();
+  let rest = "";
+  for (;;) {
+    const part = await reader?.read();
+    if (!part || part.done) break;
+    const complete = (rest + part.value).split("\n");
+    rest = complete.pop() ?? "";
+    yield* complete;
+  }
+}
+
 /** Asks for a file. */
 async function saved(path: string, body: unknown, otherName: string): Promise<Exported> {
   const response = await request(path, posted(body));
@@ -95,6 +108,25 @@ export const api = {
     json<TrajectoryInfo>(`/api/trajectories?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file }),
 
   trajectory: (id: string) => json<TrajectoryInfo>(`/api/trajectories/${encodeURIComponent(id)}`),
+
+  openMotion: (file: File, scene: string) =>
+    json<MotionInfo>(`/api/motions?${new URLSearchParams({ name: file.name, scene })}`, { method: "POST", body: file }),
+
+  motion: (id: string) => json<MotionInfo>(`/api/motions/${encodeURIComponent(id)}`),
+
+  /** Measures the coverage over a motion. `onProgress` is called with the number of postures that are done. */
+  async motionCoverage(body: MotionRequest, signal: AbortSignal, onProgress: (done: number, of: number) => void): Promise<MotionAnswer> {
+    const response = await request("/api/motions/coverage", posted(body, signal));
+    for await (const text of lines(response)) {
+      const line = JSON.parse(text) as MotionLine;
+      if (line.type === "answer") return line;
+      if (line.type === "error") throw new ApiError(line, response.status);
+      onProgress(line.done, line.total);
+    }
+    throw new Error("The server ended before the result was complete; start it again, and measure again.");
+  },
+
+  motionCommand: (body: MotionRequest) => saved("/api/motions/command", body, "coverage.sh"),
 
   openSession: (file: File) =>
     json<SessionInfo>(`/api/session/open?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file }),

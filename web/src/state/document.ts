@@ -31,6 +31,8 @@ export interface StudioDocument {
   moment: Moment | null;
   /** The id of the trajectory along which OAKs move. */
   trajectory: string | null;
+  /** The id of the list of postures of the scene's robot. */
+  motion: string | null;
   oaks: Oak[];
   /** The key of the OAK that the controls change. */
   selected: string;
@@ -120,12 +122,12 @@ export function freeKey(oaks: Oak[]): string {
 export function newDocument(catalog: Catalog, scene: string, pose: Pose): StudioDocument {
   const model = findModel(catalog, catalog.model) ?? catalog.models[0];
   const oaks = model ? [{ key: "oak1", isHidden: false, state: defaultState(model, pose) }] : [];
-  return { scene, moment: null, trajectory: null, oaks, selected: "oak1", arePosesLinked: true, region: WHOLE_IMAGE, target: null };
+  return { scene, moment: null, trajectory: null, motion: null, oaks, selected: "oak1", arePosesLinked: true, region: WHOLE_IMAGE, target: null };
 }
 
 /** Returns a document that shows another scene as it was opened. */
 export function withScene(document: StudioDocument, scene: string): StudioDocument {
-  return { ...document, scene, moment: null, trajectory: null, target: null };
+  return { ...document, scene, moment: null, trajectory: null, motion: null, target: null };
 }
 
 /** Returns the scene of requests: at the time of the document, if the scene is animated. */

@@ -70,6 +70,7 @@ function documentFrom(json: unknown): StudioDocument | null {
     scene: json.scene,
     moment: momentFrom(json.moment),
     trajectory: typeof json.trajectory === "string" ? json.trajectory : null,
+    motion: typeof json.motion === "string" ? json.motion : null,
     oaks,
     selected: oaks.find(({ key }) => key === json.selected)?.key ?? first.key,
     arePosesLinked: json.arePosesLinked !== false,

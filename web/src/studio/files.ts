@@ -2,7 +2,7 @@ import { api } from "../net/api";
 import type { Units } from "../state/units";
 import { changeOak, findModel, type StudioDocument, withModel, withScene } from "../state/document";
 import { bytes } from "../util/format";
-import type { CalibrationInfo, SceneInfo, TrajectoryInfo } from "../protocol";
+import type { CalibrationInfo, MotionInfo, SceneInfo, TrajectoryInfo } from "../protocol";
 import { openSession } from "./session";
 import type { Studio } from "./studio";
 
@@ -16,6 +16,7 @@ export async function openFiles(studio: Studio, files: Iterable<File>): Promise<
     }
     try {
       if (/\.oaktwin$/i.test(file.name)) await openSession(studio, file);
+      else if (await isMotion(file)) useMotion(studio, await studio.motion.open(file));
       else if (await isTrajectory(file)) useTrajectory(studio, await api.openTrajectory(file));
       else if (isCalibration(file)) useCalibration(studio, await api.openCalibration(file));
       else if (isRobot(file)) useRobot(studio, await api.openRobot(file, studio.document.get().scene));
@@ -28,6 +29,20 @@ export async function openFiles(studio: Studio, files: Iterable<File>): Promise<
 
 function isCalibration(file: File): boolean {
   return file.name.toLowerCase().endsWith(".json");
+}
+
+/** Postures are CSV whose first line has the names of joints; the first line of a trajectory has numbers or is a comment. */
+async function isMotion(file: File): Promise<boolean> {
+  if (!/\.csv$/i.test(file.name)) return false;
+  const lines = (await file.slice(0, 65_536).text()).replace(/^\uFEFF/, "").split(/\r?\n/);
+  const first = lines.find((line) => line.trim() !== "" && !line.startsWith("#"));
+  return first !== undefined && first.split(/[,;\s]+/).every((word) => !Number.isFinite(Number.parseFloat(word)));
+}
+
+function useMotion(studio: Studio, info: MotionInfo): void {
+  studio.tab.set("place");
+  const rest = info.atRest.length ? ` It has no column for ${info.atRest.join(", ")}: they do not move.` : "";
+  studio.notify("note", `${info.name}: ${info.postures.length.toLocaleString("en")} postures. Place → Motion measures what the OAK sees over them.${rest}`);
 }
 
 /** A trajectory is text: lines of numbers, or JSON that begins with a list, which a calibration does not. */
@@ -47,7 +62,7 @@ function isRobot(file: File): boolean {
 
 /** Shows the scene with a dropped robot in it; the OAKs stay where they are. */
 function useRobot(studio: Studio, info: SceneInfo): void {
-  studio.document.commit("robot", (document): StudioDocument => ({ ...document, scene: info.id }));
+  studio.document.commit("robot", (document): StudioDocument => ({ ...document, scene: info.id, motion: null }));
   const worst = info.findings.some(({ level }) => level !== "note") ? "warning" : "note";
   studio.notify(worst, `${info.robot?.name ?? "The robot"} is in the scene, with ${info.robot?.joints.length ?? 0} joints.`, info.findings);
 }

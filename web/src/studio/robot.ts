@@ -30,6 +30,12 @@ export class RobotMover {
     void this.follow();
   }
 
+  /** Moves all joints. */
+  moveAll(positions: readonly number[]): void {
+    this.wanted = [...positions];
+    void this.follow();
+  }
+
   /** Moves all joints to where they are when the scene is opened. */
   rest(): void {
     void this.show(unposed(this.studio.document.get().scene));

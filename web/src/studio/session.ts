@@ -9,7 +9,7 @@ export async function saveSession(studio: Studio): Promise<void> {
   const [document, display] = [studio.document.get(), studio.display.get()];
   const calibrations = [...new Set(document.oaks.flatMap(({ state }) => state.calibration ?? []))];
   try {
-    const { name, file } = await api.saveSession({ document, display, scene: document.scene, calibrations, trajectory: document.trajectory });
+    const { name, file } = await api.saveSession({ document, display, scene: document.scene, calibrations, trajectory: document.trajectory, motion: document.motion });
     save(name, file);
   } catch (error) {
     studio.report("The session is not saved", error);
@@ -24,6 +24,7 @@ export async function openSession(studio: Studio, file: File): Promise<void> {
   studio.timeline.pause();
   const calibrations = session.calibrations.map((info) => [info.id, info] as const);
   studio.calibrations.set(new Map([...studio.calibrations.get(), ...calibrations]));
+  if (session.motion) studio.motion.learn(session.motion);
   if (session.trajectory) studio.timeline.learn(session.trajectory);
   studio.display.set(linked.display);
   studio.document.commit("session", () => linked.document);

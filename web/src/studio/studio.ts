@@ -7,6 +7,7 @@ import { changeOak, findModel, newDocument, type StudioDocument, withScene } fro
 import { History } from "../state/history";
 import { fromFragment, toFragment } from "../state/link";
 import type { Asked } from "./files";
+import { Motion } from "./motion";
 import { RobotMover } from "./robot";
 import { Timeline } from "./timeline";
 import { Store } from "../util/store";
@@ -66,6 +67,7 @@ export class Studio {
   readonly asked = new Store<readonly Asked[]>([]);
   readonly notices = new Store<readonly Notice[]>([]);
   readonly timeline: Timeline;
+  readonly motion: Motion;
   readonly calibrations = new Store<ReadonlyMap<string, CalibrationInfo>>(new Map());
   readonly robot = new RobotMover(this);
   private lastNotice = 0;
@@ -79,6 +81,7 @@ export class Studio {
     this.document = new History(linked?.document ?? newDocument(catalog, first.id, first.pose));
     if (this.document.get().scene === first.id) this.scene.set(first);
     this.timeline = new Timeline(this);
+    this.motion = new Motion(this);
     if (location.hash.length > 1 && !linked) this.notify("error", BROKEN);
     this.followAddress();
     this.display.subscribe(() => saveDisplay(this.display.get()));

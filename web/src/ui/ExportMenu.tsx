@@ -6,14 +6,13 @@ import type { ExportRequest, OakState } from "../protocol";
 import { FULL_SIZES, type PanelKind, PANELS, shownKinds } from "../state/display";
 import { findSensor, selectedOak, sceneAt } from "../state/document";
 import type { Studio } from "../studio/studio";
-import { copyText, save } from "../util/away";
+import { save } from "../util/away";
 import { words } from "../util/format";
 import { useStore } from "../util/store";
-import { Button } from "./controls";
 import { captionedImage } from "./caption";
 import { type App, useApp } from "./context";
-import { Dialog } from "./Dialog";
 import { Menu } from "./Menu";
+import { TextDialog } from "./TextDialog";
 import { composePanels } from "./compose";
 
 type What = Omit<ExportRequest, "scene" | "state" | "size">;
@@ -126,19 +125,5 @@ export function ExportMenu() {
       </Menu>
       {text && <TextDialog title={text.title} text={text.text} onClose={() => setText(null)} />}
     </>
-  );
-}
-
-function TextDialog({ title, text, onClose }: { title: string; text: string; onClose: () => void }) {
-  const { studio } = useApp();
-  const scene = useStore(studio.scene);
-  const [isCopied, setCopied] = useState(false);
-  const copy = () => copyText(text).then(() => setCopied(true), (error) => studio.report("Copying", error));
-  return (
-    <Dialog title={title} onClose={onClose}>
-      {scene?.id.startsWith("dropped-") && <p class="hint">{`Run this in the folder of ${scene.name}.`}</p>}
-      <pre class="code" tabIndex={0} data-testid="snippet">{text}</pre>
-      <div class="row spread"><Button icon="copy" label={isCopied ? "Copied" : "Copy"} isNamed onClick={copy} class="primary" /></div>
-    </Dialog>
   );
 }

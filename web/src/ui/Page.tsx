@@ -195,5 +195,5 @@ function DropTarget() {
     };
   }, [studio]);
   if (!isOver) return null;
-  return <div class="drop"><p>Drop a scene, a robot, a calibration, a trajectory or a session</p><span>It stays on this computer, and is forgotten when the server ends.</span></div>;
+  return <div class="drop"><p>Drop a scene, a robot, its postures, a calibration, a trajectory or a session</p><span>It stays on this computer, and is forgotten when the server ends.</span></div>;
 }

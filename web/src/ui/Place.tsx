@@ -9,6 +9,7 @@ import { useStore } from "../util/store";
 import { Button, Check, NumberField, Section } from "./controls";
 import { useApp } from "./context";
 import { ColumnName } from "./ColumnName";
+import { Motion } from "./Motion";
 import { Report } from "./Report";
 import { Sweep } from "./Sweep";
 
@@ -22,6 +23,7 @@ export function Place() {
       <Region target={target} />
       {target && <Coverage target={target} tolerance={tolerance} />}
       {target && <Sweep target={target} tolerance={tolerance} />}
+      <Motion target={target} tolerance={tolerance} />
       {target && <Report target={target} tolerance={tolerance} />}
     </>
   );

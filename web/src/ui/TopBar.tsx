@@ -31,7 +31,7 @@ export function TopBar({ onHelp }: { onHelp: () => void }) {
         <span data-testid="scene">{scene?.name ?? "Loading…"}</span>
         {scene && <span class="detail">{scene.triangles.toLocaleString("en")} triangles</span>}
       </div>
-      <Button icon="open" label="Open…" isNamed tip="Open a scene, a calibration, a trajectory or a session; or drop the file onto the page" onClick={() => input.current?.click()} />
+      <Button icon="open" label="Open…" isNamed tip="Open a scene, a robot, its postures, a calibration, a trajectory or a session; or drop the file onto the page" onClick={() => input.current?.click()} />
       <input
         ref={input}
         type="file"

@@ -4,6 +4,8 @@ export const GAP = 6;
 /** The least width of an image of a grid, and of a thumbnail. */
 const MIN_WIDTH = 150;
 const MIN_THUMBNAIL = 84;
+/** How much an arrangement counts whose thumbnails do not fit. */
+const OVERFLOW_WEIGHT = 0.01;
 /** How much the area of thumbnails counts beside that of the large images. */
 const THUMBNAILS_WEIGHT = 0.35;
 /** The shares of the width or the height that thumbnails can have. */
@@ -61,7 +63,8 @@ export function focused(width: number, height: number, aspect: number, large: nu
       const others = largest(areBeside ? small : width, areBeside ? height : small, aspect, thumbnails, upTo(thumbnails));
       // Thumbnails are not larger than the images that they belong to.
       const shown = Math.min(others.width, one.width);
-      const area = one.width ** 2 * large + THUMBNAILS_WEIGHT * shown ** 2 * thumbnails * Number(shown >= MIN_THUMBNAIL);
+      const fits = shown >= MIN_THUMBNAIL && one.width >= MIN_WIDTH;
+      const area = (one.width ** 2 * large + THUMBNAILS_WEIGHT * shown ** 2 * thumbnails) * (fits ? 1 : OVERFLOW_WEIGHT);
       if (area <= most) continue;
       most = area;
       best = { large: one, thumbnails: { count: others.count, width: shown }, areBeside };

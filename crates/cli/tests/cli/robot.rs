@@ -67,7 +67,7 @@ fn the_robot_is_in_its_own_way() {
     for posture in without["mounts"][0]["postures"].as_array().unwrap() {
         assert_eq!(
             posture["own_robot"],
-            serde_json::json!({"share": 0.0, "links": []})
+            serde_json::json!({"share": 0.0, "links": [], "hides": 0.0})
         );
         assert_eq!(posture["occluders"], serde_json::json!([]));
     }

@@ -9,7 +9,7 @@ use oaktwin_pipeline::render::{Backend, Renderer};
 use oaktwin_robot::PlacedRobot;
 use serde::Serialize;
 
-use super::look::look;
+use super::look::{Look, look};
 use super::measure::{Tally, ranking};
 use super::report::{OwnRobot, SampledRegion, Selected};
 use super::{Candidate, CandidateCoverage, CoverageError, Options, Region, Samples, Shares};
@@ -85,9 +85,14 @@ impl Carrier<'_> {
         }
     }
 
-    /// Returns what a candidate's image shows of the robot.
+    /// Returns the share of the pixels of a candidate's image that show the robot.
     #[must_use]
-    pub fn own_robot(&self, renderer: &Renderer, candidate: &Candidate<'_>) -> OwnRobot {
+    pub fn own_share(&self, renderer: &Renderer, candidate: &Candidate<'_>) -> f64 {
+        self.own_links(renderer, candidate).0
+    }
+
+    /// Returns the same with the share of each link.
+    fn own_links(&self, renderer: &Renderer, candidate: &Candidate<'_>) -> (f64, Vec<(String, f64)>) {
         let hits = renderer.visibility(&candidate.view(), Backend::Auto).hits;
         let mut counts: BTreeMap<usize, u32> = BTreeMap::new();
         for hit in hits.pixels().iter().filter(|hit| !hit.is_miss()) {
@@ -100,9 +105,19 @@ impl Carrier<'_> {
             .map(|(&link, &count)| (self.robot.robot().links[link].name.clone(), share(count)))
             .collect();
         links.sort_by(|a, b| b.1.total_cmp(&a.1));
+        (share(counts.values().sum()), links)
+    }
+
+    /// Returns what a candidate sees of the robot, and does not see because of it.
+    fn own_robot(&self, renderer: &Renderer, candidate: &Candidate<'_>, seen: &Look) -> OwnRobot {
+        let (share, links) = self.own_links(renderer, candidate);
+        let hidden = seen.occluders.iter();
+        let hidden = hidden.filter(|&(&instance, _)| self.robot.link_of(instance as usize).is_some());
+        let hidden: u32 = hidden.map(|(_, &count)| count).sum();
         OwnRobot {
-            share: share(counts.values().sum()),
+            share,
             links,
+            hides: f64::from(hidden) / seen.outcomes.len().max(1) as f64,
         }
     }
 }
@@ -143,7 +158,7 @@ pub fn measure_motion(
             if let Some(tolerance) = options.tolerance_mm {
                 seen.reject_errors_above(tolerance * 1e-3);
             }
-            let own = carrier.own_robot(renderer, &candidate);
+            let own = carrier.own_robot(renderer, &candidate, &seen);
             tally.add(renderer.scene(), &candidate, seen, Some(own));
             done += 1;
         }

@@ -77,13 +77,15 @@ pub struct CandidateCoverage {
     pub own_robot: Option<OwnRobot>,
 }
 
-/// What the image of a depth sensor shows of the robot that carries it.
+/// What a depth sensor sees of the robot that carries it, and does not see because of it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct OwnRobot {
     /// The share of the pixels that show the robot.
     pub share: f64,
     /// The share of each link that is in the image, the largest first.
     pub links: Vec<(String, f64)>,
+    /// The share of the surface that the robot hides, as the nearest object on the line of sight.
+    pub hides: f64,
 }
 
 /// Shares of the surface from 0 to 1, and errors.

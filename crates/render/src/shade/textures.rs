@@ -39,7 +39,11 @@ impl Textures {
     pub(super) fn get(&self, scene: &Scene, index: u32) -> Option<&Loaded> {
         let slot = self.loaded.get(index as usize)?;
         let texture = scene.textures.get(index as usize)?;
-        Some(slot.get_or_init(|| Loaded::new(texture)))
+        if slot.get().is_none() {
+            // Decoding waits for other threads of the pool, which must not wait for this texture meanwhile: two may decode it at once.
+            let _ = slot.set(Loaded::new(texture));
+        }
+        slot.get()
     }
 
     /// Returns a texture that is already decoded.
@@ -67,4 +71,36 @@ fn pyramid(texture: &Texture) -> Result<Pyramid, Finding> {
     let is_srgb = texture.color_space != ColorSpace::Raw;
     let (image, is_high_range) = texture_file::decoded(texture, PLAIN)?;
     Ok(Pyramid::new(image, is_high_range || is_srgb))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use std::sync::Arc;
+
+    use oaktwin_image::Image;
+    use oaktwin_scene::TextureSource;
+    use rayon::prelude::*;
+
+    #[test]
+    fn threads_of_the_pool_and_others_decode_a_texture_at_once() {
+        let image = Image::new(512, 512, vec![[90, 120, 30, 255]; 512 * 512]).unwrap();
+        let texture = Texture {
+            source: TextureSource::Pixels(Arc::new(image)),
+            color_space: ColorSpace::Auto,
+        };
+        let scene = Scene {
+            textures: vec![texture],
+            ..Scene::default()
+        };
+        for _ in 0..20 {
+            let textures = Textures::new(&scene);
+            let is_shown = || textures.get(&scene, 0).is_some_and(|one| one.finding.is_none());
+            std::thread::scope(|scope| {
+                scope.spawn(|| assert!(is_shown()));
+                scope.spawn(|| assert!((0..64).into_par_iter().all(|_| is_shown())));
+            });
+        }
+    }
 }

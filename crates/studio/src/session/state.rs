@@ -15,6 +15,8 @@ pub(super) struct State {
     pub(super) scene: SceneEntry,
     pub(super) calibrations: Vec<Entry>,
     pub(super) trajectory: Option<Entry>,
+    #[serde(default)]
+    pub(super) motion: Option<Entry>,
 }
 
 #[derive(Debug, Serialize, Deserialize)]
@@ -40,4 +42,19 @@ pub(super) struct Entry {
     pub(super) id: String,
     pub(super) name: String,
     pub(super) file: String,
+}
+
+impl Entry {
+    /// Puts a file into a folder of the archive.
+    pub(super) fn put(
+        files: &mut Vec<(String, Vec<u8>)>,
+        folder: &str,
+        (id, name): (&str, &str),
+        bytes: &[u8],
+    ) -> Self {
+        let file = format!("{folder}/{name}");
+        files.push((file.clone(), bytes.to_vec()));
+        let (id, name) = (id.to_owned(), name.to_owned());
+        Self { id, name, file }
+    }
 }

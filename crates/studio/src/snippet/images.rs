@@ -1,12 +1,28 @@
-//! Images in a script that its sensor does not need.
+//! Colours and ground truth that the sensor does not need.
 
 use std::fmt::Write;
 
 use oaktwin::camera::ImageSize;
 use oaktwin::render::Transparent;
 
-use super::quoted;
+use super::{option, quoted};
 use crate::protocol::{Failure, OakState};
+
+/// Adds the options that make recorded colours, and the ground truth behind clear surfaces.
+pub(super) fn arguments(state: &OakState, words: &mut Vec<String>) -> Result<(), Failure> {
+    if state.transparent()? != Transparent::default() {
+        option(words, "transparent", &state.transparent);
+    }
+    if let Some(changed) = &state.color_imager {
+        if changed.is_empty() {
+            option(words, "rgb-imager", "on");
+        }
+        for (name, value) in changed {
+            option(words, "rgb-imager", &format!("{name}={value}"));
+        }
+    }
+    Ok(())
+}
 
 /// The lines that make recorded colours, and the ground truth behind clear surfaces; none for exact colours and the surfaces themselves.
 pub(super) fn images(state: &OakState, size: Option<ImageSize>) -> Result<String, Failure> {

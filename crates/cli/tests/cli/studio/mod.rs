@@ -4,6 +4,7 @@ mod client;
 mod exports;
 mod hard;
 mod models;
+mod motion;
 mod robot;
 mod surface;
 mod timeline;

@@ -9,7 +9,7 @@ use super::client::{Server, state};
 const ARM: &str = include_str!("../../../../../examples/robots/gripper.urdf");
 
 /// A server whose scene has the robot, in front of the crate.
-fn server(program: &Program) -> Server {
+pub(super) fn server(program: &Program) -> Server {
     program.put("arm.urdf", ARM);
     let pose = [
         "0",
@@ -24,7 +24,7 @@ fn server(program: &Program) -> Server {
     Server::start(program, &[&start[..], &pose].concat())
 }
 
-fn posted(server: &Server, path: &str, request: &Value) -> Vec<u8> {
+pub(super) fn posted(server: &Server, path: &str, request: &Value) -> Vec<u8> {
     let (status, body) = server.request("POST", path, request.to_string().as_bytes());
     assert_eq!(status, 200, "{path}: {}", String::from_utf8_lossy(&body));
     body
