@@ -131,6 +131,9 @@ impl Bench {
         watch: &Watch<'_>,
     ) -> Result<Vec<Row>, AccuracyError> {
         let done = AtomicU64::new(0);
+        if let Some(first) = distances.first() {
+            self.rigs.iter().for_each(|rig| rig.prepare(*first));
+        }
         distances
             .par_iter()
             .map(|&distance_m| {

@@ -37,7 +37,7 @@ pub(super) struct TestRig {
     pub(super) random: Stream,
     /// The stereo cameras, for engines that match pairs.
     pub(super) stereo_camera: Option<StereoCamera>,
-    /// The picture of the board in the rows around the region, which is the same at every distance.
+    /// The picture of the board in the rows around the region, which is the same at every distance; see [`TestRig::prepare`].
     pub(super) picture: OnceLock<Option<Image<[u8; 4]>>>,
 }
 
@@ -102,7 +102,7 @@ pub(super) struct MeasuredUnit {
 }
 
 impl TestRig {
-    /// Measures every unit at the given distance.
+    /// Measures every unit at the given distance, after [`TestRig::prepare`].
     pub(super) fn measure(
         &self,
         distance_m: f64,
@@ -227,11 +227,23 @@ impl TestRig {
         }
     }
 
+    /// Renders the picture of the board, if the engine needs it. Workers would wait for each other: a worker that renders it may take up
+    /// another distance meanwhile, which needs it too.
+    pub(super) fn prepare(&self, distance_m: f64) {
+        self.prepare_rows(&self.part(distance_m).rows);
+    }
+
+    fn prepare_rows(&self, rows: &Range<u32>) {
+        if self.stereo_camera.is_none() && self.picture.get().is_none() {
+            let whole = 0..self.intrinsics.size.width;
+            let picture = board::picture(cropped(&self.intrinsics, &whole, rows));
+            let _ = self.picture.set(picture);
+        }
+    }
+
     /// Returns the picture of the board in a part of the image.
     fn picture(&self, part: &Part) -> Option<Image<[u8; 4]>> {
-        let whole = 0..self.intrinsics.size.width;
-        let render = || board::picture(cropped(&self.intrinsics, &whole, &part.rows));
-        let picture = self.picture.get_or_init(render).as_ref()?;
+        let picture = self.picture.get()?.as_ref()?;
         let columns = part.columns.start as usize..part.columns.end as usize;
         let rows = picture.rows().filter_map(|row| row.get(columns.clone()));
         let size = part.intrinsics.size;

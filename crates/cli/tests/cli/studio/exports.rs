@@ -100,7 +100,7 @@ fn exports_reproduce_the_light_of_the_projector() {
     let command = check_command(&program, &server, &state);
     assert!(command.contains("--projector 0.7 --ambient 0.3"), "{command}");
     let script = String::from_utf8(export(&server, &state, "python", &json!({}))).unwrap();
-    assert!(script.contains("parameters={\"dotContrast\": "), "{script}");
+    assert!(script.contains("projector=0.7, ambient=0.3"), "{script}");
 }
 
 #[test]

@@ -68,6 +68,7 @@ fn a_crop_measures_the_same_as_the_whole_image() {
             let [part, whole] = [part, whole(&rig)].map(|part| {
                 // Each with its own picture.
                 let rig = test_rig(model, engine, &[quiet]);
+                rig.prepare_rows(&part.rows);
                 let scenery = Scenery::new(&rig, &part, distance);
                 let unit = &rig.units[0];
                 let engines = [Some(unit.engine.clone()), other_reading(&unit.engine).unwrap()];
