@@ -26,7 +26,9 @@ pub(crate) fn curve(studio: &Studio, state: &OakState, job: &Job) -> Result<Accu
     if let Some(known) = studio.curves.get(&state) {
         return Ok(known);
     }
-    let curve = measure(studio, &state, job)?;
+    let curve = job.interruptibly(|| measure(studio, &state, job))?;
+    // What was interrupted is arbitrary.
+    job.check()?;
     studio.curves.add(state, curve.clone());
     Ok(curve)
 }

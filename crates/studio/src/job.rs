@@ -93,7 +93,8 @@ pub(crate) async fn run_in<T: Send + 'static>(
 }
 
 impl Job {
-    /// Computes in threads of its own, whose loops end as soon as nobody waits for the result.
+    /// Computes in threads of its own, whose loops end as soon as nobody waits for the result, which is arbitrary then. Previews, which have
+    /// the threads of the process, do not wait for it.
     pub(crate) fn interruptibly<T: Send>(&self, compute: impl FnOnce() -> T + Send) -> T {
         let wanted = self.waits.clone();
         let pool = rayon::ThreadPoolBuilder::new()

@@ -131,7 +131,8 @@ fn measure(
     };
     // The scene of other requests stays as it is.
     let mut renderer = Renderer::new(scene.renderer.scene().clone());
-    let measured = measure_motion(&mut renderer, &region, &carrier, &mounts, &options, &watch);
+    let measured =
+        job.interruptibly(|| measure_motion(&mut renderer, &region, &carrier, &mounts, &options, &watch));
     let measured = measured.map_err(failed)?;
     job.check()?;
     answer(measured)

@@ -400,7 +400,8 @@ async fn region_coverage(State(studio): Server, body: Body) -> Response {
     json_or_failure(match asked {
         Ok(asked) => {
             job::run(&studio, job::COVERAGE, move |studio, job| {
-                coverage::coverage(studio, &asked, job)
+                let measured = job.interruptibly(|| coverage::coverage(studio, &asked, job))?;
+                job.check().map(|()| measured)
             })
             .await
         }
