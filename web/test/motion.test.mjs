@@ -1,9 +1,8 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after as afterAll, before, test } from "node:test";
-import { after, drop, launch, open, pixels, rest, skip } from "./page.mjs";
+import { after, drop, launch, open, openRobot, pixels, rest, skip } from "./page.mjs";
 
-const ROBOT = new URL("../../examples/robots/gripper.urdf", import.meta.url);
 const LIST = "turn_deg,shoulder_deg,elbow_deg\n0,70,50\n0,40,60\n";
 
 let browser;
@@ -13,10 +12,9 @@ before(async () => {
 afterAll(() => browser?.close());
 
 /** Opens the page with a robot whose hand carries the OAK, and a region. */
-async function openRobot() {
-  const opened = await open(browser, { viewport: { width: 1440, height: 900 } });
+async function openMounted() {
+  const opened = await openRobot(browser);
   const { page } = opened;
-  await after(page, async () => drop(page, "gripper.urdf", await readFile(ROBOT, "utf8")));
   await page.getByTestId("mount").selectOption("hand");
   await after(page, () => page.getByTestId("to-link").click());
   await page.getByTestId("tab-place").click();
@@ -34,7 +32,7 @@ async function saved(page, button) {
 }
 
 test("a motion is measured posture by posture and as a whole, and moves the robot", { skip }, async () => {
-  const { page, context, errors } = await openRobot();
+  const { page, context, errors } = await openMounted();
   await drop(page, "poses.csv", LIST);
   await page.getByText("It has no column for grip").waitFor();
   const start = await pixels(page, "color");
@@ -68,7 +66,7 @@ test("a motion is measured posture by posture and as a whole, and moves the robo
 });
 
 test("postures are collected, removed, measured until somebody cancels, and kept in a session", { skip }, async () => {
-  const { page, context, errors } = await openRobot();
+  const { page, context, errors } = await openMounted();
   const postures = page.getByTestId("postures").locator("tbody tr");
   await page.getByTestId("add-posture").click();
   await postures.nth(0).waitFor();

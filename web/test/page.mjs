@@ -1,6 +1,7 @@
 // Opens the page in a browser for the tests.
 import { createHash } from "node:crypto";
 import { existsSync } from "node:fs";
+import { readFile } from "node:fs/promises";
 import { chromium } from "playwright-core";
 
 /** The address of a running `oaktwin studio`. */
@@ -8,6 +9,8 @@ export const url = process.env.OAKTWIN_STUDIO_URL;
 
 /** Milliseconds in which everything happens, however busy the machine is. */
 export const PATIENCE = 300_000;
+
+const ROBOT = new URL("../../examples/robots/gripper.urdf", import.meta.url);
 
 const executablePath = process.env.OAKTWIN_BROWSER ?? "/usr/bin/chromium";
 
@@ -37,6 +40,15 @@ export async function open(browser, { path = "", viewport = { width: 1280, heigh
   await opened(page);
   await rest(page);
   return { page, context, errors };
+}
+
+/** Opens the page and drops the robot of the examples onto it. */
+export async function openRobot(browser) {
+  const opened = await open(browser, { viewport: { width: 1440, height: 900 } });
+  const text = await readFile(ROBOT, "utf8");
+  await after(opened.page, () => drop(opened.page, "gripper.urdf", text));
+  await opened.page.getByTestId("robot").waitFor();
+  return opened;
 }
 
 /** Waits until every image is there and drawn. */

@@ -2,9 +2,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after as afterAll, before, test } from "node:test";
 import { difference, read } from "./image.mjs";
-import { after, launch, open, pixels, rest, skip } from "./page.mjs";
-
-const ROBOT = new URL("../../examples/robots/gripper.urdf", import.meta.url);
+import { after, drop, launch, open, openRobot, pixels, rest, skip } from "./page.mjs";
 
 let browser;
 before(async () => {
@@ -12,24 +10,11 @@ before(async () => {
 });
 afterAll(() => browser?.close());
 
-/** Opens the page and drops the robot onto it. */
-async function openRobot() {
-  const opened = await open(browser, { viewport: { width: 1440, height: 900 } });
-  const text = await readFile(ROBOT, "utf8");
-  await after(opened.page, () => opened.page.evaluate((text) => {
-    const data = new DataTransfer();
-    data.items.add(new File([text], "gripper.urdf"));
-    dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
-  }, text));
-  await opened.page.getByTestId("robot").waitFor();
-  return opened;
-}
-
 /** The position and the angles of the selected OAK. */
 const pose = (page) => page.locator('.section:has([data-testid="position-x"]) input').evaluateAll((inputs) => inputs.map(({ value }) => Number(value.replace("−", "-"))));
 
 test("an OAK on a link follows the joints, and sees the robot", { skip }, async () => {
-  const { page, context, errors } = await openRobot();
+  const { page, context, errors } = await openRobot(browser);
   await page.getByTestId("mount").selectOption("hand");
   await after(page, () => page.getByTestId("to-link").click());
   const [start, seen] = [await pose(page), await pixels(page, "color")];
@@ -50,7 +35,7 @@ test("an OAK on a link follows the joints, and sees the robot", { skip }, async 
 });
 
 test("the 3D view and the coverage have the robot", { skip }, async () => {
-  const { page, context, errors } = await openRobot();
+  const { page, context, errors } = await openRobot(browser);
   const view = async () => {
     await rest(page);
     return read(page, await page.getByTestId("view").screenshot());
@@ -73,7 +58,7 @@ test("the 3D view and the coverage have the robot", { skip }, async () => {
 });
 
 test("a session keeps the robot and its posture", { skip }, async () => {
-  const { page, context, errors } = await openRobot();
+  const { page, context, errors } = await openRobot(browser);
   await after(page, () => page.getByTestId("joint-shoulder").fill("40"));
   const [state, color] = [await page.evaluate(() => window.studio.document.get()), await pixels(page, "color")];
   assert.match(state.scene, /~/);
@@ -96,11 +81,7 @@ test("a session keeps the robot and its posture", { skip }, async () => {
 
 test("what is wrong with a robot is said", { skip }, async () => {
   const { page, context } = await open(browser);
-  await page.evaluate(() => {
-    const data = new DataTransfer();
-    data.items.add(new File(["<robot><link name='a'/><link name='b'/></robot>"], "two.urdf"));
-    dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
-  });
+  await drop(page, "two.urdf", "<robot><link name='a'/><link name='b'/></robot>");
   await page.getByText("is a second base").waitFor();
   await context.close();
 });

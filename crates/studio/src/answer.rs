@@ -27,13 +27,21 @@ pub(crate) fn json_or_failure(result: Result<impl Serialize, Failure>) -> Respon
     }
 }
 
+/// Answers with a file, or with an error.
+pub(crate) fn file_or_failure(result: Result<File, Failure>) -> Response {
+    match result {
+        Ok(made) => file(made),
+        Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),
+    }
+}
+
 /// Answers with bytes.
 pub(crate) fn binary(bytes: impl Into<Body>) -> Response {
     ([(header::CONTENT_TYPE, "application/octet-stream")], bytes.into()).into_response()
 }
 
 /// Answers with a file to be saved under a name. A header has the findings, as JSON in ASCII.
-pub(crate) fn file(file: File) -> Response {
+fn file(file: File) -> Response {
     let File {
         name,
         bytes,

@@ -93,6 +93,15 @@ pub(crate) async fn run_in<T: Send + 'static>(
 }
 
 impl Job {
+    /// Computes [interruptibly](Self::interruptibly), and returns an error instead of what was interrupted.
+    pub(crate) fn in_full<T: Send>(
+        &self,
+        compute: impl FnOnce() -> Result<T, Failure> + Send,
+    ) -> Result<T, Failure> {
+        let made = self.interruptibly(compute)?;
+        self.check().map(|()| made)
+    }
+
     /// Computes in threads of its own, whose loops end as soon as nobody waits for the result, which is arbitrary then. Previews, which have
     /// the threads of the process, do not wait for it.
     pub(crate) fn interruptibly<T: Send>(&self, compute: impl FnOnce() -> T + Send) -> T {

@@ -131,11 +131,10 @@ fn measure(
     };
     // The scene of other requests stays as it is.
     let mut renderer = Renderer::new(scene.renderer.scene().clone());
-    let measured =
-        job.interruptibly(|| measure_motion(&mut renderer, &region, &carrier, &mounts, &options, &watch));
-    let measured = measured.map_err(failed)?;
-    job.check()?;
-    answer(measured)
+    let measured = job.in_full(|| {
+        measure_motion(&mut renderer, &region, &carrier, &mounts, &options, &watch).map_err(failed)
+    });
+    answer(measured?)
 }
 
 fn answer(measured: MotionCoverage) -> Result<MotionAnswer, Failure> {

@@ -16,10 +16,11 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use tokio::time::timeout;
 
-use crate::answer::{binary, failure, file, json, json_or_failure};
+use crate::answer::{binary, failure, file_or_failure, json, json_or_failure};
 use crate::catalog::CatalogInfo;
 use crate::coverage::{CoverageRequest, SurfaceRequest};
 use crate::file::File;
+use crate::job::{Budget, Job};
 use crate::motion::MotionRequest;
 use crate::protocol::{ExportRequest, Failure, OakState};
 use crate::scene::LoadedScene;
@@ -123,7 +124,7 @@ async fn scene_mesh(
         .triangles
         .unwrap_or(DEFAULT_TRIANGLES)
         .clamp(1, MAX_TRIANGLES);
-    let made = move |studio: &Studio, job: &job::Job| studio.scenes.get(&id)?.mesh(triangles, job);
+    let made = move |studio: &Studio, job: &Job| studio.scenes.get(&id)?.mesh(triangles, job);
     match job::run(&studio, job::VIEW, made).await {
         Ok(bytes) => binary(bytes),
         Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),
@@ -131,7 +132,7 @@ async fn scene_mesh(
 }
 
 async fn scene_textures(State(studio): Server, Path(id): Path<String>) -> Response {
-    let made = move |studio: &Studio, job: &job::Job| studio.scenes.get(&id)?.textures(job);
+    let made = move |studio: &Studio, job: &Job| studio.scenes.get(&id)?.textures(job);
     match job::run(&studio, job::VIEW, made).await {
         Ok(bytes) => binary(bytes),
         Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),
@@ -321,30 +322,17 @@ async fn motion_coverage(State(studio): Server, body: Body) -> Response {
 }
 
 async fn motion_command(State(studio): Server, body: Body) -> Response {
-    let made = match request::<MotionRequest>(body).await {
-        Ok(asked) => {
-            job::run(&studio, job::FILE, move |studio, _| {
-                motion::command(studio, &asked)
-            })
-            .await
-        }
-        Err(error) => Err(error),
-    };
-    match made {
-        Ok(text) => file(File::text("coverage.sh", text)),
-        Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),
-    }
+    let made = computed(&studio, job::FILE, body, |studio, _, asked: MotionRequest| {
+        motion::command(studio, &asked)
+    });
+    file_or_failure(made.await.map(|text| File::text("coverage.sh", text)))
 }
 
 async fn save_session(State(studio): Server, body: Body) -> Response {
-    let made = match request::<SaveRequest>(body).await {
-        Ok(asked) => job::run(&studio, job::FILE, move |studio, _| session::save(studio, asked)).await,
-        Err(error) => Err(error),
-    };
-    match made {
-        Ok(made) => file(made),
-        Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),
-    }
+    let made = computed(&studio, job::FILE, body, |studio, _, asked: SaveRequest| {
+        session::save(studio, asked)
+    });
+    file_or_failure(made.await)
 }
 
 async fn open_session(State(studio): Server, Query(query): Query<DropQuery>, body: Body) -> Response {
@@ -367,62 +355,48 @@ async fn opened_session(studio: Arc<Studio>, query: &DropQuery, body: Body) -> R
 }
 
 async fn take_away(State(studio): Server, body: Body) -> Response {
-    let made = match request::<ExportRequest>(body).await {
-        Ok(request) => {
-            job::run(&studio, job::FILE, move |studio, _| {
-                export::export(studio, &request)
-            })
-            .await
-        }
-        Err(error) => Err(error),
-    };
-    match made {
-        Ok(made) => file(made),
-        Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),
-    }
+    let made = computed(&studio, job::FILE, body, |studio, _, asked: ExportRequest| {
+        export::export(studio, &asked)
+    });
+    file_or_failure(made.await)
 }
 
 async fn accuracy_curve(State(studio): Server, body: Body) -> Response {
-    let state = request::<OakState>(body).await;
-    json_or_failure(match state {
-        Ok(state) => {
-            job::run(&studio, job::ACCURACY, move |studio, job| {
-                accuracy::curve(studio, &state, job)
-            })
-            .await
-        }
-        Err(error) => Err(error),
-    })
+    let made = computed(&studio, job::ACCURACY, body, |studio, job, state: OakState| {
+        accuracy::curve(studio, &state, job)
+    });
+    json_or_failure(made.await)
 }
 
 async fn region_coverage(State(studio): Server, body: Body) -> Response {
-    let asked = request::<CoverageRequest>(body).await;
-    json_or_failure(match asked {
-        Ok(asked) => {
-            job::run(&studio, job::COVERAGE, move |studio, job| {
-                let measured = job.interruptibly(|| coverage::coverage(studio, &asked, job))?;
-                job.check().map(|()| measured)
-            })
-            .await
-        }
-        Err(error) => Err(error),
-    })
+    let made = computed(
+        &studio,
+        job::COVERAGE,
+        body,
+        |studio, job, asked: CoverageRequest| job.in_full(|| coverage::coverage(studio, &asked, job)),
+    );
+    json_or_failure(made.await)
 }
 
 async fn region_surface(State(studio): Server, body: Body) -> Response {
-    let made = match request::<SurfaceRequest>(body).await {
-        Ok(asked) => {
-            job::run(&studio, job::FILE, move |studio, _| {
-                coverage::surface(studio, &asked)
-            })
-            .await
-        }
-        Err(error) => Err(error),
-    };
-    match made {
+    let made = computed(&studio, job::FILE, body, |studio, _, asked: SurfaceRequest| {
+        coverage::surface(studio, &asked)
+    });
+    match made.await {
         Ok(bytes) => binary(bytes),
         Err(error) => failure(StatusCode::UNPROCESSABLE_ENTITY, error),
     }
+}
+
+/// Computes the answer to the request in a body.
+async fn computed<R: DeserializeOwned + Send + 'static, T: Send + 'static>(
+    studio: &Arc<Studio>,
+    budget: Budget,
+    body: Body,
+    compute: impl FnOnce(&Studio, &Job, R) -> Result<T, Failure> + Send + 'static,
+) -> Result<T, Failure> {
+    let asked = request::<R>(body).await?;
+    job::run(studio, budget, move |studio, job| compute(studio, job, asked)).await
 }
 
 async fn live_socket(State(studio): Server, upgrade: WebSocketUpgrade) -> Response {

@@ -45,6 +45,23 @@ impl Blur {
         self.weights.len() - 1
     }
 
+    /// Returns a row of an image as the lens shows it: in `blurred`, or the image's own without blur. `padded` is as for [`Blur::row`].
+    #[inline(always)]
+    pub(super) fn shown<'a>(
+        &self,
+        light: ImageView<'a, f32>,
+        y: usize,
+        padded: &mut [f32],
+        blurred: &'a mut [f32],
+    ) -> &'a [f32] {
+        if self.is_on() {
+            self.row(light, y, padded, blurred);
+            blurred
+        } else {
+            light.row(y).unwrap_or_default()
+        }
+    }
+
     /// Computes one row of a blurred image, whose border is repeated outside. `padded` is a buffer of the row's length plus
     /// twice the radius.
     #[inline(always)]

@@ -83,19 +83,14 @@ impl Kernel for Record<'_> {
             padded,
             blurred,
         } = scratch;
-        for (light, blurred) in light.into_iter().zip(blurred.iter_mut()) {
-            if even.blur.is_on() {
-                even.blur.row(light, y, padded, blurred);
-            } else {
-                blurred.copy_from_slice(light.row(y).unwrap_or_default());
-            }
-        }
+        let [first, second] = blurred;
+        let first = even.blur.shown(light[0], y, padded, first);
+        let second = even.blur.shown(light[1], y, padded, second);
         let y = u32::try_from(y).unwrap_or(u32::MAX);
         if even.noise {
             even.random.normals_here(y, normals);
         }
         let falloff = even.falloff;
-        let [first, second] = blurred;
         let lights = first.iter().zip(second.iter()).zip(normals.iter());
         for ((out, ((first, second), normal)), x) in out.iter_mut().zip(lights).zip(0u32..) {
             let is_even = x & 1 == 0;

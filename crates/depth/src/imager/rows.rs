@@ -209,12 +209,7 @@ impl<N: Number> Kernel for Record<'_, N> {
             padded,
             blurred,
         } = scratch;
-        let row = if rows.blur.is_on() {
-            rows.blur.row(light, y, padded, blurred);
-            blurred
-        } else {
-            light.row(y).unwrap_or_default()
-        };
+        let row = rows.blur.shown(light, y, padded, blurred);
         let y = u32::try_from(y).unwrap_or(u32::MAX);
         if rows.noise {
             rows.random.normals_here(y, normals);

@@ -115,7 +115,7 @@ fn frames_are_those_of_the_rig() {
         let blurred = differ(&colours(&taken), &colours(&moment));
         assert!(20 * wrong <= blurred, "{frame}: {wrong}, {blurred}");
         blurred_values += blurred;
-        // Ground truth is that of the moment.
+        // Ground truth shows the moment.
         assert!(
             taken.distance_to_image_plane == moment.distance_to_image_plane,
             "{frame}"
@@ -142,7 +142,7 @@ fn they_do_not_depend_on_the_order_of_frames() {
     }
 }
 
-/// Stamps and poses are those of the middle of the exposure of the camera, along a trajectory that begins again.
+/// Stamps and poses belong to the middle of each camera's exposure, along a trajectory that begins again.
 #[test]
 fn cameras_have_their_own_times() {
     let case = case(PATH);

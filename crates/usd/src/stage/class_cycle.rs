@@ -159,7 +159,7 @@ mod tests {
         class_cycle(&arcs).is_some()
     }
 
-    /// The outcomes are those of the library with prims below these, which overflows the stack in the first cases and in none of the second.
+    /// With prims below these, the library overflows the stack in each of the first cases, and in none of the second.
     /// The circle of three was not tried with it.
     #[test]
     fn finds_what_has_no_end() {

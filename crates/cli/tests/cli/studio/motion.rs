@@ -103,7 +103,7 @@ fn the_page_and_the_command_measure_the_same_over_a_motion() {
         "{command}"
     );
 
-    // The numbers of the page are those of the table.
+    // The page has the numbers of the table.
     let mut rows = table.lines().map(|line| line.split(',').collect::<Vec<_>>());
     let header = rows.next().unwrap();
     let cell = |row: &[&str], name: &str| -> f64 {
