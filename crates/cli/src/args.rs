@@ -75,7 +75,9 @@ pub(crate) use render::RenderArgs;
 #[cfg(feature = "studio")]
 pub(crate) use robot::RobotPlaceArgs;
 pub(crate) use robot::{OpenedRobot, RobotArgs};
-pub(crate) use scene::{SceneArgs, checked_scale};
+pub(crate) use scene::SceneArgs;
+#[cfg(feature = "studio")]
+pub(crate) use scene::checked_scale;
 pub(crate) use sense::SenseArgs;
 pub(crate) use sensor::{MatcherArgs, SensorArgs};
 pub(crate) use shutter::ShutterArgs;

@@ -65,7 +65,7 @@ pub(crate) fn depth_image(bytes: &[u8]) {
     };
     if first & 1 == 1 {
         let mut random = Random::new(rest);
-        let (width, height) = (1 + random.up_to(47), 1 + random.up_to(31));
+        let (width, height) = (1 + random.up_to(18), 1 + random.up_to(17));
         let image = random.image(width, height, Random::depth);
         let file = match first >> 1 & 1 {
             0 => pfm::encode(&image),

@@ -49,19 +49,19 @@ static NAMES: LazyLock<Names> = LazyLock::new(|| {
 /// state a remedy.
 pub(crate) fn check(bytes: &[u8]) {
     let mut random = Random::new(bytes);
-    match random.up_to(31) {
-        0 => answered(&SERVER.message(&random.text())),
-        // Measured with all pixels of a model, so these take longer.
-        1 => post(&mut random, "/api/coverage", coverage),
-        2 => post(&mut random, "/api/coverage/surface", surface),
-        3 => post(&mut random, "/api/accuracy", state),
-        4..=15 => {
+    match random.up_to(255) {
+        0..=7 => answered(&SERVER.message(&random.text())),
+        // Measured with all pixels of a model, so these take longer and are rarer.
+        8 => post(&mut random, "/api/coverage", coverage),
+        9 => post(&mut random, "/api/coverage/surface", surface),
+        10 => post(&mut random, "/api/accuracy", state),
+        11..=127 => {
             let message = frame(&mut random);
             answered(&SERVER.message(&changed(&mut random, message)));
             let probe = json!({"type": "probe", "id": 1, "oak": "a", "x": number(&mut random), "y": 0.5});
             answered(&SERVER.message(&changed(&mut random, probe)));
         }
-        16..=23 => post(&mut random, "/api/export", export),
+        128..=191 => post(&mut random, "/api/export", export),
         _ => {
             let method = random.pick(&["GET", "POST", "PUT", "HEAD"]);
             let path = random.pick(&[
@@ -271,8 +271,9 @@ pub(crate) fn seeds() -> Vec<Vec<u8>> {
         let rest = (0..255u8).map(|index| index.wrapping_mul(step).wrapping_add(first));
         [vec![first], rest.collect()].concat()
     };
-    (0..32)
-        .step_by(3)
+    // Several of each kind of request.
+    [0, 8, 9, 10, 11, 40, 70, 100, 128, 150, 180, 192, 220, 250]
+        .into_iter()
         .flat_map(|first| [filled(first, 0), filled(first, 37)])
         .collect()
 }

@@ -14,7 +14,7 @@ use std::path::Path;
 use oaktwin_base::diagnostic::Message;
 
 use super::inspect::{Clips, Outline};
-use super::stacks::{Growth, Stacks};
+use super::stacks::{Growth, Links, Stacks};
 use super::{SceneLimit, StageError};
 
 /// The sites that every stage may compose, and those for each authored prim.
@@ -98,8 +98,14 @@ impl Budget {
         self.has_clips.get()
     }
 
-    /// Adds the layer `name`, with sublayers of the names `sublayers`, before the library reads it.
-    pub(super) fn layer(&self, name: &str, sublayers: Vec<String>, outline: &Outline, bytes: usize) {
+    /// Adds the layer `name` before the library reads it. `resolve` returns the name of the layer at an asset path.
+    pub(super) fn layer(
+        &self,
+        name: &str,
+        outline: &Outline,
+        bytes: usize,
+        resolve: impl Fn(&str) -> Option<String>,
+    ) {
         self.authored_prims.set(self.authored_prims.get() + outline.prims);
         self.authored_bytes
             .set(self.authored_bytes.get() + u64::try_from(bytes).unwrap_or(u64::MAX));
@@ -129,7 +135,21 @@ impl Budget {
         self.is_animated
             .set(self.is_animated.get() || outline.is_animated);
         self.has_clips.set(self.has_clips.get() || outline.has_clips);
-        for growth in self.stacks.borrow_mut().add(name, sublayers, &outline.arcs) {
+        let references = outline.references.iter().filter_map(|reference| {
+            let target = reference.target.as_deref();
+            Some((reference.prim.as_str(), resolve(&reference.asset)?, target))
+        });
+        let links = Links {
+            sublayers: outline
+                .sublayers
+                .iter()
+                .filter_map(|path| resolve(path))
+                .collect(),
+            arcs: &outline.arcs,
+            references: references.collect(),
+            default_prim: outline.default_prim.as_deref(),
+        };
+        for growth in self.stacks.borrow_mut().add(name, links) {
             match growth {
                 Growth::Layers { layer, count } if count > self.limit.times(LAYERS.0) => {
                     let allowed = self.limit.times(LAYERS.0);

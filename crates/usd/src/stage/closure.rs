@@ -7,8 +7,10 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Add;
 
-use super::class_cycle::{Arcs, class_cycle};
 use super::inspect::{Arc, ArcKind};
+
+/// The arcs by prim, with their counts.
+type Arcs = BTreeMap<String, BTreeMap<(ArcKind, String), usize>>;
 
 /// The count at which counting stops.
 const MANY: u64 = 1 << 40;
@@ -22,8 +24,6 @@ pub(super) struct Closure {
     bound: Extent,
     /// The prim with the most sites.
     place: String,
-    /// A prim that inherits from or specializes itself.
-    cycle: Option<String>,
 }
 
 /// Upper bounds of what arcs lead to.
@@ -120,12 +120,6 @@ impl Closure {
 
     fn update(&mut self) {
         (self.bound, self.place) = Graph::new(&self.arcs).bound();
-        self.cycle = class_cycle(&self.arcs);
-    }
-
-    /// Returns a prim that inherits from or specializes itself, directly or through others.
-    pub(super) fn cycle(&self) -> Option<&str> {
-        self.cycle.as_deref()
     }
 
     /// Returns the largest extent of a prim.

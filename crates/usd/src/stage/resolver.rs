@@ -1,5 +1,5 @@
 use std::cell::RefCell;
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::io::{self, Cursor, Read, Seek, SeekFrom};
 use std::path::Path;
 use std::rc::Rc;
@@ -115,11 +115,19 @@ impl InspectingResolver {
     fn count(&self, layer: &str, outline: &Outline, bytes: usize) {
         if self.counted.borrow_mut().insert(layer.to_owned()) {
             let anchor = ResolvedPath::new(layer);
-            let sublayers = outline.sublayers.iter().filter_map(|path| {
-                let resolved = self.resolve(&self.inner.create_identifier(path, Some(&anchor)))?;
-                Some(file_name(&resolved.to_string_lossy()))
-            });
-            self.budget.layer(layer, sublayers.collect(), outline, bytes);
+            let known = RefCell::new(HashMap::new());
+            let resolve = |path: &str| -> Option<String> {
+                let resolve = || {
+                    let resolved = self.resolve(&self.inner.create_identifier(path, Some(&anchor)))?;
+                    Some(file_name(&resolved.to_string_lossy()))
+                };
+                known
+                    .borrow_mut()
+                    .entry(path.to_owned())
+                    .or_insert_with(resolve)
+                    .clone()
+            };
+            self.budget.layer(layer, outline, bytes, resolve);
         }
     }
 

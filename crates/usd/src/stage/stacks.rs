@@ -1,5 +1,6 @@
 use std::collections::{BTreeSet, HashMap};
 
+use super::class_cycle::Classes;
 use super::closure::{Closure, Extent};
 use super::inspect::{Arc, ArcKind};
 
@@ -12,6 +13,23 @@ pub(super) struct Stacks {
     /// The layers, linked to their sublayers.
     sublayers: Closure,
     largest: Extent,
+    classes: Classes,
+    /// The default prims of the layers.
+    default_prims: HashMap<String, String>,
+    /// The prims that refer to the default prims of layers that were not read yet.
+    waiting: HashMap<String, Vec<(usize, String)>>,
+}
+
+/// What a layer brings to a stage.
+#[derive(Debug, Default)]
+pub(super) struct Links<'a> {
+    /// The names of its sublayers.
+    pub sublayers: Vec<String>,
+    /// Its arcs to prims of the same layer stack.
+    pub arcs: &'a [Arc],
+    /// Its arcs to prims of other layers: the prim, the name of the layer, and the path of the target, or the default prim.
+    pub references: Vec<(&'a str, String, Option<&'a str>)>,
+    pub default_prim: Option<&'a str>,
 }
 
 /// A part of the composition that a layer has made too large.
@@ -25,11 +43,16 @@ pub(super) enum Growth {
 }
 
 impl Stacks {
-    /// Adds the layer `name` with its sublayers and arcs. Returns what grew by them.
-    pub(super) fn add(&mut self, name: &str, sublayers: Vec<String>, arcs: &[Arc]) -> Vec<Growth> {
+    /// Adds the layer `name`. Returns what grew by it.
+    pub(super) fn add(&mut self, name: &str, links: Links) -> Vec<Growth> {
         let mut growth = Vec::new();
-        let stack = self.stack(name, &sublayers);
-        let links: Vec<Arc> = sublayers
+        let stack = self.stack(name, &links.sublayers);
+        self.link(name, stack, &links);
+        if let Some(prim) = self.classes.cycle() {
+            growth.push(Growth::Cycle { prim });
+        }
+        let sublayers: Vec<Arc> = links
+            .sublayers
             .into_iter()
             .map(|target| Arc {
                 prim: name.to_owned(),
@@ -37,19 +60,14 @@ impl Stacks {
                 target,
             })
             .collect();
-        if self.sublayers.add(&links) {
+        if self.sublayers.add(&sublayers) {
             growth.push(Growth::Layers {
                 layer: self.sublayers.place().to_owned(),
                 count: self.sublayers.bound().sites(0),
             });
         }
         let stack = &mut self.stacks[stack];
-        if stack.add(arcs) {
-            if let Some(prim) = stack.cycle() {
-                growth.push(Growth::Cycle {
-                    prim: prim.to_owned(),
-                });
-            }
+        if stack.add(links.arcs) {
             self.largest = self.largest.max(stack.bound());
             growth.push(Growth::Sites {
                 prim: stack.place().to_owned(),
@@ -57,6 +75,34 @@ impl Stacks {
             });
         }
         growth
+    }
+
+    /// Adds the arcs of a layer to those among which cycles are searched.
+    fn link(&mut self, name: &str, stack: usize, links: &Links) {
+        for arc in links.arcs {
+            self.classes
+                .add(arc.kind, (stack, &arc.prim), (stack, &arc.target));
+        }
+        for (prim, layer, target) in &links.references {
+            // A layer that was not read yet may still join another stack, and takes this arc there.
+            let other = self.stack(layer, &[]);
+            match target.or(self.default_prims.get(layer).map(String::as_str)) {
+                Some(target) => self
+                    .classes
+                    .add(ArcKind::Reference, (stack, prim), (other, target)),
+                None => {
+                    let waiting = self.waiting.entry(layer.clone()).or_default();
+                    waiting.push((stack, (*prim).to_owned()));
+                }
+            }
+        }
+        if let Some(target) = links.default_prim {
+            self.default_prims.insert(name.to_owned(), target.to_owned());
+            for (from, prim) in self.waiting.remove(name).unwrap_or_default() {
+                self.classes
+                    .add(ArcKind::Reference, (from, &prim), (stack, target));
+            }
+        }
     }
 
     /// Returns an upper bound on the sites of a prim that follows `arcs` arcs to other layers.
@@ -78,6 +124,12 @@ impl Stacks {
         for other in joined {
             let other_stack = std::mem::take(&mut self.stacks[other]);
             self.stacks[stack].absorb(other_stack);
+            self.classes.join(other, stack);
+            for (from, _) in self.waiting.values_mut().flatten() {
+                if *from == other {
+                    *from = stack;
+                }
+            }
             for index in self.stack_of_layer.values_mut() {
                 if *index == other {
                     *index = stack;
@@ -103,16 +155,30 @@ mod tests {
         }
     }
 
+    fn arcs(arcs: &[Arc]) -> Links<'_> {
+        Links {
+            arcs,
+            ..Links::default()
+        }
+    }
+
+    fn sublayers(names: &[&str]) -> Links<'static> {
+        Links {
+            sublayers: names.iter().map(|name| (*name).to_owned()).collect(),
+            ..Links::default()
+        }
+    }
+
     #[test]
     fn joins_the_arcs_of_a_layer_and_its_sublayers() {
         let mut apart = Stacks::default();
-        apart.add("a", Vec::new(), &[reference("/A", "/B")]);
-        apart.add("b", Vec::new(), &[reference("/B", "/C")]);
+        apart.add("a", arcs(&[reference("/A", "/B")]));
+        apart.add("b", arcs(&[reference("/B", "/C")]));
         assert_eq!(apart.sites(0), 2);
         let mut joined = Stacks::default();
-        joined.add("a", Vec::new(), &[reference("/A", "/B")]);
-        joined.add("c", vec!["a".to_owned(), "b".to_owned()], &[]);
-        joined.add("b", Vec::new(), &[reference("/B", "/C")]);
+        joined.add("a", arcs(&[reference("/A", "/B")]));
+        joined.add("c", sublayers(&["a", "b"]));
+        joined.add("b", arcs(&[reference("/B", "/C")]));
         assert_eq!(joined.sites(0), 3);
     }
 
@@ -121,7 +187,7 @@ mod tests {
         let mut stacks = Stacks::default();
         for at in 1..=20 {
             let below = format!("l{}", at - 1);
-            let growth = stacks.add(&format!("l{at}"), vec![below.clone(), below], &[]);
+            let growth = stacks.add(&format!("l{at}"), sublayers(&[&below, &below]));
             let [Growth::Layers { layer, count }] = &growth[..] else {
                 panic!("unexpected growth");
             };
@@ -130,5 +196,34 @@ mod tests {
                 (&*format!("l{at}"), (1 << (at + 1)) - 1)
             );
         }
+    }
+
+    #[test]
+    fn finds_circles_of_classes_over_layers() {
+        let class = |prim: &str, target: &str| Arc {
+            kind: ArcKind::Class,
+            ..reference(prim, target)
+        };
+        let (root, library) = ([class("/P/A", "/P/B")], [class("/L/B", "/L/A")]);
+        let root = |target| Links {
+            references: vec![("/P", "library".to_owned(), target)],
+            ..arcs(&root)
+        };
+        let library = || Links {
+            default_prim: Some("/L"),
+            ..arcs(&library)
+        };
+        let has_cycle = |growth: &[Growth]| growth.iter().any(|one| matches!(one, Growth::Cycle { .. }));
+        // The library is read before or after what refers to it, by its default prim, and as a sublayer.
+        let mut before = Stacks::default();
+        assert!(!has_cycle(&before.add("library", library())));
+        assert!(has_cycle(&before.add("root", root(None))));
+        let mut after = Stacks::default();
+        assert!(!has_cycle(&after.add("root", root(Some("/L")))));
+        assert!(has_cycle(&after.add("library", library())));
+        let mut joined = Stacks::default();
+        assert!(!has_cycle(&joined.add("root", root(None))));
+        assert!(!has_cycle(&joined.add("whole", sublayers(&["root", "library"]))));
+        assert!(has_cycle(&joined.add("library", library())));
     }
 }

@@ -36,6 +36,10 @@ pub(in crate::stage) struct Outline {
     pub(in crate::stage) prims: u64,
     /// The arcs to prims of the same layer stack.
     pub(in crate::stage) arcs: Vec<Arc>,
+    /// The references and payloads to other layers.
+    pub(in crate::stage) references: Vec<Reference>,
+    /// The path of the default prim.
+    pub(in crate::stage) default_prim: Option<String>,
     /// The asset paths of the sublayers.
     pub(in crate::stage) sublayers: Vec<String>,
     /// The value clips that templates describe.
@@ -108,6 +112,17 @@ pub(in crate::stage) struct Arc {
     pub(in crate::stage) target: String,
 }
 
+/// A reference or a payload to a prim of another layer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(in crate::stage) struct Reference {
+    /// The path of the prim on which it is authored, without variant selections.
+    pub(in crate::stage) prim: String,
+    /// The asset path of the layer, as authored.
+    pub(in crate::stage) asset: String,
+    /// The path of the target; the default prim if none is named.
+    pub(in crate::stage) target: Option<String>,
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(in crate::stage) enum ArcKind {
     /// A reference or a payload.
@@ -155,8 +170,6 @@ pub(super) fn outline(layer: &Data, prims: u64) -> Result<Outline, Problem> {
 /// Collects the arcs of a layer.
 pub(super) struct Arcs {
     pub(super) outline: Outline,
-    /// The target of references that name no prim.
-    default: Option<String>,
 }
 
 impl Arcs {
@@ -166,7 +179,6 @@ impl Arcs {
                 prims,
                 ..Outline::default()
             },
-            default: None,
         }
     }
 
@@ -182,7 +194,7 @@ impl Arcs {
                     let what = format!("`{}` {defect}", ancestry::beginning(prim));
                     return Err(Problem::new("defaultPrim", what, "give the name of a prim"));
                 }
-                self.default = Some(path);
+                self.outline.default_prim = Some(path);
             }
             Value::StringVec(paths) if name == "subLayers" => self.outline.sublayers.clone_from(paths),
             _ => {}
@@ -193,43 +205,46 @@ impl Arcs {
     /// Adds the arcs in the field `name` of the prim or variant at `path`.
     pub(super) fn add(&mut self, path: &Path, name: &str, value: &Value) -> Result<(), Problem> {
         let prim = path.strip_all_variant_selections();
+        let absolute = |target: &Path| {
+            let target = prim.make_absolute(target).strip_all_variant_selections();
+            target.as_str().to_owned()
+        };
+        let outline = &mut self.outline;
         let mut push = |kind, target: String| {
-            self.outline.arcs.push(Arc {
+            outline.arcs.push(Arc {
                 prim: prim.as_str().to_owned(),
                 kind,
                 target,
             });
         };
-        let default = self.default.as_ref();
-        let target = |target: &Path| {
-            if target.is_empty() {
-                return default.cloned();
+        let default_prim = outline.default_prim.clone();
+        let references = &mut outline.references;
+        let mut refer = |asset: &str, target: &Path| {
+            let target = (!target.is_empty()).then(|| absolute(target));
+            if !asset.is_empty() {
+                references.push(Reference {
+                    prim: prim.as_str().to_owned(),
+                    asset: asset.to_owned(),
+                    target,
+                });
+            } else if let Some(to) = target.or_else(|| default_prim.clone()) {
+                push(ArcKind::Reference, to);
             }
-            let target = prim.make_absolute(target).strip_all_variant_selections();
-            Some(target.as_str().to_owned())
         };
         match value {
             Value::Dictionary(sets) if name == CLIPS_FIELD => {
-                self.outline.has_clips = true;
-                self.outline.clips.add(sets);
+                outline.has_clips = true;
+                outline.clips.add(sets);
             }
-            Value::ReferenceListOp(list) => list
-                .iter()
-                .filter(|arc| arc.asset_path.is_empty())
-                .filter_map(|arc| target(&arc.prim_path))
-                .for_each(|to| push(ArcKind::Reference, to)),
-            Value::PayloadListOp(list) => list
-                .iter()
-                .filter(|arc| arc.asset_path.is_empty())
-                .filter_map(|arc| target(&arc.prim_path))
-                .for_each(|to| push(ArcKind::Reference, to)),
-            Value::Payload(arc) if arc.asset_path.is_empty() => {
-                if let Some(to) = target(&arc.prim_path) {
-                    push(ArcKind::Reference, to);
-                }
+            Value::ReferenceListOp(list) => {
+                list.iter().for_each(|arc| refer(&arc.asset_path, &arc.prim_path));
             }
+            Value::PayloadListOp(list) => {
+                list.iter().for_each(|arc| refer(&arc.asset_path, &arc.prim_path));
+            }
+            Value::Payload(arc) => refer(&arc.asset_path, &arc.prim_path),
             Value::PathListOp(list) => {
-                for to in list.iter().filter_map(target) {
+                for to in list.iter().filter(|to| !to.is_empty()).map(absolute) {
                     if to.contains('.') {
                         let what = format!("inherits or specializes <{to}>, which is not the path of a prim");
                         return Err(Problem::new(prim.as_str(), what, "give the path of a prim"));
