@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::math::DVec3;
-use oaktwin_scene::{Opacity, Scene};
+use oaktwin_scene::{Mask, Opacity, Scene};
 
 use self::mask::MaskImage;
 pub use self::transparent::Transparent;
@@ -33,8 +33,9 @@ pub(crate) struct Cutouts {
 struct Cut {
     opacity: Option<Opacity>,
     image: Option<Arc<MaskImage>>,
-    /// The share of light that the solid parts transmit.
+    /// The share of light that the solid parts transmit, which multiplies its mask if there is one.
     transmits: f32,
+    transmission: Option<(Mask, Arc<MaskImage>)>,
 }
 
 /// The share of transmitted light above which a surface is clear: it casts no shadow, and what lies behind it can be the ground truth.
@@ -58,19 +59,28 @@ impl Cutouts {
             if opacity.is_none() && transmission.is_none() {
                 return None;
             }
-            let image = opacity.and_then(|opacity| opacity.mask).and_then(|mask| {
+            let mut image = |mask: Mask, otherwise| {
                 let key = (mask.texture.texture, mask.channel);
                 let texture = scene.textures.get(mask.texture.texture as usize)?;
                 let image = images
                     .entry(key)
-                    .or_insert_with(|| MaskImage::new(texture, mask.channel).map(Arc::new));
+                    .or_insert_with(|| MaskImage::new(texture, mask.channel, otherwise).map(Arc::new));
                 image.as_ref().ok().cloned()
+            };
+            let of_opacity = opacity.and_then(|opacity| image(opacity.mask?, "the surface is solid"));
+            let of_transmission = transmission.and_then(|transmission| {
+                let mask = transmission.mask?;
+                Some((
+                    mask,
+                    image(mask, "all of the surface transmits its share of light")?,
+                ))
             });
             let transmits = transmission.map_or(0.0, |transmission| transmission.share.clamp(0.0, 1.0));
             Some(Cut {
                 opacity,
-                image,
+                image: of_opacity,
                 transmits: transmits * (1.0 - material.metallic.clamp(0.0, 1.0)),
+                transmission: of_transmission,
             })
         });
         let cuts = cuts.collect();
@@ -109,15 +119,21 @@ impl Cutouts {
             return true;
         };
         let opacity = cut.opacity_at(scene, hit, origin, direction);
-        let passes = || 1.0 - opacity * (1.0 - cut.transmits);
+        let transmits = || cut.transmits * cut.transmission_at(scene, hit, origin, direction);
+        let passes = || 1.0 - opacity * (1.0 - transmits());
         opacity > 0.0 && (transparent == Transparent::Surface || passes() <= CLEAR)
     }
 
-    /// Returns the opacity, from 0 to 1, of a triangle where a ray in the world meets it, without the light that it transmits.
+    /// Returns the opacity, from 0 to 1, of a triangle where a ray in the world meets it, without the light that it transmits, and the factor of
+    /// its material's transmission there.
     #[inline]
-    pub(crate) fn opacity(&self, scene: &Scene, hit: Hit, origin: DVec3, direction: DVec3) -> f32 {
-        let cut = self.cut(scene, hit);
-        cut.map_or(1.0, |cut| cut.opacity_at(scene, hit, origin, direction))
+    pub(crate) fn opacity(&self, scene: &Scene, hit: Hit, origin: DVec3, direction: DVec3) -> [f32; 2] {
+        self.cut(scene, hit).map_or([1.0; 2], |cut| {
+            [
+                cut.opacity_at(scene, hit, origin, direction),
+                cut.transmission_at(scene, hit, origin, direction),
+            ]
+        })
     }
 
     #[inline]
@@ -136,21 +152,34 @@ impl Cut {
         };
         let mask = || {
             let (mask, image) = (opacity.mask.as_ref()?, self.image.as_ref()?);
-            let placed = scene.instances.get(hit.instance as usize)?;
-            let mesh = scene.meshes.get(placed.mesh as usize)?;
-            let index = hit.triangle as usize;
-            let uvs = mesh.uvs.as_ref()?.corners(index, *mesh.triangles.get(index)?)?;
-            let corners = mesh.corners(index)?.map(|p| {
-                placed
-                    .world_from_mesh
-                    .transform_point3(DVec3::from(p.map(f64::from)))
-            });
-            let weights = weights(corners, origin, direction);
-            let uv = [0, 1].map(|axis| (0..3).map(|i| f64::from(uvs[i][axis]) * weights[i]).sum());
-            Some(image.value(mask, uv))
+            Some(image.value(mask, uv_at(scene, hit, origin, direction)?))
         };
         opacity.at(mask().unwrap_or(1.0))
     }
+
+    /// Returns the factor, from 0 to 1, of the light that passes the solid parts.
+    fn transmission_at(&self, scene: &Scene, hit: Hit, origin: DVec3, direction: DVec3) -> f32 {
+        let Some((mask, image)) = &self.transmission else {
+            return 1.0;
+        };
+        let uv = uv_at(scene, hit, origin, direction);
+        uv.map_or(1.0, |uv| image.value(mask, uv).clamp(0.0, 1.0))
+    }
+}
+
+/// Returns the texture coordinates of a triangle where a ray in the world meets it.
+fn uv_at(scene: &Scene, hit: Hit, origin: DVec3, direction: DVec3) -> Option<[f64; 2]> {
+    let placed = scene.instances.get(hit.instance as usize)?;
+    let mesh = scene.meshes.get(placed.mesh as usize)?;
+    let index = hit.triangle as usize;
+    let uvs = mesh.uvs.as_ref()?.corners(index, *mesh.triangles.get(index)?)?;
+    let corners = mesh.corners(index)?.map(|p| {
+        placed
+            .world_from_mesh
+            .transform_point3(DVec3::from(p.map(f64::from)))
+    });
+    let weights = weights(corners, origin, direction);
+    Some([0, 1].map(|axis| (0..3).map(|i| f64::from(uvs[i][axis]) * weights[i]).sum()))
 }
 
 /// Returns the barycentric coordinates where a ray meets the plane of a triangle, clamped to the triangle.

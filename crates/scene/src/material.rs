@@ -34,6 +34,8 @@ pub struct Material {
 pub struct Transmission {
     /// The share, from 0 to 1, of the light that is not reflected at the surface; the rest is scattered by the base colour.
     pub share: f32,
+    /// The image that multiplies the share.
+    pub mask: Option<Mask>,
     /// The factor of the light each time it passes a surface; `None` for the base colour.
     pub tint: Option<[f32; 3]>,
     /// Whether closed meshes of the material bend light by its index, as solid glass does. Otherwise each surface is a thin wall.
@@ -89,6 +91,13 @@ impl Material {
         ))
     }
 
+    /// Returns the masks of the opacity and of the transmission.
+    pub fn masks(&self) -> impl Iterator<Item = Mask> {
+        let of_opacity = self.opacity.and_then(|opacity| opacity.mask);
+        let of_transmission = self.transmission.and_then(|transmission| transmission.mask);
+        of_opacity.into_iter().chain(of_transmission)
+    }
+
     /// Returns the material for a scene in which its textures come after `count` others.
     #[must_use]
     pub fn after_textures(self, count: u32) -> Self {
@@ -96,14 +105,19 @@ impl Material {
             texture: used.texture + count,
             ..used
         };
+        let moved_mask = |mask: Mask| Mask {
+            texture: moved(mask.texture),
+            ..mask
+        };
         Self {
             base_color_texture: self.base_color_texture.map(moved),
             opacity: self.opacity.map(|opacity| Opacity {
-                mask: opacity.mask.map(|mask| Mask {
-                    texture: moved(mask.texture),
-                    ..mask
-                }),
+                mask: opacity.mask.map(moved_mask),
                 ..opacity
+            }),
+            transmission: self.transmission.map(|transmission| Transmission {
+                mask: transmission.mask.map(moved_mask),
+                ..transmission
             }),
             ..self
         }

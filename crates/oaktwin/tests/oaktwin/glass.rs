@@ -43,6 +43,7 @@ fn scene() -> Scene {
         roughness: 0.0,
         transmission: Some(Transmission {
             share: 1.0,
+            mask: None,
             tint: Some([0.9, 1.0, 0.9]),
             refracts: false,
         }),

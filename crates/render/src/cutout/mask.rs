@@ -14,9 +14,9 @@ pub(super) struct MaskImage {
 }
 
 impl MaskImage {
-    /// Decodes a channel of a texture. Returns the finding that it cannot be read.
-    pub(super) fn new(texture: &Texture, channel: u8) -> Result<Self, Finding> {
-        let (pixels, _) = texture_file::decoded(texture, "the surface is solid")?;
+    /// Decodes a channel of a texture. Returns the finding that it cannot be read, and what is the case `otherwise`.
+    pub(super) fn new(texture: &Texture, channel: u8, otherwise: &str) -> Result<Self, Finding> {
+        let (pixels, _) = texture_file::decoded(texture, otherwise)?;
         // Masks are data unless the file says otherwise.
         let is_srgb = channel < 3 && texture.color_space == ColorSpace::Srgb;
         Ok(Self {

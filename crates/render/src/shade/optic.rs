@@ -45,6 +45,8 @@ pub(super) struct Meeting {
     pub(super) color: Vec3,
     /// The opacity of the place, from 0 to 1.
     pub(super) opacity: f32,
+    /// The factor of the material's transmission at the place, from 0 to 1.
+    pub(super) clarity: f32,
     pub(super) wall: Wall,
 }
 
@@ -144,9 +146,11 @@ impl Optic {
             cosine,
             color,
             opacity,
+            clarity,
             wall,
         } = *meeting;
-        let transmits = self.transmits * opacity + (1.0 - opacity);
+        let share = self.transmits * clarity;
+        let transmits = share * opacity + (1.0 - opacity);
         let passes = transmits * (1.0 - self.metallic);
         let reflected = if self.is_polished {
             let dielectric = match wall {
@@ -174,11 +178,11 @@ impl Optic {
         };
         let rest = Vec3::ONE - reflected;
         let tint = self.tint.unwrap_or(color).min(Vec3::ONE);
-        let clear = Vec3::splat(1.0 - opacity) + tint * (opacity * self.transmits);
+        let clear = Vec3::splat(1.0 - opacity) + tint * (opacity * share);
         let is_bare = if self.is_polished {
             1.0
         } else {
-            opacity * (1.0 - self.transmits)
+            opacity * (1.0 - share)
         };
         Balance {
             reflected,
@@ -218,6 +222,7 @@ mod tests {
             cosine,
             color: Vec3::new(1.0, 0.5, 0.2),
             opacity: 1.0,
+            clarity: 1.0,
             wall,
         }
     }
@@ -256,6 +261,7 @@ mod tests {
                             roughness,
                             transmission: Some(Transmission {
                                 share,
+                                mask: None,
                                 tint: None,
                                 refracts: true,
                             }),
@@ -291,6 +297,7 @@ mod tests {
             roughness: 0.0,
             transmission: Some(Transmission {
                 share: 1.0,
+                mask: None,
                 tint: Some([1.0; 3]),
                 refracts: false,
             }),

@@ -191,10 +191,10 @@ impl<'c, 'a> Tracer<'c, 'a> {
         let scene = self.context.scene;
         let surface = &vertex.surface;
         let cutouts = self.context.occlusion.caster.cutouts();
-        let opacity = cutouts.map_or(1.0, |cutouts| {
+        let [opacity, clarity] = cutouts.map_or([1.0; 2], |cutouts| {
             cutouts.opacity(scene, vertex.hit, vertex.eye, vertex.ray)
         });
-        let is_clear = optic.transmits() || opacity < 1.0;
+        let is_clear = optic.transmits() && clarity > 0.0 || opacity < 1.0;
         let instance = scene.instances.get(vertex.hit.instance as usize);
         let is_closed = || instance.is_some_and(|instance| self.context.closed.is(scene, instance.mesh));
         let wall = match is_clear {
@@ -207,6 +207,7 @@ impl<'c, 'a> Tracer<'c, 'a> {
             cosine: -vertex.ray.dot(surface.normal),
             color,
             opacity,
+            clarity,
             wall,
         }
     }

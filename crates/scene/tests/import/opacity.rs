@@ -43,17 +43,30 @@ fn gltf_glass() {
 }
 
 #[test]
-fn images_of_transmission_are_reported() {
-    let textured = |factor: f32| {
+fn images_of_transmission_are_masks() {
+    let textured = |factor: f32, color: &str, image: &str| {
         format!(
-            r#"{{"extensions":{{"KHR_materials_transmission":{{"transmissionFactor":{factor},"transmissionTexture":{{"index":0}}}}}}}}"#
+            r#"{{"pbrMetallicRoughness":{{{color}}},"extensions":{{"KHR_materials_transmission":{{"transmissionFactor":{factor},"transmissionTexture":{{{image}}}}}}}}}"#
         )
     };
-    let (read, codes) = gltf_materials(&textured(0.9));
-    assert_eq!(read[0].transmission.unwrap().share, 0.9);
-    assert!(codes.contains(&"unsupported-material"), "{codes:?}");
-    let (_, codes) = gltf_materials(&textured(0.0));
+    let (read, codes) = gltf_materials(&textured(0.9, "", r#""index":0,"texCoord":1"#));
+    let transmission = read[0].transmission.unwrap();
+    let mask = transmission.mask.unwrap();
+    assert_eq!((transmission.share, mask.channel), (0.9, 0));
     assert!(!codes.contains(&"unsupported-material"), "{codes:?}");
+    let (read, codes) = gltf_materials(&textured(0.0, "", r#""index":0"#));
+    assert_eq!(read[0].transmission, None);
+    assert!(!codes.contains(&"unsupported-material"), "{codes:?}");
+    // The image of the colour is sRGB, and the same file as a mask is not.
+    let color = r#""baseColorTexture":{"index":0}"#;
+    let (read, codes) = gltf_materials(&textured(0.9, color, r#""index":0"#));
+    let mask = read[0].transmission.unwrap().mask.unwrap();
+    assert_ne!(read[0].base_color_texture.unwrap().texture, mask.texture.texture);
+    assert!(!codes.contains(&"unsupported-material"), "{codes:?}");
+    // A mesh has one set of texture coordinates here.
+    let (read, codes) = gltf_materials(&textured(0.9, color, r#""index":0,"texCoord":1"#));
+    assert_eq!(read[0].transmission.unwrap().mask, None);
+    assert!(codes.contains(&"unsupported-material"), "{codes:?}");
 }
 
 #[test]

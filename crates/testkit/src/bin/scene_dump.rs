@@ -9,7 +9,7 @@ use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::DAffine3;
 use oaktwin_scene::import::{self, ImportOptions, Imported};
 use oaktwin_scene::{
-    Attribute, Instance, Light, LightKind, Material, Mesh, Scene, Texture, TextureSource, TextureUse,
+    Attribute, Instance, Light, LightKind, Mask, Material, Mesh, Scene, Texture, TextureSource, TextureUse,
 };
 use oaktwin_usd::stage::{SceneOptions, StageScene, open_scene};
 use serde_json::{Value, json};
@@ -177,11 +177,19 @@ fn material(material: &Material) -> Value {
         "opacity": material.opacity.map(|opacity| json!({
             "value": opacity.value,
             "threshold": opacity.threshold,
-            "mask": opacity.mask.as_ref().map(|mask| json!({
-                "texture": texture_use(&mask.texture),
-                "channel": mask.channel,
-            })),
+            "mask": opacity.mask.as_ref().map(mask),
         })),
+        "transmission": material.transmission.map(|transmission| json!({
+            "share": transmission.share,
+            "mask": transmission.mask.as_ref().map(mask),
+        })),
+    })
+}
+
+fn mask(mask: &Mask) -> Value {
+    json!({
+        "texture": texture_use(&mask.texture),
+        "channel": mask.channel,
     })
 }
 

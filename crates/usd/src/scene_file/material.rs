@@ -1,7 +1,7 @@
 use oaktwin_files as files;
 use oaktwin_image::{CodecError, png, texture};
 use oaktwin_scene::{
-    ColorSpace, DEFAULT_INDEX, LightKind, Material, Opacity, Scene, TextureSource, TextureUse, Wrap,
+    ColorSpace, DEFAULT_INDEX, LightKind, Mask, Material, Opacity, Scene, TextureSource, TextureUse, Wrap,
 };
 
 use super::ImageFiles;
@@ -153,7 +153,13 @@ impl<'a> Materials<'a> {
             nodes.extend(self.opacity(opacity, &mut surface, path));
         } else if let Some(transmission) = &material.transmission {
             let opacity = (1.0 - transmission.share).max(MIN_OPACITY);
-            surface.set("inputs:opacity", Value::Float(opacity));
+            match transmission.mask {
+                None => surface.set("inputs:opacity", Value::Float(opacity)),
+                Some(mask) => {
+                    let mask = opposite(mask, 1.0 - opacity);
+                    nodes.extend(self.opacity(&mask, &mut surface, path));
+                }
+            }
         }
         prim.children.push(surface);
         prim.children.extend(nodes);
@@ -199,12 +205,25 @@ fn encoded(source: &TextureSource, image_files: ImageFiles) -> Result<Image, Cod
     Ok(Image::Beside(extension, bytes))
 }
 
+/// Returns the opacity of a surface that transmits a share of light, multiplied by a mask.
+fn opposite(mut mask: Mask, share: f32) -> Opacity {
+    let channel = usize::from(mask.channel & 3);
+    let used = &mut mask.texture;
+    used.scale[channel] *= -share;
+    used.bias[channel] = 1.0 - share * used.bias[channel];
+    Opacity {
+        value: 1.0,
+        mask: Some(mask),
+        threshold: 0.0,
+    }
+}
+
 /// Returns the indices of the textures of materials and lights, in order; some appear several times.
 fn used_textures(scene: &Scene) -> impl Iterator<Item = usize> {
     let of_materials = scene.materials.iter().flat_map(|material| {
-        let mask = material.opacity.and_then(|opacity| opacity.mask);
-        let used = [material.base_color_texture, mask.map(|mask| mask.texture)];
-        used.into_iter().flatten().map(|used| used.texture)
+        let masks = material.masks().map(|mask| mask.texture);
+        let used = material.base_color_texture.into_iter().chain(masks);
+        used.map(|used| used.texture)
     });
     let of_lights = scene.lights.iter().filter_map(|light| match light.kind {
         LightKind::Dome { texture, .. } => texture,

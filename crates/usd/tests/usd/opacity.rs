@@ -195,8 +195,13 @@ fn glass_and_mirrors() {
 
     let image = "float inputs:transmission_weight.connect = </Look/T.outputs:r>";
     let (textured, codes) = material("ND_open_pbr_surface_surfaceshader", image);
+    let transmission = textured.transmission.unwrap();
+    assert_eq!((transmission.share, transmission.mask.unwrap().channel), (1.0, 0));
+    assert!(codes.is_empty(), "{codes:?}");
+    let noise = "float inputs:transmission_weight.connect = </Look/Noise.outputs:out>";
+    let (unknown, codes) = material("ND_open_pbr_surface_surfaceshader", noise);
     assert_eq!(
-        (textured.transmission, codes),
+        (unknown.transmission, codes),
         (None, vec!["unsupported-material"])
     );
 

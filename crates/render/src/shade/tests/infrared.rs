@@ -208,6 +208,7 @@ fn light_is_slower_in_glass() {
         roughness: 0.0,
         transmission: Some(oaktwin_scene::Transmission {
             share: 1.0,
+            mask: None,
             tint: Some([1.0; 3]),
             refracts: true,
         }),

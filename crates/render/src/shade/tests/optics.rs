@@ -2,7 +2,7 @@
 
 use oaktwin_camera::math::DVec3;
 use oaktwin_image::annotation::Frame;
-use oaktwin_scene::Transmission;
+use oaktwin_scene::{ColorSpace, Mask, TextureSource, TextureUse, Transmission, Wrap};
 
 use super::*;
 use crate::Transparent;
@@ -36,6 +36,7 @@ fn clear(tint: f32) -> Material {
         roughness: 0.0,
         transmission: Some(Transmission {
             share: 1.0,
+            mask: None,
             tint: Some([tint; 3]),
             refracts: false,
         }),
@@ -142,6 +143,58 @@ fn panes_reflect_and_tint_what_lies_behind_them() {
 }
 
 #[test]
+fn a_mask_decides_where_a_pane_is_clear() {
+    let pane = |material: Material| {
+        let mut scene = dark_room();
+        add(&mut scene, rectangle([-5.0, 5.0], [-5.0, 5.0], 3.0), glowing(0.5));
+        let mesh = Mesh {
+            uvs: Some(Attribute::Vertex(vec![
+                [0.0, 0.0],
+                [0.0, 1.0],
+                [1.0, 1.0],
+                [1.0, 0.0],
+            ])),
+            ..rectangle([-0.5, 0.5], [-2.0, 2.0], 1.0)
+        };
+        add(&mut scene, mesh, material);
+        let pixels = vec![[255, 0, 0, 255], [0, 255, 255, 255]];
+        scene.textures = vec![Texture {
+            source: TextureSource::Pixels(Arc::new(Image::new(2, 1, pixels).unwrap())),
+            color_space: ColorSpace::Raw,
+        }];
+        scene
+    };
+    let texture = TextureUse {
+        wrap_s: Wrap::Clamp,
+        ..TextureUse::new(0)
+    };
+    let material = |share: f32, mask: Option<Mask>| Material {
+        base_color: Some([0.0; 3]),
+        transmission: Some(Transmission {
+            share,
+            mask,
+            tint: Some([0.6; 3]),
+            refracts: false,
+        }),
+        ..clear(0.6)
+    };
+    let masked = pane(material(1.0, Some(Mask { texture, channel: 0 })));
+    let [whole, none] = [1.0, 0.0].map(|share| pane(material(share, None)));
+    for (column, same, other) in [(60, &whole, &none), (140, &none, &whole)] {
+        let [found, same, other] = [&masked, same, other].map(|scene| luminance_at(scene, [column, 80]));
+        assert!((found - same).abs() < 1e-6, "{column}: {found} {same}");
+        assert!((found - other).abs() > 0.1, "{column}: {found} {other}");
+    }
+    let frame = annotated(&masked, &view(), Transparent::Through);
+    let z = frame.distance_to_image_plane.unwrap();
+    let seen = [60, 140].map(|column| *z.0.get(column, 80).unwrap());
+    assert!(
+        (seen[0] - 3.0).abs() < 1e-5 && (seen[1] - 1.0).abs() < 1e-5,
+        "{seen:?}"
+    );
+}
+
+#[test]
 fn partial_opacity_mixes_a_surface_with_what_lies_behind_it() {
     let mut scene = dark_room();
     add(&mut scene, rectangle([-5.0, 5.0], [-5.0, 5.0], 3.0), glowing(0.5));
@@ -163,6 +216,7 @@ fn a_solid_of_glass_bends_light_and_brings_nearer_what_lies_behind_it() {
     let solid = Material {
         transmission: Some(Transmission {
             share: 1.0,
+            mask: None,
             tint: Some([1.0; 3]),
             refracts: true,
         }),
@@ -209,6 +263,7 @@ fn no_light_is_gained_in_a_white_furnace() {
     let solid = Material {
         transmission: Some(Transmission {
             share: 1.0,
+            mask: None,
             tint: Some([1.0; 3]),
             refracts: true,
         }),

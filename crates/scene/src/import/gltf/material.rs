@@ -37,11 +37,15 @@ impl Materials {
             let factor = [r, g, b].map(finite);
             let name = material.name.clone().unwrap_or_else(|| format!("material_{i}"));
             let texture = pbr.base_color_texture.as_ref();
-            let (base_color_texture, uv_set) =
-                match texture.map(|info| read_texture(document, info, &name, &mut images, builder)) {
-                    Some(Some((texture, set))) => (Some(texture), Some(set)),
-                    _ => (None, None),
+            let mut read_texture =
+                |info, space| read_texture(document, info, space, &name, &mut images, builder);
+            let (base_color_texture, mut uv_set) =
+                match texture.and_then(|info| read_texture(info, ColorSpace::Srgb)) {
+                    Some((texture, set)) => (Some(texture), Some(set)),
+                    None => (None, None),
                 };
+            let of_transmission = transmission_image(material);
+            let of_transmission = of_transmission.and_then(|info| read_texture(info, ColorSpace::Raw));
             let opacity = opacity(material, finite(alpha), base_color_texture);
             let mut read = Material {
                 name: name.clone(),
@@ -64,9 +68,16 @@ impl Materials {
             for problem in problems.into_iter().flatten() {
                 builder.warn("material-value", &name, problem);
             }
-            if has_transmission_image(material) {
-                let problem = "its transmission has an image, which is not read; all of the surface transmits the share of its factor";
-                builder.warn("unsupported-material", &name, problem);
+            if let (Some((texture, set)), Some(transmission)) = (of_transmission, &mut read.transmission) {
+                if *uv_set.get_or_insert(set) == set {
+                    transmission.mask = Some(Mask { texture, channel: 0 });
+                } else {
+                    let problem = format!(
+                        "the image of its transmission has the texture coordinates {set}, other than its base colour; all of \
+                         the surface transmits the share of its factor"
+                    );
+                    builder.warn("unsupported-material", &name, problem);
+                }
             }
             let number = builder.add_material(read);
             MaterialInfo {
@@ -86,11 +97,10 @@ impl Materials {
     }
 }
 
-/// Whether a material transmits more in some parts than in others.
-fn has_transmission_image(material: &json::Material) -> bool {
-    let extensions = material.extensions.as_ref();
-    let transmission = extensions.and_then(|extensions| extensions.transmission.as_ref());
-    transmission.is_some_and(|own| own.transmission_texture.is_some() && own.transmission_factor.0 > 0.0)
+/// Returns the image of a material that transmits more in some parts than in others.
+fn transmission_image(material: &json::Material) -> Option<&json::texture::Info> {
+    let transmission = material.extensions.as_ref()?.transmission.as_ref()?;
+    transmission.transmission_texture.as_ref()
 }
 
 /// Reads the transmission and the index of refraction. Returns what is wrong with them.
@@ -110,6 +120,7 @@ fn read_optics(material: &json::Material, read: &mut Material) -> [Option<String
     if share > 0.0 {
         read.transmission = Some(Transmission {
             share: share.min(1.0),
+            mask: None,
             tint: None,
             refracts: extensions.volume.as_ref().is_some_and(is_solid),
         });
@@ -136,8 +147,9 @@ fn finite(x: f32) -> f32 {
 fn read_texture(
     document: &Document,
     info: &json::texture::Info,
+    color_space: ColorSpace,
     material: &str,
-    images: &mut BTreeMap<usize, Option<u32>>,
+    images: &mut BTreeMap<(usize, bool), Option<u32>>,
     builder: &mut Builder,
 ) -> Option<(TextureUse, u32)> {
     let Some(texture) = document.root.textures.get(info.index.value()) else {
@@ -150,12 +162,9 @@ fn read_texture(
     };
     let image = texture.source.value();
     let number = *images
-        .entry(image)
+        .entry((image, color_space == ColorSpace::Srgb))
         .or_insert_with(|| match source(document, image) {
-            Ok(source) => Some(builder.add_texture(Texture {
-                source,
-                color_space: ColorSpace::Srgb,
-            })),
+            Ok(source) => Some(builder.add_texture(Texture { source, color_space })),
             Err(message) => {
                 builder.warn("texture-missing", format!("images[{image}]"), message);
                 None

@@ -71,6 +71,7 @@ impl Optics {
         if refracts {
             material.transmission = Some(Transmission {
                 share: 1.0 - opacity,
+                mask: None,
                 tint: Some(self.filter.unwrap_or([1.0; 3])),
                 refracts,
             });

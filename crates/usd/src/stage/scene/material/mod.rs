@@ -183,7 +183,7 @@ impl Materials {
         }
         let surface = Rc::new(Surface {
             index: u32::try_from(scene.materials.len()).ok()?,
-            uv: (material.base_color_texture.is_some() || has_mask(&material))
+            uv: (material.base_color_texture.is_some() || material.masks().next().is_some())
                 .then(|| uv.unwrap_or_else(|| "st".to_owned())),
             shows_mesh_colors: material.base_color.is_none() && material.base_color_texture.is_none(),
             understood,
@@ -191,10 +191,6 @@ impl Materials {
         scene.materials.push(material);
         Some(surface)
     }
-}
-
-fn has_mask(material: &Material) -> bool {
-    material.opacity.is_some_and(|opacity| opacity.mask.is_some())
 }
 
 /// Returns the identifier of a node of a shading network.

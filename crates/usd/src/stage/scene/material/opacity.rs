@@ -66,8 +66,8 @@ impl Reading<'_> {
         }
     }
 
-    /// Follows an opacity to its image.
-    fn mask_of(&mut self, node: &Node, depth: usize) -> Option<Mask> {
+    /// Follows an opacity or a transmission to its image.
+    pub(super) fn mask_of(&mut self, node: &Node, depth: usize) -> Option<Mask> {
         let id = identifier(self.reader, node);
         let is_preview = id == "UsdUVTexture";
         if is_preview || id.starts_with("ND_image_") || id.starts_with("ND_tiledimage_") {

@@ -3,6 +3,7 @@
 use oaktwin_scene::{Material, Transmission};
 
 use super::super::super::value::{boolean, color, text};
+use super::identifier;
 use super::network::{Input, Node, input};
 use super::surface::Reading;
 
@@ -30,20 +31,30 @@ impl Reading<'_> {
     ) {
         self.index(shader, &format!("inputs:{index}"), material);
         let name = format!("inputs:{weight}");
-        let share = self.number(shader, &name).unwrap_or(0.0);
+        let mut share = self.number(shader, &name).unwrap_or(0.0);
         self.report(Material::not_a_share(weight, share));
-        if let Some(Input::Node(_)) = input(self.reader, &shader.shader, &name) {
-            self.findings.warn(
-                "unsupported-material",
-                self.place,
-                format!("its {weight} is a node, which is not read; its surface transmits nothing"),
-                "author a number",
-            );
+        let mut mask = None;
+        if let Some(Input::Node(node)) = input(self.reader, &shader.shader, &name) {
+            mask = self.mask_of(&node, 0);
+            if mask.is_some() {
+                share = 1.0;
+            } else {
+                self.findings.warn(
+                    "unsupported-material",
+                    self.place,
+                    format!(
+                        "its {weight} is the node `{}`, which is not supported; its surface transmits nothing",
+                        identifier(self.reader, &node)
+                    ),
+                    "connect an image or author a number",
+                );
+            }
         }
         if share > 0.0 {
             let white = || Some([1.0; 3]);
             material.transmission = Some(Transmission {
                 share: share.min(1.0),
+                mask,
                 tint: match tint {
                     "" => None,
                     _ => self.color_value(shader, &format!("inputs:{tint}")).or_else(white),
@@ -75,6 +86,7 @@ impl Reading<'_> {
         self.index(shader, "inputs:glass_ior", material);
         material.transmission = Some(Transmission {
             share: 1.0,
+            mask: None,
             tint: Some(self.color_value(shader, "inputs:glass_color").unwrap_or([1.0; 3])),
             refracts: !self.is_set(shader, "inputs:thin_walled"),
         });
