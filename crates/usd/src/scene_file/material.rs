@@ -329,3 +329,21 @@ fn extension(bytes: &[u8]) -> Option<&'static str> {
         _ => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_transmits_is_not_opaque() {
+        let mut texture = TextureUse::new(0);
+        (texture.scale[1], texture.bias[1]) = (0.5, 0.25);
+        let opacity = opposite(Mask { texture, channel: 1 }, 0.75);
+        let used = opacity.mask.unwrap().texture;
+        for value in [0.0, 0.5, 1.0_f32] {
+            let transmitted = 0.75 * (0.5 * value + 0.25);
+            let found = opacity.at(used.scale[1] * value + used.bias[1]);
+            assert!((found + transmitted - 1.0).abs() < 1e-6, "{value}: {found}");
+        }
+    }
+}
