@@ -85,7 +85,7 @@ export class SceneView {
     scene.subscribe(() => void this.loadScene());
     for (const store of [document, display, this.gizmo, this.isRiding]) store.subscribe(() => this.follow());
     document.subscribe(() => this.followTime());
-    studio.timeline.trajectories.subscribe(() => this.follow());
+    studio.timeline.trajectories.all.subscribe(() => this.follow());
     studio.timeline.isPlaying.subscribe(() => void this.loadTextures(this.loaded));
     frames.subscribe(() => this.followClouds());
     probe.subscribe(() => this.followProbe());
@@ -200,7 +200,7 @@ export class SceneView {
       const isBox = state.target !== null && "minimum" in state.target;
       this.viewer.setTarget(targetBounds(state.target, info), isBox, info?.up ?? "z");
     }
-    const path = this.studio.timeline.trajectory();
+    const path = this.studio.timeline.trajectories.current();
     if (this.isNew("path", path)) this.viewer.setPath(path?.poses.map(({ position }) => position) ?? []);
     if (this.isNew("background", info, shown.showGrid, shown.theme)) this.paintBackground();
     this.followClouds();

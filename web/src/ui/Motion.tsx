@@ -18,7 +18,7 @@ export function Motion({ target, tolerance }: { target: Target | null; tolerance
   const { motion } = studio;
   const document = useStore(studio.document);
   const robot = useStore(studio.scene)?.robot;
-  useStore(motion.lists);
+  useStore(motion.lists.all);
   const progress = useStore(motion.progress);
   const measured = useStore(motion.measured);
   const problem = useStore(motion.problem);
@@ -26,7 +26,7 @@ export function Motion({ target, tolerance }: { target: Target | null; tolerance
   const input = useRef<HTMLInputElement>(null);
   const oak = selectedOak(document);
   if (!robot || !oak) return null;
-  const list = motion.list();
+  const list = motion.lists.current();
   const request = target && motion.request(target, tolerance);
   // Numbers that were measured for something else are not shown.
   const answer = request && measured?.key === motion.key(request) ? measured.answer : null;
