@@ -21,8 +21,9 @@ async function record(page) {
       const badge = document.querySelector('[data-testid="panel-oak1-sensor"] [data-testid="fineness"]')?.textContent;
       const fact = document.querySelector('[data-testid="panel-oak1-sensor"] .panel-fact');
       const cell = document.querySelector('[data-testid="statistics"] tbody td');
-      if (!badge || !fact || !cell) return;
-      const next = { badge, fill: Number.parseFloat(fact.textContent), isGrey: fact.classList.contains("provisional"), isCellGrey: cell.classList.contains("provisional") };
+      const bar = document.querySelector('[data-testid="reasons"] .stack');
+      if (!badge || !fact || !cell || !bar) return;
+      const next = { badge, fill: Number.parseFloat(fact.textContent), isGrey: fact.classList.contains("provisional"), isCellGrey: [cell, bar].every((one) => one.classList.contains("provisional")) };
       if (JSON.stringify(window.said.at(-1)) !== JSON.stringify(next)) window.said.push(next);
     };
     new MutationObserver(look).observe(document.body, { subtree: true, childList: true, characterData: true, attributes: true });
@@ -130,15 +131,30 @@ test("a pose of a sweep moves the OAK that it was found for, and a ranking belon
   await page.getByTestId("tab-place").click();
   await page.getByTestId("target").selectOption("/Room/Table/Top");
   for (const field of await page.getByTestId("sweep").getByLabel("steps").all()) await field.fill("1");
-  await page.getByTestId("sweep").getByLabel("Height from").fill("1.7");
+  await page.getByTestId("sweep").getByLabel("Height").fill("1.7");
   await page.getByTestId("run-sweep").click();
   await page.locator("table.ranking").waitFor();
+  await page.setViewportSize({ width: 1024, height: 768 });
+  const scrolled = await page.locator("table.ranking").evaluate(({ parentElement: { scrollWidth, clientWidth } }) => scrollWidth - clientWidth);
+  assert.ok(scrolled <= 1, `${scrolled} pixels of the ranking are not visible`);
   await page.evaluate(() => window.studio.document.commit("select", (before) => ({ ...before, selected: "oak2" })));
   await after(page, () => page.locator("table.ranking").getByRole("button", { name: "Take" }).first().click());
   const heights = await page.evaluate(() => Object.fromEntries(window.studio.document.get().oaks.map(({ key, state }) => [key, state.pose.position[2]])));
   assert.ok(Math.abs(heights.oak1 - 1.7) < 1e-6 && Math.abs(heights.oak2 - 1.7) > 0.1, JSON.stringify(heights));
+  // Numbers of another region are grey until its own are there.
+  const coverage = page.locator('[data-testid="coverage"] table');
+  await page.locator('[data-testid="coverage"] table:not(.provisional)').waitFor();
+  let answer = () => {};
+  await page.route("**/api/coverage", async (route) => {
+    await new Promise((resolve) => { answer = resolve; });
+    await route.continue();
+  });
   await page.getByTestId("target").selectOption("/Room/Table");
   await page.locator("table.ranking").waitFor({ state: "detached" });
+  assert.match(await coverage.getAttribute("class"), /provisional/);
+  await page.waitForRequest("**/api/coverage");
+  answer();
+  await page.locator('[data-testid="coverage"] table:not(.provisional)').waitFor();
   assert.deepEqual(errors, []);
   await context.close();
 });

@@ -6,6 +6,7 @@ import { api } from "../net/api";
 import { save } from "../util/away";
 import { bareMillimetres, bareShare, decimal, NONE, share } from "../util/format";
 import { useStore } from "../util/store";
+import { Heading } from "./ColumnName";
 import { Button, Section } from "./controls";
 import { useApp } from "./context";
 import { TextDialog } from "./TextDialog";
@@ -85,10 +86,10 @@ function Postures({ robot, list, answer }: { robot: RobotInfo; list: MotionInfo;
         <thead>
           <tr>
             <th scope="col">No.</th>
-            <th scope="col" data-tip="The share of the surface that the camera sees"><span class="column-name upright">Visible, %</span></th>
-            <th scope="col" data-tip="The share of the surface that is measured"><span class="column-name upright">Measured, %</span></th>
-            <th scope="col" data-tip="The share of the surface that the robot hides from its camera"><span class="column-name upright">Robot hides, %</span></th>
-            <th scope="col" data-tip="The median of the absolute errors"><span class="column-name upright">|Error|, mm</span></th>
+            <Heading name="Visible, %" tip="The share of the surface that the camera sees" />
+            <Heading name="Measured, %" tip="The share of the surface that is measured" />
+            <Heading name="Robot hides, %" tip="The share of the surface that the robot hides from its camera" />
+            <Heading name="|Error|, mm" tip="The median of the absolute errors" />
             <td />
           </tr>
         </thead>
