@@ -144,15 +144,12 @@ test("a pose of a sweep moves the OAK that it was found for, and a ranking belon
   // Numbers of another region are grey until its own are there.
   const coverage = page.locator('[data-testid="coverage"] table');
   await page.locator('[data-testid="coverage"] table:not(.provisional)').waitFor();
-  let answer = () => {};
-  await page.route("**/api/coverage", async (route) => {
-    await new Promise((resolve) => { answer = resolve; });
-    await route.continue();
-  });
+  let answer;
+  const held = new Promise((resolve) => { answer = resolve; });
+  await page.route("**/api/coverage", (route) => held.then(() => route.continue()));
   await page.getByTestId("target").selectOption("/Room/Table");
   await page.locator("table.ranking").waitFor({ state: "detached" });
   assert.match(await coverage.getAttribute("class"), /provisional/);
-  await page.waitForRequest("**/api/coverage");
   answer();
   await page.locator('[data-testid="coverage"] table:not(.provisional)').waitFor();
   assert.deepEqual(errors, []);

@@ -37,7 +37,7 @@ export function Motion({ target, tolerance }: { target: Target | null; tolerance
   };
   return (
     <Section title="Motion" testId="motion" actions={list && <Button icon="close" label="Remove the list" onClick={() => motion.clear()} />}>
-      <p class="hint">{list ? `What the selected OAK${oak.mount ? `, on ${oak.mount},` : ""} sees over these postures. A click on one moves the robot.` : "What will the camera see over a motion, and where is the robot in its own way? Collect postures with the joints' sliders, or open a table of them."}</p>
+      <p class="hint">{list ? `What the selected OAK${oak.mount ? `, on the link ${oak.mount},` : ""} sees over these postures. A click on one moves the robot.` : "What will the camera see over a motion, and where is the robot in its own way? Collect postures with the joints' sliders, or open a table of them."}</p>
       <div class="row">
         <Button label="Add this posture" tip="The posture in which the robot is now" onClick={() => motion.add()} testId="add-posture" />
         <Button label="Open a list…" tip="A CSV file: names of joints in the first line, then a line for each posture, in radians and metres, or degrees in columns such as elbow_deg" onClick={() => input.current?.click()} />
