@@ -36,7 +36,7 @@ def Mesh "Plate" (
 /// An OAK with time of flight, whose noise depends on how much light returns.
 fn own() -> Value {
     let mut own = state();
-    (own["model"], own["sensor"]) = (json!("OAK-D ToF"), json!("depth_tof"));
+    (own["model"], own["sensor"]) = (json!("OAK-D-ToF"), json!("depth_tof"));
     (own["engine"], own["parameters"]) = (json!("time-of-flight"), json!({}));
     own
 }
