@@ -34,7 +34,7 @@
  *
  * Any other status than 200 has a {@link Failure} as its body.
  *
- * A `scene` in a request is the id of a scene, or of an animated one at a time code: "ID@12.5".
+ * A `scene` in a request is the id of a scene, or of an animated one at a time code: "ID@12.5". See also {@link SceneInfo}.
  */
 
 /** A 3D vector. */
@@ -551,6 +551,11 @@ export type SceneInfo = {
   pose: Pose;
   /** Null if nothing in it moves. */
   animation: Animation | null;
+  /**
+   * The materials and labels whose reflectance in the infrared can be set: the id of the scene with one is `ID;NAME=REFLECTANCE`, with
+   * a percent-encoded name, and may have more of them.
+   */
+  infrared: string[];
   /** The robot in the scene. The id of the scene in another posture is `ID~P1,P2,…`, with the position of each of the joints. */
   robot: RobotInfo | null;
 };

@@ -108,6 +108,8 @@ test("each of three questions leads to a result in two clicks", { skip }, async 
   await page.waitForFunction(() => document.querySelectorAll('[data-testid="reasons"] tbody tr').length > 0);
   const isLarge = (await page.locator('[data-testid="panel-oak1-reason"] .surface').boundingBox()).width;
   assert.ok(isLarge > 250);
+  const light = await page.evaluate(() => window.studio.document.get().oaks.map(({ state }) => state.ambient));
+  assert.deepEqual(light, [0, 0], "it is night for all OAKs");
   await start.getByRole("button", { name: "Where do I mount it?" }).click();
   await start.getByRole("button", { name: "Choose from a list" }).click();
   await page.waitForFunction(() => document.activeElement.dataset.testid === "target");

@@ -86,17 +86,46 @@ test("the side bars can be resized by mouse and by keyboard", { skip }, async ()
   await context.close();
 });
 
-test("four OAKs and their numbers fit 1440 pixels", { skip }, async () => {
+test("four OAKs, their names and their numbers fit", { skip }, async () => {
   const { page, context, errors } = await open(browser, { viewport: { width: 1440, height: 900 } });
   for (const label of ["OAK-D Lite", "OAK-D Pro", "OAK-D ToF"]) await after(page, () => page.getByTestId("add-oak").selectOption({ label }));
-  await rest(page);
-  const hidden = await page.evaluate(() => [...document.querySelectorAll(".panels, [data-testid='statistics'] .scroll-x")].filter((element) => {
-    return element.scrollWidth > element.clientWidth + 1 || (element.matches(".panels") && element.scrollHeight > element.clientHeight + 1);
-  }).map((element) => element.className));
-  assert.deepEqual(hidden, []);
-  for (const key of ["oak1", "oak2", "oak3", "oak4"]) assert.ok((await width(page, `panel-${key}-sensor`)) >= 180);
+  for (const [size, least] of [[[1440, 900], 180], [[1024, 768], 120]]) {
+    await page.setViewportSize({ width: size[0], height: size[1] });
+    await page.waitForTimeout(300);
+    await rest(page);
+    const hidden = await page.evaluate(() => [...document.querySelectorAll(".panels, .scroll-x, [data-testid='thumbnails'] .panel-title, .oak .detail")].filter((element) => {
+      return element.scrollWidth > element.clientWidth + 1 || (element.matches(".panels") && element.scrollHeight > element.clientHeight + 1);
+    }).map((element) => `${element.className}: ${element.textContent}`));
+    assert.deepEqual(hidden, [], size.join(" × "));
+    for (const key of ["oak1", "oak2", "oak3", "oak4"]) assert.ok((await width(page, `panel-${key}-sensor`)) >= least);
+  }
   const names = await page.locator('[data-testid="statistics"] thead th').allInnerTexts();
   assert.ok(names.every((name) => name.includes("OAK")), names.join());
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("images and the chart follow the window and the system's colours", { skip }, async () => {
+  const { page, context, errors } = await open(browser, { viewport: { width: 1440, height: 900 }, colorScheme: "light" });
+  const chart = page.locator('[data-testid="accuracy"] canvas');
+  await chart.waitFor();
+  const looks = async () => [await pixels(page, "sensor"), await chart.evaluate((canvas) => canvas.toDataURL())];
+  const light = await looks();
+  const changed = (before) => page.waitForFunction((before) => document.querySelector('[data-testid="accuracy"] canvas')?.toDataURL() !== before, before);
+  await page.emulateMedia({ colorScheme: "dark" });
+  await changed(light[1]);
+  await rest(page);
+  const dark = await looks();
+  assert.notEqual(dark[0], light[0]);
+  await page.emulateMedia({ colorScheme: "light" });
+  await changed(dark[1]);
+  await rest(page);
+  assert.deepEqual(await looks(), light);
+  await page.setViewportSize({ width: 3840, height: 2160 });
+  await page.waitForFunction(() => {
+    const holder = document.querySelector('[data-testid="accuracy"] .plot');
+    return holder.clientWidth > 300 && Math.abs(holder.querySelector(".uplot").clientWidth - holder.clientWidth) <= 1;
+  });
   assert.deepEqual(errors, []);
   await context.close();
 });

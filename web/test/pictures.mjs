@@ -25,7 +25,17 @@ async function looks() {
   }
 }
 
-/** The main steps, for the manual. */
+/** Puts a robot into the scene, whose hand carries the OAK. */
+async function carry(page) {
+  await after(page, async () => drop(page, "gripper.urdf", await readFile(ROBOT, "utf8")));
+  for (const [field, value] of [["joint-shoulder", -20], ["joint-elbow", 110], ["joint-grip", 0.03], ["position-x", 0.02], ["position-z", 0.64]]) {
+    await after(page, () => page.getByTestId(field).fill(String(value)));
+  }
+  await page.getByTestId("mount").selectOption("hand");
+  await after(page, () => page.getByTestId("joint-turn").fill("8"));
+}
+
+/** The main steps, for the manual: of the whole page, or of a part of it. */
 const STEPS = [
   {
     name: "studio_compare",
@@ -47,13 +57,21 @@ const STEPS = [
   {
     name: "studio_robot",
     show: async (page) => {
-      await after(page, async () => drop(page, "gripper.urdf", await readFile(ROBOT, "utf8")));
-      for (const [field, value] of [["joint-shoulder", -20], ["joint-elbow", 110], ["joint-grip", 0.03], ["position-x", 0.02], ["position-z", 0.64]]) {
-        await after(page, () => page.getByTestId(field).fill(String(value)));
-      }
-      await page.getByTestId("mount").selectOption("hand");
-      await after(page, () => page.getByTestId("joint-turn").fill("8"));
+      await carry(page);
       await page.getByTestId("notice").waitFor({ state: "detached" });
+    },
+  },
+  {
+    name: "studio_motion",
+    part: "motion",
+    show: async (page) => {
+      await carry(page);
+      await page.getByTestId("tab-place").click();
+      await page.getByTestId("target").selectOption("/Room/Shell/Floor");
+      await drop(page, "reach.csv", "turn_deg,shoulder_deg,elbow_deg,grip\n0,-20,110,0\n8,-20,110,0.03\n8,-5,85,0.03\n-15,-30,120,0.03\n");
+      await page.getByTestId("run-motion").click();
+      await page.getByTestId("posture-all").waitFor();
+      await page.waitForFunction(() => document.querySelectorAll('[data-testid="notice"]').length === 0);
     },
   },
   {
@@ -69,11 +87,13 @@ const STEPS = [
 
 async function steps() {
   const wanted = STEPS.filter(({ name }) => names.length === 0 || names.includes(name));
-  for (const { name, show, colorScheme = "light" } of wanted) {
-    const { page, context } = await open(browser, { viewport: { width: 1440, height: 900 }, colorScheme, fullSize: "large" });
+  for (const { name, show, part, colorScheme = "light" } of wanted) {
+    // A part has few words, which stay sharp.
+    const [deviceScaleFactor, width] = part ? [2, 480] : [1, 1200];
+    const { page, context } = await open(browser, { viewport: { width: 1440, height: 900 }, deviceScaleFactor, colorScheme, fullSize: "large" });
     await show(page);
     await rest(page);
-    await writeFile(`${folder}/${name}.webp`, await scaled(page, await page.screenshot(), 1200, "image/webp"));
+    await writeFile(`${folder}/${name}.webp`, await scaled(page, await (part ? page.getByTestId(part) : page).screenshot(), width, "image/webp"));
     await context.close();
   }
 }

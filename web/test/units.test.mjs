@@ -11,6 +11,7 @@ const { History } = await load("state/history.ts");
 const { fromFragment, toFragment } = await load("state/link.ts");
 const { DEFAULT_DISPLAY } = await load("state/display.ts");
 const { choosable } = await load("state/document.ts");
+const { reflectances, reflecting } = await load("state/infrared.ts");
 const { rank, sweep } = await load("studio/sweep.ts");
 
 const text = (bytes) => new TextDecoder().decode(bytes);
@@ -71,6 +72,7 @@ test("parameters are checked before they are sent", () => {
   assert.deepEqual(check(number, " 2,5 "), { text: "2.5" });
   assert.deepEqual(check(number, "11"), { problem: "Enter 0 to 10 px." });
   assert.deepEqual(check({ ...number, type: "integer" }, "2.5"), { problem: "Enter a whole number." });
+  assert.deepEqual(check({ ...number, minimum: -10 }, "-11"), { problem: "Enter −10 to 10 px." });
   assert.ok("problem" in check(number, ""));
   assert.deepEqual(check({ ...number, type: "string", choices: ["a", "b"] }, "c"), { problem: "Choose one of a, b." });
   const { from, to } = slider({ ...number, maximum: 100000 }, 0.1);
@@ -81,6 +83,18 @@ test("parameters are checked before they are sent", () => {
   assert.deepEqual(check(odd, "8"), { problem: "Enter 1, 3, … 63 px." });
   assert.deepEqual(check(odd, "9"), { text: "9" });
   assert.deepEqual(slider(odd, 21), { from: 1, to: 21, step: 2 }, "a default outside the usual range is reached");
+});
+
+test("reflectances are a part of a scene's id, before its posture or time", () => {
+  const all = [["floor", 0.5], ["a;~@ =é/b", 0.25]];
+  for (const state of ["", "~0.5,1.2", "@12.5"]) {
+    const id = reflecting(`dropped-1;x=1${state}`, all);
+    assert.equal(id, `dropped-1;floor=0.5;a%3B%7E%40%20%3D%C3%A9%2Fb=0.25${state}`);
+    assert.deepEqual(reflectances(id), all);
+    assert.equal(reflecting(id, []), `dropped-1${state}`);
+  }
+  assert.deepEqual(reflectances("first"), []);
+  assert.deepEqual(reflectances("first;%zz=1"), [["%zz", 1]]);
 });
 
 test("a gesture is one step of undo", () => {

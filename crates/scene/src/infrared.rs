@@ -30,6 +30,21 @@ impl Scene {
         Ok(())
     }
 
+    /// Returns the names that [`Scene::set_infrared`] knows, sorted: the last part of each material's, and the labels.
+    #[must_use]
+    pub fn infrared_names(&self) -> Vec<&str> {
+        let materials = self.materials.iter().map(|material| &material.name);
+        let own = self.instances.iter().flat_map(|instance| &instance.labels);
+        let labels = own.chain(self.possible_labels.iter().flatten());
+        let mut all: Vec<&str> = (materials.filter_map(|name| name.rsplit('/').next()))
+            .chain(labels.map(|label| label.name.as_str()))
+            .filter(|name| !name.is_empty())
+            .collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
     fn set_one(&mut self, name: &str, value: f64) -> Result<(), InfraredError> {
         if !(0.0..=1.0).contains(&value) {
             return Err(InfraredError {
@@ -67,14 +82,7 @@ impl Scene {
         if is_known {
             return Ok(());
         }
-        let materials = self.materials.iter().map(|material| &material.name);
-        let labels = self.instances.iter().flat_map(|instance| &instance.labels);
-        let mut all: Vec<&str> = (materials.filter_map(|name| name.rsplit('/').next()))
-            .chain(labels.map(|label| label.name.as_str()))
-            .filter(|name| !name.is_empty())
-            .collect();
-        all.sort_unstable();
-        all.dedup();
+        let all = self.infrared_names();
         Err(InfraredError {
             name: name.to_owned(),
             what: "no material and no label has this name".to_owned(),

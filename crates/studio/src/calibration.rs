@@ -25,12 +25,8 @@ impl Keep for Dropped {
     const NAME: &'static str = "calibration";
     const COUNT: usize = 32;
 
-    fn info(&self) -> &CalibrationInfo {
-        &self.info
-    }
-
-    fn id(&self) -> &str {
-        &self.info.id
+    fn known(&self) -> (&str, &CalibrationInfo) {
+        (&self.info.id, &self.info)
     }
 }
 
@@ -39,7 +35,7 @@ impl Dropped {
     pub(crate) fn read(catalog: &Catalog, name: &str, bytes: Vec<u8>) -> Result<Self, Failure> {
         let raw = Raw::parse(&bytes, name).map_err(|error| Failure::from(error.to_string()))?;
         let read = Calibration::from_raw(&raw);
-        let (calibration, findings) = read.map_err(|error| Failure::from(format!("{name}: {error}")))?;
+        let (calibration, findings) = read.map_err(|error| Failure::from(error.to_string()))?;
         let board = &calibration.board;
         let model = catalog.device_of_unit(&board.product_name, &board.board_name);
         let info = CalibrationInfo {

@@ -7,7 +7,7 @@ use tempfile::TempDir;
 
 use crate::protocol::{Failure, SceneInfo};
 use crate::robot::{DroppedFile, RobotFile, in_any_state};
-use crate::scene::LoadedScene;
+use crate::scene::{LoadedScene, infrared};
 use crate::studio::Studio;
 use crate::upload;
 
@@ -26,11 +26,15 @@ fn names_files(text: &str) -> bool {
 pub(crate) fn dropped(studio: &Studio, scene: &str, name: &str, bytes: &[u8]) -> Result<SceneInfo, Failure> {
     let base = studio.scenes.as_opened(in_any_state(scene))?;
     let received = Received::new(studio, name, bytes)?;
-    if let Some(known) = studio.scenes.dropped(&received.id_in(&base)) {
-        return Ok(known.info.clone());
+    let id = received.id_in(&base);
+    if studio.scenes.dropped(&id).is_none() {
+        studio.scenes.add(received.put_into(&base)?);
     }
-    let made = received.put_into(&base)?;
-    Ok(studio.scenes.add(made).info.clone())
+    let id = match infrared::split(scene.split(['~', '@']).next().unwrap_or(scene)) {
+        Some((_, reflectances)) => infrared::reflecting(&id, reflectances),
+        None => id,
+    };
+    Ok(studio.scenes.as_opened(&id)?.info.clone())
 }
 
 /// A robot's file that was received.

@@ -14,9 +14,8 @@ pub(crate) trait Keep {
     /// The number of files that are kept.
     const COUNT: usize;
 
-    fn info(&self) -> &Self::Info;
-
-    fn id(&self) -> &str;
+    /// Its id and what the page knows.
+    fn known(&self) -> (&str, &Self::Info);
 }
 
 /// The files of a kind.
@@ -32,9 +31,10 @@ impl<T> Default for Kept<T> {
 impl<T: Keep> Kept<T> {
     /// Keeps a file, in place of the same one.
     pub(crate) fn add(&self, file: T) -> T::Info {
-        let info = file.info().clone();
+        let (id, info) = file.known();
+        let info = info.clone();
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        known.retain(|other| other.id() != file.id());
+        known.retain(|other| other.known().0 != id);
         known.push_back(Arc::new(file));
         while known.len() > T::COUNT {
             known.pop_front();
@@ -44,7 +44,7 @@ impl<T: Keep> Kept<T> {
 
     pub(crate) fn get(&self, id: &str) -> Result<Arc<T>, Failure> {
         let known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let found = known.iter().find(|file| file.id() == id).cloned();
+        let found = known.iter().find(|file| file.known().0 == id).cloned();
         found.ok_or_else(|| {
             let name = T::NAME;
             Failure::of(

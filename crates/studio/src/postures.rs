@@ -44,12 +44,8 @@ impl Keep for Dropped {
     // Each posture that is added on the page makes another list, and undo returns to earlier ones.
     const COUNT: usize = 64;
 
-    fn info(&self) -> &MotionInfo {
-        &self.info
-    }
-
-    fn id(&self) -> &str {
-        &self.info.id
+    fn known(&self) -> (&str, &MotionInfo) {
+        (&self.info.id, &self.info)
     }
 }
 

@@ -34,7 +34,7 @@
  *
  * Any other status than 200 has a {@link Failure} as its body.
  *
- * A `scene` in a request is the id of a scene, or of an animated one at a time code: "ID@12.5".
+ * A `scene` in a request is the id of a scene, or of an animated one at a time code: "ID@12.5". See also {@link SceneInfo}.
  */
 
 /** A 3D vector. */

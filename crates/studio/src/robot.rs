@@ -13,6 +13,7 @@ use oaktwin::scene::Scene;
 
 use crate::pose::pose_of;
 use crate::protocol::{Failure, RobotInfo, RobotJoint, RobotLink};
+use crate::scene::infrared;
 
 /// What separates the id of a scene from the positions of joints.
 const POSTURE: char = '~';
@@ -34,6 +35,7 @@ pub struct RobotFile {
 #[derive(Clone, Debug)]
 pub(crate) struct SceneRobot {
     pub(crate) placed: PlacedRobot,
+    world_from_base: Option<RigidTransform>,
     pub(crate) arguments: Vec<String>,
     /// The position of each joint.
     pub(crate) positions: Vec<f64>,
@@ -61,11 +63,22 @@ impl SceneRobot {
         findings.extend(more);
         let robot = Self {
             placed,
+            world_from_base: file.world_from_base,
             arguments: file.arguments.clone(),
             positions,
             dropped: None,
         };
         Ok((robot, findings))
+    }
+
+    /// Puts the robot into the same scene that was read again.
+    pub(crate) fn again(&self, scene: &mut Scene) -> Result<Self, Failure> {
+        let placed = PlacedRobot::new(self.placed.robot().clone(), scene, self.world_from_base);
+        let (placed, _) = placed.map_err(|error| Failure::of("robot", &error))?;
+        Ok(Self {
+            placed,
+            ..self.clone()
+        })
     }
 
     /// What the page knows about the robot.
@@ -134,8 +147,9 @@ pub(crate) fn split(id: &str) -> Option<(&str, &str)> {
     id.split_once(POSTURE)
 }
 
-/// Returns the id of a scene in any posture, at any time.
+/// Returns the id of a scene in any posture, at any time, with any reflectances.
 pub(crate) fn in_any_state(id: &str) -> &str {
     let id = split(id).map_or(id, |(own, _)| own);
-    id.rsplit_once('@').map_or(id, |(own, _)| own)
+    let id = id.rsplit_once('@').map_or(id, |(own, _)| own);
+    infrared::split(id).map_or(id, |(own, _)| own)
 }

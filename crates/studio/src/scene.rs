@@ -1,5 +1,6 @@
 //! The scenes that the page can show.
 
+pub(crate) mod infrared;
 mod moving;
 mod scenes;
 
@@ -26,6 +27,8 @@ pub(crate) use scenes::Scenes;
 /// The number of objects that the page can name, and of bytes of their paths; others are part of the scene only.
 const MAX_OBJECTS: usize = 20_000;
 const MAX_PATH_BYTES: usize = 4 << 20;
+/// The number of materials and labels that the page offers.
+const MAX_NAMES: usize = 1000;
 /// The number of triangles of a dropped scene, counting instances: frames of more take too long.
 const MAX_TRIANGLES: usize = 100_000_000;
 /// The number of findings about a scene that the page lists.
@@ -40,14 +43,14 @@ pub(crate) struct LoadedScene {
     pub(crate) argument: String,
     /// The command that writes the file of this name.
     pub(crate) made_by: Option<String>,
-    /// The up axis and the metres per unit with which it was read, where they were given.
-    pub(crate) given: (Option<Up>, Option<f64>),
+    /// The options with which it was read.
+    pub(crate) options: OpenOptions,
     /// The time code, if it is not the scene as it was opened.
     pub(crate) time: Option<f64>,
     /// Whether only instances have moved since the scene was opened.
     pub(crate) is_moved: bool,
     /// The file, if it was dropped.
-    pub(crate) kept: Option<Kept>,
+    pub(crate) kept: Option<Arc<Kept>>,
     /// The path on this machine, which the page does not know.
     path: PathBuf,
     moving: Option<Moving>,
@@ -102,13 +105,14 @@ impl LoadedScene {
             pose: initial_pose(&scene),
             animation,
             robot: None,
+            infrared: names(&scene),
         };
         Ok(Self {
             info,
             renderer: Renderer::new(scene),
             argument: argument.to_owned(),
             made_by: None,
-            given: (options.up, options.scale),
+            options: options.clone(),
             time: None,
             is_moved: false,
             kept: None,
@@ -124,10 +128,10 @@ impl LoadedScene {
     pub(crate) fn keeping(mut self, folder: TempDir) -> Result<Self, Failure> {
         let bytes = std::fs::metadata(&self.path).map(|metadata| metadata.len());
         let bytes = bytes.map_err(|error| unreadable(&self.info.name, &error))?;
-        self.kept = Some(Kept {
+        self.kept = Some(Arc::new(Kept {
             _folder: folder,
             bytes,
-        });
+        }));
         Ok(self)
     }
 
@@ -175,10 +179,10 @@ impl LoadedScene {
             renderer,
             argument: self.argument.clone(),
             made_by: self.made_by.clone(),
-            given: self.given,
+            options: self.options.clone(),
             time: self.time,
             is_moved: false,
-            kept: None,
+            kept: self.kept.clone(),
             path: self.path.clone(),
             moving: None,
             robot: self.robot.clone(),
@@ -369,6 +373,12 @@ fn initial_pose(scene: &Scene) -> Pose {
 
 fn corners(bounds: Bounds) -> [[f64; 3]; 2] {
     [bounds.min.to_array(), bounds.max.to_array()]
+}
+
+/// The materials and labels whose reflectance in the infrared can be set.
+fn names(scene: &Scene) -> Vec<String> {
+    let names = scene.infrared_names().into_iter().take(MAX_NAMES);
+    names.map(str::to_owned).collect()
 }
 
 /// The prims with triangles by path. Instances of one path are one object.

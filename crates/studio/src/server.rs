@@ -12,8 +12,8 @@ use axum::response::Response;
 use axum::routing::{get, post};
 use oaktwin::depth::parameters::choose;
 use oaktwin::render::OpenOptions;
-use serde::Deserialize;
 use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
 use tokio::time::timeout;
 
 use crate::answer::{binary, failure, file_or_failure, json, json_or_failure};
@@ -104,8 +104,9 @@ async fn catalog(State(studio): Server) -> Response {
 }
 
 async fn scene(State(studio): Server, Path(id): Path<String>) -> Response {
-    match studio.scenes.still(&id) {
-        Ok(scene) => json(&scene.info),
+    let found = move |studio: &Studio, _: &Job| Ok(studio.scenes.still(&id)?.info.clone());
+    match job::run(&studio, job::VIEW, found).await {
+        Ok(info) => json(&info),
         Err(error) => failure(StatusCode::NOT_FOUND, error),
     }
 }
@@ -220,63 +221,52 @@ struct RobotQuery {
     scene: String,
 }
 
-/// Receives a small file. Otherwise returns the answer, with an error.
-async fn received(body: Body, limit: usize, error: &str) -> Result<Bytes, Response> {
-    match timeout(JSON_TIME, axum::body::to_bytes(body, limit)).await {
-        Ok(Ok(bytes)) => Ok(bytes),
-        Ok(Err(_)) | Err(_) => Err(failure(
-            StatusCode::PAYLOAD_TOO_LARGE,
-            Failure::from(error.to_owned()),
-        )),
-    }
+/// Receives a small file, `kind`, and answers with what the page knows about it.
+async fn dropped<T: Serialize + Send + 'static>(
+    studio: Arc<Studio>,
+    name: String,
+    body: Body,
+    (limit, kind): (usize, &str),
+    read: impl FnOnce(&Studio, &str, Bytes) -> Result<T, Failure> + Send + 'static,
+) -> Response {
+    let Ok(Ok(bytes)) = timeout(JSON_TIME, axum::body::to_bytes(body, limit)).await else {
+        let error = format!("the dropped file is too large for {kind}");
+        return failure(StatusCode::PAYLOAD_TOO_LARGE, Failure::from(error));
+    };
+    let read = move |studio: &Studio, _: &Job| read(studio, &upload::file_name(&name)?, bytes);
+    json_or_failure(job::run(&studio, job::FILE, read).await)
 }
 
 /// Puts a dropped robot into a scene, which becomes another one.
 async fn drop_robot(State(studio): Server, Query(query): Query<RobotQuery>, body: Body) -> Response {
-    let too_large = "the dropped file is too large for a robot, or did not arrive; drop a URDF or MJCF file";
-    let bytes = match received(body, dropped_robot::MAX_BYTES, too_large).await {
-        Ok(bytes) => bytes,
-        Err(response) => return response,
-    };
-    json_or_failure(
-        job::run(&studio, job::FILE, move |studio, _| {
-            let name = upload::file_name(&query.name)?;
-            dropped_robot::dropped(studio, &query.scene, &name, &bytes)
-        })
-        .await,
-    )
+    let kind = "a robot, or did not arrive; drop a URDF or MJCF file";
+    let limits = (dropped_robot::MAX_BYTES, kind);
+    dropped(studio, query.name, body, limits, move |studio, name, bytes| {
+        dropped_robot::dropped(studio, &query.scene, name, &bytes)
+    })
+    .await
 }
 
 async fn drop_calibration(State(studio): Server, Query(query): Query<DropQuery>, body: Body) -> Response {
-    let too_large = "the dropped file is too large for a calibration, or did not arrive; drop the JSON file of one device";
-    let bytes = match received(body, MAX_JSON_BYTES, too_large).await {
-        Ok(bytes) => bytes,
-        Err(response) => return response,
-    };
-    json_or_failure(
-        job::run(&studio, job::FILE, move |studio, _| {
-            let name = upload::file_name(&query.name)?;
-            let dropped = calibration::Dropped::read(&studio.catalog, &name, bytes.into())?;
-            Ok(studio.calibrations.add(dropped))
-        })
-        .await,
-    )
+    let kind = "a calibration, or did not arrive; drop the JSON file of one device";
+    let limits = (MAX_JSON_BYTES, kind);
+    dropped(studio, query.name, body, limits, |studio, name, bytes| {
+        let read = calibration::Dropped::read(&studio.catalog, name, bytes.into())?;
+        Ok(studio.calibrations.add(read))
+    })
+    .await
 }
 
 async fn drop_trajectory(State(studio): Server, Query(query): Query<DropQuery>, body: Body) -> Response {
-    let too_large = "the dropped file is too large for a trajectory, or did not arrive; drop a part of it";
-    let bytes = match received(body, trajectory::MAX_BYTES, too_large).await {
-        Ok(bytes) => bytes,
-        Err(response) => return response,
-    };
-    json_or_failure(
-        job::run(&studio, job::FILE, move |studio, _| {
-            let name = upload::file_name(&query.name)?;
-            let dropped = trajectory::Dropped::read(&name, bytes.into())?;
-            Ok(studio.trajectories.add(dropped))
-        })
-        .await,
-    )
+    let limits = (
+        trajectory::MAX_BYTES,
+        "a trajectory, or did not arrive; drop a part of it",
+    );
+    dropped(studio, query.name, body, limits, |studio, name, bytes| {
+        let read = trajectory::Dropped::read(name, bytes.into())?;
+        Ok(studio.trajectories.add(read))
+    })
+    .await
 }
 
 async fn known_trajectory(State(studio): Server, Path(id): Path<String>) -> Response {
@@ -287,20 +277,14 @@ async fn known_trajectory(State(studio): Server, Path(id): Path<String>) -> Resp
 }
 
 async fn drop_motion(State(studio): Server, Query(query): Query<RobotQuery>, body: Body) -> Response {
-    let too_large = "the dropped file is too large for a list of postures, or did not arrive; drop a part of it, or use `oaktwin coverage --joints`";
-    let bytes = match received(body, postures::MAX_BYTES, too_large).await {
-        Ok(bytes) => bytes,
-        Err(response) => return response,
-    };
-    json_or_failure(
-        job::run(&studio, job::FILE, move |studio, _| {
-            let name = upload::file_name(&query.name)?;
-            let scene = studio.scenes.get(&query.scene)?;
-            let dropped = postures::Dropped::read(&scene, &name, bytes.into())?;
-            Ok(studio.motions.add(dropped))
-        })
-        .await,
-    )
+    let kind = "a list of postures, or did not arrive; drop a part of it, or use `oaktwin coverage --joints`";
+    let limits = (postures::MAX_BYTES, kind);
+    dropped(studio, query.name, body, limits, move |studio, name, bytes| {
+        let scene = studio.scenes.get(&query.scene)?;
+        let read = postures::Dropped::read(&scene, name, bytes.into())?;
+        Ok(studio.motions.add(read))
+    })
+    .await
 }
 
 async fn known_motion(State(studio): Server, Path(id): Path<String>) -> Response {

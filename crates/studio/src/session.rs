@@ -22,7 +22,7 @@ use crate::file::File;
 use crate::postures::{self, MotionInfo};
 use crate::protocol::{CalibrationInfo, Failure, SceneInfo, TrajectoryInfo};
 use crate::robot::{posed, split};
-use crate::scene::LoadedScene;
+use crate::scene::{LoadedScene, infrared};
 use crate::studio::Studio;
 use crate::{calibration, trajectory, upload};
 
@@ -74,18 +74,21 @@ pub(crate) fn save(studio: &Studio, request: SaveRequest) -> Result<File, Failur
     }
     let shown = studio.scenes.get(&request.scene)?;
     let dropped = shown.robot.as_ref().and_then(|robot| robot.dropped.clone());
-    let (own, posture) = match split(&request.scene) {
-        Some((own, posture)) => (own, Some(posture.to_owned())),
+    let (id, posture) = match split(&request.scene) {
+        Some((id, posture)) => (id, Some(posture.to_owned())),
         None => (request.scene.as_str(), None),
     };
+    let (own, infrared) = match infrared::split(id) {
+        Some((own, reflectances)) => (own, Some(reflectances.to_owned())),
+        None => (id, None),
+    };
     // The scene as its file has it; a robot that was dropped is a file of its own.
-    let scene = match (&dropped, &posture) {
-        (Some(dropped), _) => studio.scenes.as_opened(&dropped.base)?,
-        (None, Some(_)) => studio.scenes.as_opened(own)?,
-        (None, None) => Arc::clone(&shown),
+    let scene = match &dropped {
+        Some(dropped) => studio.scenes.as_opened(&dropped.base)?,
+        None => studio.scenes.as_opened(own)?,
     };
     let mut files = Vec::new();
-    let (up, scale) = scene.given;
+    let (up, scale) = (scene.options.up, scene.options.scale);
     let mut entry = SceneEntry {
         id: scene.info.id.clone(),
         name: scene.info.name.clone(),
@@ -94,6 +97,7 @@ pub(crate) fn save(studio: &Studio, request: SaveRequest) -> Result<File, Failur
         scale,
         file: None,
         robot: None,
+        infrared,
         posture,
     };
     if let Some(dropped) = dropped {
@@ -168,8 +172,12 @@ pub(crate) fn open(studio: &Studio, path: &Path, name: &str) -> Result<SessionIn
         Some(entry) => with_robot(studio, &mut archive, entry, scene.get())?,
         None => None,
     };
+    let whole = robot.as_ref().unwrap_or(scene.get());
+    if let Some(reflectances) = &state.scene.infrared {
+        whole.reflecting("", infrared::parse(reflectances)?)?;
+    }
     if let Some(posture) = &state.scene.posture {
-        let posed = robot.as_ref().unwrap_or(scene.get()).robot.as_ref();
+        let posed = whole.robot.as_ref();
         let posed = posed.ok_or_else(|| archive.wrong("has a posture, but no robot"))?;
         posed.parse(posture)?;
     }
@@ -193,7 +201,7 @@ pub(crate) fn open(studio: &Studio, path: &Path, name: &str) -> Result<SessionIn
     let motion = state.motion.as_ref().map(|entry| {
         let bytes = archive.file(&entry.file, postures::MAX_BYTES as u64)?;
         let name = upload::file_name(&entry.name)?;
-        let read = postures::Dropped::read(robot.as_ref().unwrap_or(scene.get()), &name, bytes)?;
+        let read = postures::Dropped::read(whole, &name, bytes)?;
         archive.check_id(&entry.id, &read.info.id, &entry.name)?;
         Ok::<_, Failure>(read)
     });
@@ -202,7 +210,7 @@ pub(crate) fn open(studio: &Studio, path: &Path, name: &str) -> Result<SessionIn
     Ok(SessionInfo {
         document: state.document,
         display: state.display,
-        scene: kept(studio, scene, robot, state.scene.posture.as_deref())?,
+        scene: kept(studio, scene, robot, &state.scene)?,
         calibrations: (calibrations.into_iter())
             .map(|dropped| studio.calibrations.add(dropped))
             .collect(),
@@ -245,7 +253,7 @@ fn kept(
     studio: &Studio,
     scene: Scene,
     robot: Option<LoadedScene>,
-    posture: Option<&str>,
+    entry: &SceneEntry,
 ) -> Result<SceneInfo, Failure> {
     let scene = match scene {
         Scene::Known(scene) => scene,
@@ -255,13 +263,14 @@ fn kept(
         Some(robot) => studio.scenes.add(robot),
         None => scene,
     };
-    match posture {
-        Some(posture) => {
-            let id = posed(&shown.info.id, posture);
-            Ok(studio.scenes.get(&id)?.info.clone())
-        }
-        None => Ok(shown.info.clone()),
+    let mut id = shown.info.id.clone();
+    if let Some(reflectances) = &entry.infrared {
+        id = infrared::reflecting(&id, reflectances);
     }
+    if let Some(posture) = &entry.posture {
+        id = posed(&id, posture);
+    }
+    Ok(studio.scenes.still(&id)?.info.clone())
 }
 
 /// Returns the scene of the command line, if the session shows the same one.

@@ -59,12 +59,15 @@ fn begun(scene: &LoadedScene, command: &str) -> (String, Vec<String>) {
     }
     let mut words = ["oaktwin", command].map(str::to_owned).to_vec();
     words.push(shell(&file(&scene.argument)));
-    let (up, scale) = scene.given;
-    if let Some(up) = up {
+    let options = &scene.options;
+    if let Some(up) = options.up {
         words.extend(["--up".to_owned(), up.name().to_owned()]);
     }
-    if let Some(scale) = scale {
+    if let Some(scale) = options.scale {
         words.extend(["--scale".to_owned(), format!("{scale:?}")]);
+    }
+    for (name, value) in &options.infrared {
+        option(&mut words, "infrared", &format!("{name}={value:?}"));
     }
     (out, words)
 }

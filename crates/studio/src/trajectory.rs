@@ -29,12 +29,8 @@ impl Keep for Dropped {
     const NAME: &'static str = "trajectory";
     const COUNT: usize = 8;
 
-    fn info(&self) -> &TrajectoryInfo {
-        &self.info
-    }
-
-    fn id(&self) -> &str {
-        &self.info.id
+    fn known(&self) -> (&str, &TrajectoryInfo) {
+        (&self.info.id, &self.info)
     }
 }
 

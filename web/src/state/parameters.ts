@@ -1,5 +1,5 @@
 import type { Parameter } from "../protocol";
-import { typed } from "../util/format";
+import { minus, typed } from "../util/format";
 
 /** The result of reading the text of a field. */
 export type Checked = { text: string } | { problem: string };
@@ -26,11 +26,14 @@ export function check(parameter: Parameter, entered: string): Checked {
 }
 
 /** Describes the values that a parameter may have, such as "0 to 100 px". */
-export function range({ type, choices, minimum, maximum, step, unit }: Parameter): string {
+export function range(parameter: Parameter): string {
+  return parameter.choices ? parameter.choices.join(", ") : minus(limits(parameter));
+}
+
+function limits({ type, minimum, maximum, step, unit }: Parameter): string {
   // The smallest number that a computer can hold means that 0 itself is excluded.
   const isPositive = minimum !== null && minimum > 0 && minimum < 1e-300;
   if (type === "boolean") return "true or false";
-  if (choices) return choices.join(", ");
   const suffix = unit ? ` ${unit}` : "";
   if (step !== null && minimum !== null && maximum !== null) return `${minimum}, ${minimum + step}, … ${maximum}${suffix}`;
   if (isPositive) return maximum === null ? `more than 0${suffix}` : `more than 0, at most ${maximum}${suffix}`;

@@ -53,7 +53,7 @@ async function isTrajectory(file: File): Promise<boolean> {
 function useTrajectory(studio: Studio, info: TrajectoryInfo): void {
   studio.timeline.use(info);
   const duration = (info.timesS.at(-1) ?? 0).toFixed(1);
-  studio.notify("note", `${info.name}: ${info.poses.length.toLocaleString("en")} poses in ${duration} s. The timeline below the 3D view moves the OAK along them.`);
+  studio.notify("note", `${info.name}: ${info.poses.length.toLocaleString("en")} poses in ${duration} s. The timeline below the images moves the OAK along them.`);
 }
 
 function isRobot(file: File): boolean {

@@ -2,6 +2,7 @@ import { api } from "../net/api";
 import type { MotionAnswer, MotionInfo, MotionRequest } from "../protocol";
 import { selectedOak, sceneAt, type Target } from "../state/document";
 import { Store } from "../util/store";
+import { Known } from "./known";
 import { compose, inverse, unposed } from "./robot";
 import type { Studio } from "./studio";
 
@@ -16,34 +17,23 @@ interface Measured {
 
 /** The list of postures of the scene's robot, and what the selected OAK measures of the region over them. */
 export class Motion {
-  /** The lists that the page knows, by id. */
-  readonly lists = new Store<ReadonlyMap<string, MotionInfo>>(new Map());
+  readonly lists: Known<MotionInfo>;
   /** How many postures are done, of how many; null while nothing is measured. */
   readonly progress = new Store<[number, number] | null>(null);
   readonly measured = new Store<Measured | null>(null);
   readonly problem = new Store<string | null>(null);
   private running: AbortController | null = null;
-  private loading = "";
   /** Changes of the list follow each other. */
   private changing: Promise<void> = Promise.resolve();
 
   constructor(private readonly studio: Studio) {
-    studio.document.subscribe(() => void this.load());
-    void this.load();
-  }
-
-  list(): MotionInfo | null {
-    return this.lists.get().get(this.studio.document.get().motion ?? "") ?? null;
-  }
-
-  learn(info: MotionInfo): void {
-    this.lists.set(new Map(this.lists.get()).set(info.id, info));
+    this.lists = new Known(studio, "motion", api.motion);
   }
 
   /** Reads a file with postures of the scene's robot. */
   async open(file: File): Promise<MotionInfo> {
     const info = await api.openMotion(file, this.studio.document.get().scene);
-    this.learn(info);
+    this.lists.learn(info);
     this.studio.document.commit("motion", (document) => ({ ...document, motion: info.id }));
     return info;
   }
@@ -64,12 +54,12 @@ export class Motion {
 
   /** Moves the robot to a posture. */
   show(index: number): void {
-    const posture = this.list()?.postures[index];
+    const posture = this.lists.current()?.postures[index];
     if (posture) this.studio.robot.moveAll(posture);
   }
 
   /** The list as a file that `--joints` reads. */
-  file(postures = this.list()?.postures ?? []): File {
+  file(postures = this.lists.current()?.postures ?? []): File {
     const names = (this.studio.scene.get()?.robot?.joints ?? []).map(({ name }) => name);
     const cell = (name: string) => (/[",\n]/.test(name) || name !== name.trim() ? `"${name.replaceAll('"', '""')}"` : name);
     const lines = [names.map(cell), ...postures].map((line) => `${line.join(",")}\n`);
@@ -79,7 +69,7 @@ export class Motion {
   /** Returns what has to be measured now; null if there is no list. */
   request(region: Target, toleranceMm: number | null): MotionRequest | null {
     const document = this.studio.document.get();
-    const [oak, motion] = [selectedOak(document), this.list()];
+    const [oak, motion] = [selectedOak(document), this.lists.current()];
     if (!oak || !motion) return null;
     return { scene: sceneAt(document), motion: motion.id, mount: oak.mount ?? null, state: oak.state, region, toleranceMm };
   }
@@ -100,7 +90,7 @@ export class Motion {
     this.running = own;
     this.problem.set(null);
     this.measured.set(null);
-    this.progress.set([0, this.list()?.postures.length ?? 0]);
+    this.progress.set([0, this.lists.current()?.postures.length ?? 0]);
     try {
       const answer = await api.motionCoverage(request, own.signal, (done, of) => this.progress.set([done, of]));
       this.measured.set({ key, answer });
@@ -119,28 +109,12 @@ export class Motion {
   private change(change: (postures: number[][]) => number[][]): void {
     this.changing = this.changing.then(async () => {
       try {
-        const postures = change(this.list()?.postures ?? []);
+        const postures = change(this.lists.current()?.postures ?? []);
         if (postures.length === 0) this.clear();
         else await this.open(this.file(postures));
       } catch (error) {
         this.studio.report("The list of postures", error);
       }
     });
-  }
-
-  /** Asks the server for the list of a link or of a page that was loaded again. */
-  private async load(): Promise<void> {
-    const id = this.studio.document.get().motion;
-    if (id === null || this.lists.get().has(id) || this.loading === id) return;
-    this.loading = id;
-    try {
-      this.learn(await api.motion(id));
-    } catch {
-      if (this.studio.document.get().motion !== id) return;
-      this.studio.notify("warning", "The server does not have the list of postures of this state; drop its file onto the page again.");
-      this.studio.document.set({ ...this.studio.document.get(), motion: null });
-    } finally {
-      this.loading = "";
-    }
   }
 }

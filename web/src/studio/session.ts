@@ -24,8 +24,8 @@ export async function openSession(studio: Studio, file: File): Promise<void> {
   studio.timeline.pause();
   const calibrations = session.calibrations.map((info) => [info.id, info] as const);
   studio.calibrations.set(new Map([...studio.calibrations.get(), ...calibrations]));
-  if (session.motion) studio.motion.learn(session.motion);
-  if (session.trajectory) studio.timeline.learn(session.trajectory);
+  if (session.motion) studio.motion.lists.learn(session.motion);
+  if (session.trajectory) studio.timeline.trajectories.learn(session.trajectory);
   studio.display.set(linked.display);
   studio.document.commit("session", () => linked.document);
   studio.notify("note", `${file.name} is open.`);

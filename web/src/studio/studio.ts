@@ -41,7 +41,7 @@ export interface Hover {
 /** How long the state must rest before the address follows it, ms. */
 const ADDRESS_DELAY = 400;
 
-const BROKEN = "The link is damaged and restores nothing: part of it is missing. Copy it again where it comes from.";
+const BROKEN = "The link is damaged and restores nothing: part of it is missing. Copy it again from where you have it.";
 
 /** How many notices are shown at once. */
 const MAX_NOTICES = 4;

@@ -3,6 +3,7 @@ import type { TrajectoryInfo } from "../protocol";
 import type { StudioDocument } from "../state/document";
 import { type Frames, framesOf } from "../state/timeline";
 import { Store } from "../util/store";
+import { Known } from "./known";
 import type { Studio } from "./studio";
 
 /** Moves OAKs along a trajectory and the scene through its animation. */
@@ -10,30 +11,19 @@ export class Timeline {
   readonly isPlaying = new Store(false);
   /** How much faster than real time it plays. */
   readonly speed = new Store(1);
-  /** The trajectories that the page knows, by id. */
-  readonly trajectories = new Store<ReadonlyMap<string, TrajectoryInfo>>(new Map());
-  private loading = "";
+  readonly trajectories: Known<TrajectoryInfo>;
 
   constructor(private readonly studio: Studio) {
-    studio.document.subscribe(() => void this.load());
-    void this.load();
+    this.trajectories = new Known(studio, "trajectory", api.trajectory, alone);
   }
 
   frames(): Frames | null {
-    return framesOf(this.studio.scene.get(), this.trajectory());
-  }
-
-  trajectory(): TrajectoryInfo | null {
-    return this.trajectories.get().get(this.studio.document.get().trajectory ?? "") ?? null;
-  }
-
-  learn(info: TrajectoryInfo): void {
-    this.trajectories.set(new Map(this.trajectories.get()).set(info.id, info));
+    return framesOf(this.studio.scene.get(), this.trajectories.current());
   }
 
   /** Moves the OAK along a trajectory, from its first pose. */
   use(info: TrajectoryInfo): void {
-    this.learn(info);
+    this.trajectories.learn(info);
     this.isPlaying.set(false);
     this.studio.document.commit("trajectory", (document) => this.at({ ...document, trajectory: info.id }, 0));
   }
@@ -94,7 +84,7 @@ export class Timeline {
 
   /** Returns a document at a frame, whose number decides about the noise of OAKs on a trajectory, and of all while it plays. */
   private at(document: StudioDocument, wanted: number): StudioDocument {
-    const trajectory = this.trajectories.get().get(document.trajectory ?? "") ?? null;
+    const trajectory = this.trajectories.all.get().get(document.trajectory ?? "") ?? null;
     const frames = framesOf(this.studio.scene.get(), trajectory);
     if (!frames) return document;
     const frame = Math.min(Math.max(wanted, 0), frames.count - 1);
@@ -107,22 +97,6 @@ export class Timeline {
       return { ...oak, state: { ...oak.state, pose: isMoved ? pose : oak.state.pose, frame: number } };
     });
     return { ...document, oaks, moment: { frame, time } };
-  }
-
-  /** Asks the server for the trajectory of a link or of a page that was loaded again. */
-  private async load(): Promise<void> {
-    const id = this.studio.document.get().trajectory;
-    if (id === null || this.trajectories.get().has(id) || this.loading === id) return;
-    this.loading = id;
-    try {
-      this.learn(await api.trajectory(id));
-    } catch {
-      if (this.studio.document.get().trajectory !== id) return;
-      this.studio.notify("warning", "The server does not have the trajectory of this state; drop its file onto the page again.");
-      this.studio.document.set({ ...alone(this.studio.document.get()), trajectory: null });
-    } finally {
-      this.loading = "";
-    }
   }
 }
 

@@ -6,7 +6,8 @@ import { api } from "../net/api";
 import type { Mesh } from "../net/wire";
 import type { Pose, SceneInfo, Vec3 } from "../protocol";
 import type { Display } from "../state/display";
-import { findModel, findSensor, type Oak, selectedOak, type Target, sceneAt } from "../state/document";
+import { findModel, findSensor, type Oak, selectedOak, type StudioDocument, type Target, sceneAt } from "../state/document";
+import { reflecting } from "../state/infrared";
 import { Store } from "../util/store";
 import { makeCloud, placeCloud, showThrough } from "../view3d/cloud";
 import type { GizmoMode } from "../view3d/gizmo";
@@ -85,7 +86,7 @@ export class SceneView {
     scene.subscribe(() => void this.loadScene());
     for (const store of [document, display, this.gizmo, this.isRiding]) store.subscribe(() => this.follow());
     document.subscribe(() => this.followTime());
-    studio.timeline.trajectories.subscribe(() => this.follow());
+    studio.timeline.trajectories.all.subscribe(() => this.follow());
     studio.timeline.isPlaying.subscribe(() => void this.loadTextures(this.loaded));
     frames.subscribe(() => this.followClouds());
     probe.subscribe(() => this.followProbe());
@@ -140,12 +141,12 @@ export class SceneView {
     // A server that was restarted may have another scene under the same name.
     if (!info) this.loaded = "";
     if (!info || info.id !== this.studio.document.get().scene) return;
-    const scene = sceneAt(this.studio.document.get());
+    const scene = visible(this.studio.document.get());
     if (scene === this.loaded) return;
     const isPosture = info.robot !== null && unposed(scene) === unposed(this.loaded);
     this.loaded = scene;
     if (isPosture) return this.viewer.moveRobot(info);
-    const isFirst = this.isNew("place", unposed(info.id), ...info.bounds.flat());
+    const isFirst = this.isNew("place", unposed(scene), ...info.bounds.flat());
     this.isLoading = true;
     try {
       const mesh = await api.sceneMesh(scene, this.wantsDetail ? FULL_DETAIL : TRIANGLES);
@@ -183,7 +184,7 @@ export class SceneView {
   /** Shows the scene at another time, as often as its mesh arrives. */
   private followTime(): void {
     const document = this.studio.document.get();
-    if (!this.isLoading && this.loaded !== "" && this.loaded !== sceneAt(document)) void this.loadScene();
+    if (!this.isLoading && this.loaded !== "" && this.loaded !== visible(document)) void this.loadScene();
   }
 
   /** Passes on what has changed; drawing without a GPU is slow, so nothing else may cause it. */
@@ -200,7 +201,7 @@ export class SceneView {
       const isBox = state.target !== null && "minimum" in state.target;
       this.viewer.setTarget(targetBounds(state.target, info), isBox, info?.up ?? "z");
     }
-    const path = this.studio.timeline.trajectory();
+    const path = this.studio.timeline.trajectories.current();
     if (this.isNew("path", path)) this.viewer.setPath(path?.poses.map(({ position }) => position) ?? []);
     if (this.isNew("background", info, shown.showGrid, shown.theme)) this.paintBackground();
     this.followClouds();
@@ -379,6 +380,11 @@ export class SceneView {
     this.isPicking.set(false);
     this.studio.document.commit("target", (document) => ({ ...document, target: { object: object.path } }));
   }
+}
+
+/** Returns the scene that the view shows, which has no infrared light. */
+function visible(document: StudioDocument): string {
+  return reflecting(sceneAt(document), []);
 }
 
 /** Returns the box of a region. */

@@ -1,10 +1,11 @@
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import uPlot from "uplot";
 import { css, oakColor } from "../gpu/colormaps";
 import type { AccuracyCurve } from "../protocol";
 import type { Oak } from "../state/document";
 import { AccuracyCurves, type Measured } from "../studio/accuracy";
 import { decimal } from "../util/format";
+import { useDarkSystem } from "../util/scheme";
 import { useStore } from "../util/store";
 import { Section } from "./controls";
 import { useApp } from "./context";
@@ -37,15 +38,24 @@ function Chart() {
   const holder = useRef<HTMLDivElement>(null);
   const plot = useRef<uPlot | null>(null);
   const marked = useRef<number | null>(null);
+  const isDarkSystem = useDarkSystem();
+  const [width, setWidth] = useState(0);
+  useLayoutEffect(() => {
+    const element = holder.current;
+    if (!element) return;
+    const observer = new ResizeObserver(() => setWidth(element.clientWidth));
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, []);
   useEffect(() => {
-    if (!holder.current) return;
+    if (!holder.current || width === 0) return;
     plot.current?.destroy();
     plot.current = draw(holder.current, oaks, measured, measured.get(selected)?.curve?.bands ?? [], marked);
     return () => {
       plot.current?.destroy();
       plot.current = null;
     };
-  }, [measured, selected, oaks.map(({ key, state }) => key + state.model).join(), display.theme, display.showRight]);
+  }, [measured, selected, oaks.map(({ key, state }) => key + state.model).join(), display.theme, isDarkSystem, width]);
   useEffect(() => studio.probe.subscribe(() => {
     marked.current = studio.probe.get()?.trueM ?? null;
     plot.current?.redraw(false);

@@ -1,8 +1,14 @@
 import type { OakState } from "../protocol";
+import { reflectances } from "../state/infrared";
+import { useStore } from "../util/store";
 import { useApp } from "./context";
 import { Check, NumberField, Section, Select } from "./controls";
+import { Infrared } from "./Infrared";
 
-/** What the images of the scene show: colours as they are or as the camera records them, and transparent surfaces or what is behind them. */
+/**
+ * What the images of the scene show: colours as they are or as the camera records them, transparent surfaces or what is behind them, and
+ * how much infrared light surfaces reflect.
+ */
 export function ColoursSection({ state, problem }: { state: OakState; problem: (field: string) => string | undefined }) {
   const { studio } = useApp();
   const set = (tag: string, change: Partial<OakState>) => studio.change(tag, (state) => ({ ...state, ...change }));
@@ -11,9 +17,10 @@ export function ColoursSection({ state, problem }: { state: OakState; problem: (
     const { light: _, ...others } = state.colorImager ?? {};
     return { ...state, colorImager: value === 1 ? others : { ...others, light: String(value) } };
   });
+  const { scene } = useStore(studio.document);
   const wrong = problem("colorImager") ?? problem("transparent");
   return (
-    <Section title="Colours and glass" isOpen={state.colorImager !== null || state.transparent !== "surface"}>
+    <Section title="Colours and glass" isOpen={state.colorImager !== null || state.transparent !== "surface" || reflectances(scene).length > 0}>
       <Check
         label="Recorded colours"
         tip="Colours with the blur, the exposure and the noise of the camera; grey if its sensor is monochrome"
@@ -39,6 +46,7 @@ export function ColoursSection({ state, problem }: { state: OakState; problem: (
         options={[{ value: "surface", title: "The surface" }, { value: "through", title: "What is behind" }]}
         onChange={(value) => set("transparent", { transparent: value === "through" ? "through" : "surface" })}
       />
+      <Infrared />
       {wrong && <p class="problem" role="alert">{wrong}</p>}
     </Section>
   );

@@ -10,3 +10,8 @@ export function ColumnName({ index, model, isNarrow }: { index: number; model: s
     </span>
   );
 }
+
+/** The heading of a narrow column. */
+export function Heading({ name, tip }: { name: string; tip?: string }) {
+  return <th scope="col" data-tip={tip}><span class="column-name upright">{name}</span></th>;
+}

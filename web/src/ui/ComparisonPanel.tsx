@@ -49,10 +49,15 @@ export function ComparisonPanel({ comparison, size, scales }: { comparison: Comp
   };
   const shared = { width, height, isZoomed: true, scales };
   const front = mode === "blink" && isSecond ? right : left;
-  const title = ({ state, index, kind }: Found) => (
+  // Two names in a line have room for what tells the images apart.
+  const named = ({ state: { state }, kind }: Found) => {
+    if (mode === "difference" || (mode === "wipe" && left.kind === right.kind && left.oak !== right.oak)) return state.model;
+    return mode === "wipe" && left.oak === right.oak ? titleOf(kind) : `${state.model}: ${titleOf(kind)}`;
+  };
+  const title = (side: Found) => (
     <span class="compared">
-      <span class="dot-small" style={{ background: css(oakColor(index)) }} />
-      {mode === "difference" ? state.state.model : `${state.state.model}: ${titleOf(kind)}`}
+      <span class="dot-small" style={{ background: css(oakColor(side.index)) }} />
+      {named(side)}
     </span>
   );
   const name = `${titleOf(left.kind)} of ${left.state.state.model} and ${titleOf(right.kind)} of ${right.state.state.model}`;

@@ -36,7 +36,7 @@ export function Histogram() {
   return (
     <Section title="Errors, measured minus true" testId="histogram">
       {shown.length === 0 ? <p class="hint">No pixel has a value.</p> : (
-        <figure class="chart">
+        <figure class={`chart ${shown.some(({ oak }) => frames.get(oak.key)?.isPreview) ? "provisional" : ""}`}>
           <svg viewBox={`0 0 ${WIDTH} ${HEIGHT}`} preserveAspectRatio="none" role="img" aria-label="Histogram of the errors">
             {zero > 0 && zero < WIDTH && <line class="zero" x1={zero} x2={zero} y1={0} y2={HEIGHT} />}
             {shown.map(({ oak, index, histogram }) => (

@@ -21,37 +21,38 @@ export function ImageBar() {
   return (
     <div class="bar" role="toolbar" aria-label="Images that are shown">
       {comparison ? <Sides comparison={comparison} /> : <Kinds />}
-      <span class="spring" />
-      {zoom.scale > 1 && (
-        <Button label={`${zoom.scale.toFixed(1)}×`} class="chip" tip="Show the whole image (0). The wheel zooms; Shift and dragging moves the image." onClick={() => studio.zoom.set(NO_ZOOM)} testId="zoom" />
-      )}
-      {maximized && <Button label="Restore" class="chip" tip="Show the 3D view and the other images again (Escape)" isOn onClick={() => studio.maximized.set(null)} testId="restore" />}
-      {!comparison && !maximized && (
-        <Button
-          label="Grid"
-          class="chip"
-          tip="All images in one size, instead of a large one of each OAK with thumbnails"
-          isOn={arrangement === "grid"}
-          onClick={() => studio.show({ arrangement: arrangement === "grid" ? "large" : "grid" })}
-          testId="grid"
+      <div class="bar-end">
+        {zoom.scale > 1 && (
+          <Button label={`${zoom.scale.toFixed(1)}×`} class="chip" tip="Show the whole image (0). The wheel zooms; Shift and dragging moves the image." onClick={() => studio.zoom.set(NO_ZOOM)} testId="zoom" />
+        )}
+        {maximized && <Button label="Restore" class="chip" tip="Show the 3D view and the other images again (Escape)" isOn onClick={() => studio.maximized.set(null)} testId="restore" />}
+        {!comparison && !maximized && (
+          <Button
+            label="Grid"
+            class="chip"
+            tip="All images in one size, instead of a large one of each OAK with thumbnails"
+            isOn={arrangement === "grid"}
+            onClick={() => studio.show({ arrangement: arrangement === "grid" ? "large" : "grid" })}
+            testId="grid"
+          />
+        )}
+        <Select
+          label="Comparison"
+          isLabelled={false}
+          value={comparison?.mode ?? "none"}
+          options={[{ value: "none" as const, title: "Side by side" }, ...COMPARISONS.map(({ mode, title }) => ({ value: mode, title }))]}
+          onChange={setMode}
+          testId="comparison"
         />
-      )}
-      <Select
-        label="Comparison"
-        isLabelled={false}
-        value={comparison?.mode ?? "none"}
-        options={[{ value: "none" as const, title: "Side by side" }, ...COMPARISONS.map(({ mode, title }) => ({ value: mode, title }))]}
-        onChange={setMode}
-        testId="comparison"
-      />
-      <Select
-        label="Image size at rest"
-        isLabelled={false}
-        value={display.fullSize}
-        options={FULL_SIZES.map(({ size, title }) => ({ value: size, title }))}
-        onChange={(fullSize) => studio.show({ fullSize })}
-        testId="full-size"
-      />
+        <Select
+          label="Image size at rest"
+          isLabelled={false}
+          value={display.fullSize}
+          options={FULL_SIZES.map(({ size, title }) => ({ value: size, title }))}
+          onChange={(fullSize) => studio.show({ fullSize })}
+          testId="full-size"
+        />
+      </div>
     </div>
   );
 }

@@ -50,7 +50,7 @@ function Readout() {
             <dt>Disparity</dt><dd>{probe.disparityPx === null ? NONE : `${probe.disparityPx.toFixed(2)} px`}</dd>
             <dt data-tip="The distance to the next depth that the sensor can report">Depth step</dt><dd>{length(probe.stepM === null ? null : Math.abs(probe.stepM))}</dd>
             <dt>Object</dt><dd class="path">{probe.object ?? NONE}</dd>
-            {probe.occluder && <><dt>Hidden by</dt><dd class="path">{probe.occluder}</dd></>}
+            {probe.occluder && <><dt>Occluded by</dt><dd class="path">{probe.occluder}</dd></>}
           </dl>
         </>
       )}
@@ -132,29 +132,32 @@ function Reasons() {
   const frames = useStore(studio.frames);
   const { oaks } = useStore(studio.document);
   const rows = oaks.flatMap((oak) => {
-    const counts = frames.get(oak.key)?.header.statistics.reasons;
+    const frame = frames.get(oak.key);
+    const counts = frame?.header.statistics.reasons;
     const total = counts?.reduce((sum, count) => sum + count, 0) ?? 0;
-    return counts && total ? [{ oak, shares: counts.map((count) => count / total) }] : [];
+    return counts && total ? [{ oak, shares: counts.map((count) => count / total), grey: frame?.isPreview ? "provisional" : "" }] : [];
   });
   const missing = reasons.filter(({ code }) => code !== 0 && rows.some(({ shares }) => (shares[code] ?? 0) > 0));
   return (
     <Section title="Why pixels have no value" testId="reasons">
       {missing.length === 0 && <p class="hint">{rows.length ? "Every pixel has a value." : NONE}</p>}
-      {rows.map(({ oak, shares }) => (
-        <div key={oak.key} class="stack" role="img" aria-label={`${oak.state.model}: ${missing.map(({ code, name }) => `${words(name)} ${share(shares[code])}`).join(", ")}`}>
+      {rows.map(({ oak, shares, grey }) => (
+        <div key={oak.key} class={`stack ${grey}`} role="img" aria-label={`${oak.state.model}: ${missing.map(({ code, name }) => `${words(name)} ${share(shares[code])}`).join(", ")}`}>
           {reasons.map(({ code }) => (shares[code] ? <span key={code} style={{ width: `${(shares[code] ?? 0) * 100}%`, background: css(reasonColor(code)) }} /> : null))}
         </div>
       ))}
-      <table class="numbers">
-        <tbody>
-          {missing.map(({ code, name, documentation }) => (
-            <tr key={code}>
-              <th scope="row" data-tip={documentation}><span class="swatch" style={{ background: css(reasonColor(code)) }} />{words(name)}, %</th>
-              {rows.map(({ oak, shares }) => <td key={oak.key}>{bareShare(shares[code] ?? 0)}</td>)}
-            </tr>
-          ))}
-        </tbody>
-      </table>
+      <div class="scroll-x">
+        <table class={`numbers ${rows.length > 2 ? "narrow" : ""}`}>
+          <tbody>
+            {missing.map(({ code, name, documentation }) => (
+              <tr key={code}>
+                <th scope="row" data-tip={documentation}><span class="swatch" style={{ background: css(reasonColor(code)) }} />{words(name)}, %</th>
+                {rows.map(({ oak, shares, grey }) => <td key={oak.key} class={grey}>{bareShare(shares[code] ?? 0)}</td>)}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
     </Section>
   );
 }

@@ -17,10 +17,16 @@ export function Legend({ kinds, scales }: { kinds: PanelKind[]; scales: Scales }
     <div class="legend">
       {hasDepth && <DepthScale scales={scales} />}
       {kinds.includes("error") && <ErrorScale scales={scales} />}
-      {kinds.includes("reason") && <ReasonLegend />}
-      {(hasDepth || kinds.includes("error")) && <span class="swatch-label"><span class="swatch hatch" />no value</span>}
+      <div class="swatches">
+        {kinds.includes("reason") && <ReasonLegend />}
+        {(hasDepth || kinds.includes("error")) && <NoValue />}
+      </div>
     </div>
   );
+}
+
+function NoValue() {
+  return <span class="swatch-label"><span class="swatch hatch" />No value</span>;
 }
 
 function DepthScale({ scales }: { scales: Scales }) {
@@ -77,9 +83,9 @@ function DifferenceScale({ comparison, scales }: { comparison: Comparison; scale
         <ErrorEnd scales={scales} />
       </div>
       {sides.map(({ name, color }, i) => (
-        <span key={i} class="swatch-label"><span class="swatch" style={{ background: color }} />{`only ${isSame ? ["the first", "the second"][i] : name}`}</span>
+        <span key={i} class="swatch-label"><span class="swatch" style={{ background: color }} />{`Only ${isSame ? ["the first", "the second"][i] : name}`}</span>
       ))}
-      <span class="swatch-label"><span class="swatch hatch" />no value</span>
+      <NoValue />
     </>
   );
 }
@@ -115,14 +121,14 @@ function ReasonLegend() {
   const frames = useStore(studio.frames);
   const present = (code: number) => [...frames.values()].some(({ header }) => (header.statistics.reasons[code] ?? 0) > 0);
   return (
-    <div class="reasons-legend" role="group" aria-label="Reasons">
+    <>
       {reasons.filter(({ code }) => code === 0 || present(code)).map(({ code, name, documentation }) => (
         <span key={code} class="swatch-label" data-tip={documentation}>
           <span class="swatch" style={{ background: css(reasonColor(code)) }} />
           {words(name)}
         </span>
       ))}
-    </div>
+    </>
   );
 }
 

@@ -6,6 +6,7 @@ import { api } from "../net/api";
 import { save } from "../util/away";
 import { bareMillimetres, bareShare, decimal, NONE, share } from "../util/format";
 import { useStore } from "../util/store";
+import { Heading } from "./ColumnName";
 import { Button, Section } from "./controls";
 import { useApp } from "./context";
 import { TextDialog } from "./TextDialog";
@@ -18,7 +19,7 @@ export function Motion({ target, tolerance }: { target: Target | null; tolerance
   const { motion } = studio;
   const document = useStore(studio.document);
   const robot = useStore(studio.scene)?.robot;
-  useStore(motion.lists);
+  useStore(motion.lists.all);
   const progress = useStore(motion.progress);
   const measured = useStore(motion.measured);
   const problem = useStore(motion.problem);
@@ -26,7 +27,7 @@ export function Motion({ target, tolerance }: { target: Target | null; tolerance
   const input = useRef<HTMLInputElement>(null);
   const oak = selectedOak(document);
   if (!robot || !oak) return null;
-  const list = motion.list();
+  const list = motion.lists.current();
   const request = target && motion.request(target, tolerance);
   // Numbers that were measured for something else are not shown.
   const answer = request && measured?.key === motion.key(request) ? measured.answer : null;
@@ -36,7 +37,7 @@ export function Motion({ target, tolerance }: { target: Target | null; tolerance
   };
   return (
     <Section title="Motion" testId="motion" actions={list && <Button icon="close" label="Remove the list" onClick={() => motion.clear()} />}>
-      <p class="hint">{list ? `What the selected OAK${oak.mount ? `, on ${oak.mount},` : ""} sees over these postures. A click on one moves the robot.` : "What will the camera see over a motion, and where is the robot in its own way? Collect postures with the joints' sliders, or open a table of them."}</p>
+      <p class="hint">{list ? `What the selected OAK${oak.mount ? `, on the link ${oak.mount},` : ""} sees over these postures. A click on one moves the robot.` : "What will the camera see over a motion, and where is the robot in its own way? Collect postures with the joints' sliders, or open a table of them."}</p>
       <div class="row">
         <Button label="Add this posture" tip="The posture in which the robot is now" onClick={() => motion.add()} testId="add-posture" />
         <Button label="Open a list…" tip="A CSV file: names of joints in the first line, then a line for each posture, in radians and metres, or degrees in columns such as elbow_deg" onClick={() => input.current?.click()} />
@@ -85,10 +86,10 @@ function Postures({ robot, list, answer }: { robot: RobotInfo; list: MotionInfo;
         <thead>
           <tr>
             <th scope="col">No.</th>
-            <th scope="col" data-tip="The share of the surface that the camera sees"><span class="column-name upright">Visible, %</span></th>
-            <th scope="col" data-tip="The share of the surface that is measured"><span class="column-name upright">Measured, %</span></th>
-            <th scope="col" data-tip="The share of the surface that the robot hides from its camera"><span class="column-name upright">Robot hides, %</span></th>
-            <th scope="col" data-tip="The median of the absolute errors"><span class="column-name upright">|Error|, mm</span></th>
+            <Heading name="Visible, %" tip="The share of the surface that the camera sees" />
+            <Heading name="Measured, %" tip="The share of the surface that is measured" />
+            <Heading name="Robot hides, %" tip="The share of the surface that the robot hides from its camera" />
+            <Heading name="|Error|, mm" tip="The median of the absolute errors" />
             <td />
           </tr>
         </thead>

@@ -125,8 +125,6 @@ function OakRow({ oak, index, isLast }: { oak: Oak; index: number; isLast: boole
         >
           <ModelOptions models={catalog.models} selected={oak.state.model} />
         </select>
-        <span class="detail">{describe(oak, catalog)}</span>
-        {rejection && !isSelected && <span class="problem" role="alert">{rejection.error}</span>}
       </div>
       <Button icon={oak.isHidden ? "hidden" : "eye"} label={oak.isHidden ? "Show" : "Hide"} isOn={oak.isHidden} onClick={hide} />
       <Button
@@ -135,6 +133,10 @@ function OakRow({ oak, index, isLast }: { oak: Oak; index: number; isLast: boole
         isDisabled={isLast}
         onClick={() => studio.document.commit("remove", (document) => removeOak(document, oak.key))}
       />
+      <div class="oak-about" onClick={select}>
+        <span class="detail">{describe(oak, catalog)}</span>
+        {rejection && !isSelected && <span class="problem" role="alert">{rejection.error}</span>}
+      </div>
     </li>
   );
 }

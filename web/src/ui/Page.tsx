@@ -1,6 +1,7 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { DEFAULT_DISPLAY, type Display, SIDE_WIDTHS } from "../state/display";
 import { openFiles } from "../studio/files";
+import { useDarkSystem } from "../util/scheme";
 import { useStore } from "../util/store";
 import { useApp } from "./context";
 import { Help } from "./Help";
@@ -25,6 +26,7 @@ export function Page() {
   const { studio } = app;
   const display = useStore(studio.display);
   const [isHelp, setHelp] = useState(false);
+  const isDarkSystem = useDarkSystem();
   useEffect(() => listenForKeys(app, () => setHelp(true)), []);
   useEffect(() => {
     const { theme } = display;
@@ -32,7 +34,7 @@ export function Page() {
     else document.documentElement.dataset.theme = theme;
     app.view.get()?.paintBackground();
     app.repaint.update((count) => count + 1);
-  }, [display.theme]);
+  }, [display.theme, isDarkSystem]);
   return (
     <div class="page" style={{ "--left": sideWidth(display, "left"), "--right": sideWidth(display, "right") }}>
       <TopBar onHelp={() => setHelp(true)} />

@@ -39,7 +39,7 @@ export function Panel({ oak, index, kind, width, scales, isThumbnail = false, is
   };
   return (
     <figure class={`panel ${rejection && frame ? "stale" : ""}`} data-testid={`panel-${oak.key}-${kind}`}>
-      <figcaption>
+      <figcaption class={isThumbnail ? "thumbnail-name" : ""}>
         <span class="dot-small" style={{ background: css(oakColor(index)) }} />
         <span class="panel-title">{isNamedByOak ? unbroken(oak.state.model) : titleOf(kind)}</span>
         {!isThumbnail && <span class="panel-oak">{isNamedByOak ? titleOf(kind) : oak.state.model}</span>}

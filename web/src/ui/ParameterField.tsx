@@ -103,7 +103,7 @@ function describe(parameter: Parameter, fallback: string): string {
   return [
     `${parameter.name}: ${parameter.documentation}`,
     ...(isFree ? [] : [`Range: ${range(parameter)}`]),
-    `Default: ${fallback}${unit}`,
+    `Default: ${Number.isFinite(Number(fallback)) ? minus(fallback) : fallback}${unit}`,
     `Source: ${parameter.isEstimate ? "estimate" : parameter.source}`,
   ].join("\n");
 }

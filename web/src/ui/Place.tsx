@@ -101,10 +101,17 @@ function BoxFields({ box, onChange }: { box: { minimum: Vec3; maximum: Vec3 }; o
 /** How long the OAKs must not move before their coverage is computed, ms. */
 const DELAY = 400;
 
+/** A coverage, and what it was computed for. */
+interface Computed {
+  answer: CoverageAnswer | null;
+  error: string | null;
+  key: string;
+}
+
 /** Computes the coverage of states; computes again when they change. */
-export function useCoverage(scene: string, states: OakState[], target: Target, toleranceMm: number | null): { answer: CoverageAnswer | null; error: string | null } {
+function useCoverage(scene: string, states: OakState[], target: Target, toleranceMm: number | null): Computed & { isOld: boolean } {
   const { studio } = useApp();
-  const [result, setResult] = useState<{ answer: CoverageAnswer | null; error: string | null }>({ answer: null, error: null });
+  const [result, setResult] = useState<Computed>({ answer: null, error: null, key: "" });
   const key = JSON.stringify([scene, states, target, toleranceMm]);
   const latest = useRef(key);
   latest.current = key;
@@ -112,9 +119,9 @@ export function useCoverage(scene: string, states: OakState[], target: Target, t
     const running = new AbortController();
     const timer = setTimeout(() => {
       api.coverage({ scene, states, region: target, toleranceMm }, running.signal).then(
-        (answer) => latest.current === key && setResult({ answer, error: null }),
+        (answer) => latest.current === key && setResult({ answer, error: null, key }),
         (error: unknown) => {
-          if (!running.signal.aborted) setResult({ answer: null, error: error instanceof Error ? error.message : String(error) });
+          if (!running.signal.aborted) setResult({ answer: null, error: error instanceof Error ? error.message : String(error), key });
         },
       );
     }, DELAY);
@@ -123,7 +130,7 @@ export function useCoverage(scene: string, states: OakState[], target: Target, t
       running.abort();
     };
   }, [key, studio]);
-  return result;
+  return { ...result, isOld: result.key !== key };
 }
 
 /** What each OAK measures of the region now. */
@@ -132,13 +139,13 @@ function Coverage({ target, tolerance }: { target: Target; tolerance: number | n
   const document = useStore(studio.document);
   const { oaks } = document;
   const shown = oaks.filter((oak) => !oak.isHidden && studio.hasDepth(oak.state));
-  const { answer, error } = useCoverage(sceneAt(document), shown.map(({ state }) => state), target, tolerance);
+  const { answer, error, isOld } = useCoverage(sceneAt(document), shown.map(({ state }) => state), target, tolerance);
   return (
     <Section title="Coverage" testId="coverage">
       <Tolerance value={tolerance} />
       {error && <p class="problem" role="alert">{error}</p>}
       {!answer && !error && <p class="hint">Computing…</p>}
-      {answer && <CoverageTable oaks={shown} all={oaks} answer={answer} />}
+      {answer && <CoverageTable oaks={shown} all={oaks} answer={answer} isOld={isOld} />}
       <Paint />
     </Section>
   );
@@ -185,7 +192,7 @@ function PaintProblem({ view }: { view: SceneView }) {
   return error && <p class="problem" role="alert">{error}</p>;
 }
 
-function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer: CoverageAnswer }) {
+function CoverageTable({ oaks, all, answer, isOld }: { oaks: Oak[]; all: Oak[]; answer: CoverageAnswer; isOld: boolean }) {
   const own = oaks.flatMap((oak, i) => {
     const pose = answer.poses[i];
     return pose ? [{ key: oak.key, oak, pose }] : [];
@@ -198,7 +205,7 @@ function CoverageTable({ oaks, all, answer }: { oaks: Oak[]; all: Oak[]; answer:
   const lost = names.map((name) => ({ name, outcome: outcomes.find((outcome) => outcome.name === name) }));
   return (
     <div class="scroll-x">
-      <table class={`numbers ${columns.length > 2 ? "narrow" : ""}`}>
+      <table class={`numbers ${columns.length > 2 ? "narrow" : ""} ${isOld ? "provisional" : ""}`}>
         <thead>
           <tr>
             <td />

@@ -56,12 +56,12 @@ function compare(studio: Studio, names: string[]): void {
   });
 }
 
-/** Shows the reasons of the selected OAK. */
+/** Shows the reasons of all OAKs in a light. */
 function explain(studio: Studio, ambient: number): void {
   studio.tab.set("inspect");
   const { panels } = studio.display.get();
   studio.show({ comparison: null, arrangement: "large", focus: "reason", panels: panels.includes("reason") ? panels : [...panels, "reason"] });
-  studio.change("start", (state) => ({ ...state, ambient }));
+  studio.document.commit("start", (document) => ({ ...document, oaks: document.oaks.map((oak) => ({ ...oak, state: { ...oak.state, ambient } })) }));
 }
 
 function pick({ studio, view }: App): void {

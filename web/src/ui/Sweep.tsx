@@ -3,10 +3,11 @@ import { api } from "../net/api";
 import type { PoseCoverage } from "../protocol";
 import { changeOak, selectedOak, type Target, sceneAt } from "../state/document";
 import { height, MAX_POSES, rank, type Ranked, type Span, sweep } from "../studio/sweep";
-import { millimetres, NONE, share } from "../util/format";
+import { bareMillimetres, bareShare, decimal, NONE } from "../util/format";
 import { toAngles } from "../util/pose";
 import { useStore } from "../util/store";
 import { Button, Check, NumberField, Section } from "./controls";
+import { Heading } from "./ColumnName";
 import { useApp } from "./context";
 
 /** How many poses are computed by one request: the ranking grows with each answer. */
@@ -86,7 +87,7 @@ function SpanFields({ name, unit, span, onChange }: { name: string; unit: string
   const [step, digits] = unit === "m" ? [0.1, 2] : [5, 1];
   return (
     <div class="triple">
-      <NumberField label={`${name} from`} value={span.from} unit={unit} step={step} digits={digits} onChange={(from) => onChange({ ...span, from })} />
+      <NumberField label={name} value={span.from} unit={unit} step={step} digits={digits} onChange={(from) => onChange({ ...span, from })} />
       <NumberField label="to" value={span.to} unit={unit} step={step} digits={digits} onChange={(to) => onChange({ ...span, to })} />
       <NumberField label="steps" value={span.count} step={1} digits={0} minimum={1} maximum={20} onChange={(count) => onChange({ ...span, count: Math.round(count) })} />
     </div>
@@ -96,17 +97,27 @@ function SpanFields({ name, unit, span, onChange }: { name: string; unit: string
 function Ranking({ ranked, onTake }: { ranked: Ranked[]; onTake: (one: Ranked) => void }) {
   const hasModels = new Set(ranked.map(({ state }) => state.model)).size > 1;
   return (
-    <table class="numbers ranking">
-      <thead><tr>{hasModels && <th scope="col">OAK</th>}<th scope="col">Height</th><th scope="col">Tilt</th><th scope="col">Measured</th><th scope="col" data-tip="The share of what the camera sees there that it measures">of seen</th><th scope="col">|Error|</th><td /></tr></thead>
+    <table class="numbers ranking narrow">
+      <thead>
+        <tr>
+          {hasModels && <th scope="col" class="model">OAK</th>}
+          <Heading name="Height, m" />
+          <Heading name="Tilt, °" />
+          <Heading name="Measured, %" tip="The share of the surface that is measured" />
+          <Heading name="Of visible, %" tip="The share of what the camera sees there that it measures" />
+          <Heading name="|Error|, mm" tip="The median of the absolute errors" />
+          <td />
+        </tr>
+      </thead>
       <tbody>
         {ranked.map((one, i) => (
           <tr key={i}>
             {hasModels && <td class="model">{one.state.model}</td>}
-            <td>{one.heightM.toFixed(2)} m</td>
-            <td>{one.tiltDeg.toFixed(0)}°</td>
-            <td>{share(one.coverage.measured)}</td>
-            <td>{one.coverage.seen > 0 ? share(one.coverage.measured / one.coverage.seen) : NONE}</td>
-            <td>{millimetres(one.coverage.medianAbsoluteErrorM)}</td>
+            <td>{decimal(one.heightM, 2)}</td>
+            <td>{decimal(one.tiltDeg, 0)}</td>
+            <td><b>{bareShare(one.coverage.measured)}</b></td>
+            <td>{one.coverage.seen > 0 ? bareShare(one.coverage.measured / one.coverage.seen) : NONE}</td>
+            <td>{bareMillimetres(one.coverage.medianAbsoluteErrorM)}</td>
             <td><Button label="Take" class="text" tip="Move this OAK there" onClick={() => onTake(one)} /></td>
           </tr>
         ))}

@@ -11,7 +11,7 @@ export function TimelineBar() {
   const { studio } = useApp();
   const { timeline } = studio;
   useStore(studio.scene);
-  useStore(timeline.trajectories);
+  useStore(timeline.trajectories.all);
   const { moment, trajectory } = useStore(studio.document);
   const isPlaying = useStore(timeline.isPlaying);
   const speed = useStore(timeline.speed);

@@ -32,7 +32,7 @@ function Question({ asked }: { asked: Asked }) {
         <p>{`This kind of file does not say in which unit it is. ${reasonFor(guessUnits(info), info)}`}</p>
         <div class="pair">
           <Select
-            label="One unit is one of"
+            label="Unit of the file"
             value={isOther ? "other" : String(units.scale)}
             options={options}
             onChange={(value) => {

@@ -2,7 +2,7 @@
 const CAPTION_REM = 1.7;
 export const GAP = 6;
 /** The least width of an image of a grid, and of a thumbnail. */
-const MIN_WIDTH = 150;
+const MIN_WIDTH = 120;
 const MIN_THUMBNAIL = 84;
 /** How much an arrangement counts whose thumbnails do not fit. */
 const OVERFLOW_WEIGHT = 0.01;

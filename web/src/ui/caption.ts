@@ -28,26 +28,28 @@ export async function captionedFrame({ studio, painter }: App, oak: string, fram
   const picture = await createImageBitmap(target);
   return captioned(picture, {
     title: `${titleOf(kind)}: ${frame.state.model}, ${words(frame.state.engine)}, ${studio.scene.get()?.name ?? ""}`,
-    detail: detail(frame, source),
+    detail: detail(frame, source, kind === "sensor" || kind === "error" || kind === "reason" || kind === "confidence"),
     ...colors(studio, frame, kind, scales, display),
   });
 }
 
-function detail({ header: { statistics }, state }: Shown, { width, height }: { width: number; height: number }): string {
+/** What is known about an image; errors belong to what is measured only. */
+function detail({ header: { statistics }, state }: Shown, { width, height }: { width: number; height: number }, isMeasured: boolean): string {
   const at = state.pose.position.map((metres) => decimal(metres, 3)).join(", ");
-  return [
-    `${width} × ${height}`, `at ${at} m`, `${share(statistics.fillRate)} filled`, `median error ${signedMillimetres(statistics.medianErrorM)}`,
+  const measured = [
+    `${share(statistics.fillRate)} filled`, `median error ${signedMillimetres(statistics.medianErrorM)}`,
     `median |error| ${millimetres(statistics.medianAbsoluteErrorM)}`,
-  ].join(", ");
+  ];
+  return [`${width} × ${height}`, `at ${at} m`, ...(isMeasured ? measured : [])].join(", ");
 }
 
 function colors(
   { catalog }: App["studio"], frame: Shown, kind: PanelKind, scales: Scales, display: Parameters<typeof findScales>[1],
 ): Pick<Caption, "scale" | "colors"> {
-  const none = { color: [214, 219, 227] as [number, number, number], name: "no value" };
+  const none = { color: [214, 219, 227] as [number, number, number], name: "No value" };
   if (kind === "depth" || kind === "sensor") {
     const [from, to] = scales.depth.map((metres) => `${decimal(metres, 3)} m`) as [string, string];
-    return { scale: { table: depthTable(display.depthMap), from, to }, colors: [none] };
+    return { scale: { table: depthTable(display.depthMap), from, to }, colors: kind === "sensor" ? [none] : [] };
   }
   if (kind === "error") {
     const end = display.errorUnit === "mm" ? `${decimal(scales.error * 1000, 2)} mm` : `${decimal(scales.error, 2)} %`;

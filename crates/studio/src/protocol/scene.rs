@@ -27,6 +27,9 @@ pub(crate) struct SceneInfo {
     pub(crate) pose: Pose,
     /// Null if nothing in it moves.
     pub(crate) animation: Option<AnimationInfo>,
+    /// The materials and labels whose reflectance in the infrared can be set: the id of the scene with one is `ID;NAME=REFLECTANCE`, with
+    /// a percent-encoded name, and may have more of them.
+    pub(crate) infrared: Vec<String>,
     /// The robot in the scene. The id of the scene in another posture is `ID~P1,P2,…`, with the position of each of the joints.
     pub(crate) robot: Option<RobotInfo>,
 }

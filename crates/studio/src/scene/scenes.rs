@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use super::infrared::{self, Reflecting};
 use super::{LoadedScene, MAX_TRIANGLES};
 use crate::protocol::Failure;
 use crate::{robot, upload};
@@ -62,6 +63,7 @@ pub(crate) struct Scenes {
     /// The one that was used last is the last.
     dropped: Mutex<VecDeque<Arc<LoadedScene>>>,
     postures: Mutex<Postures>,
+    reflecting: Reflecting,
 }
 
 impl Scenes {
@@ -70,6 +72,7 @@ impl Scenes {
             first: Arc::new(first),
             dropped: Mutex::default(),
             postures: Mutex::default(),
+            reflecting: Reflecting::default(),
         }
     }
 
@@ -103,8 +106,16 @@ impl Scenes {
         postures.get(id, &scene, posture)
     }
 
-    /// Returns a scene as it was opened.
+    /// Returns a scene as it was opened; with other reflectances in the infrared, by `ID;NAME=REFLECTANCE`.
     pub(crate) fn as_opened(&self, id: &str) -> Result<Arc<LoadedScene>, Failure> {
+        match infrared::split(id) {
+            Some((own, reflectances)) => self.reflecting.get(id, &*self.as_read(own)?, reflectances),
+            None => self.as_read(id),
+        }
+    }
+
+    /// Returns a scene as its file has it.
+    fn as_read(&self, id: &str) -> Result<Arc<LoadedScene>, Failure> {
         if self.first.info.id == id {
             return Ok(Arc::clone(&self.first));
         }

@@ -31,6 +31,9 @@ pub(super) struct SceneEntry {
     /// A robot that was dropped into the scene. A robot of the command line belongs to its scene.
     #[serde(default)]
     pub(super) robot: Option<Entry>,
+    /// The reflectances in the infrared, as they are in the id of the scene.
+    #[serde(default)]
+    pub(super) infrared: Option<String>,
     /// The positions of the robot's joints, as they are in the id of the scene.
     #[serde(default)]
     pub(super) posture: Option<String>,

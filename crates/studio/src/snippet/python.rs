@@ -9,6 +9,7 @@ use oaktwin::sensor::Scalar;
 use super::images::images;
 use super::{quoted, toml_value};
 use crate::protocol::{ExportRequest, Failure, OakState};
+use crate::scene::LoadedScene;
 use crate::size::image_size;
 use crate::studio::Studio;
 
@@ -25,12 +26,15 @@ pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String,
     let size = image_size(request.size)?;
     let comment = |command: &String| format!("# `{command}` writes the scene.\n");
     let made_by = scene.made_by.as_ref().map(comment).unwrap_or_default();
-    let (up, scale) = scene.given;
+    let (up, scale) = (scene.options.up, scene.options.scale);
     let up = up.map_or_else(String::new, |up| format!(", up={}", quoted(up.name())));
     let time = scene
         .time
         .map_or_else(String::new, |time| format!(", time={time:?}"));
-    let units = time + &scale.map_or_else(String::new, |scale| format!(", scale={scale:?}")) + &up;
+    let units = time
+        + &scale.map_or_else(String::new, |scale| format!(", scale={scale:?}"))
+        + &up
+        + &infrared(&scene);
     let frame = match state.frame {
         0 => String::new(),
         frame => format!(", frame={frame}"),
@@ -69,6 +73,18 @@ pub(crate) fn python(studio: &Studio, request: &ExportRequest) -> Result<String,
     );
     out += &images(state, image_size(request.size)?)?;
     Ok(out)
+}
+
+/// The argument with the reflectances of a scene, with a comma in front.
+fn infrared(scene: &LoadedScene) -> String {
+    let all = scene.options.infrared.iter();
+    let all: Vec<String> = all
+        .map(|(name, value)| format!("{}: {value:?}", quoted(name)))
+        .collect();
+    match all.is_empty() {
+        true => String::new(),
+        false => format!(", infrared={{{}}}", all.join(", ")),
+    }
 }
 
 fn device(studio: &Studio, state: &OakState) -> Result<String, Failure> {

@@ -3,6 +3,7 @@
 mod client;
 mod exports;
 mod hard;
+mod infrared;
 mod models;
 mod motion;
 mod robot;
