@@ -42,12 +42,12 @@ pub struct Rrd<W: Write> {
     said: MemorySinkStorage,
     encoder: Encoder<W>,
     names: BTreeSet<String>,
-    cameras: Vec<Station>,
+    cameras: Vec<LoggedCamera>,
     /// The names of entities in use.
     bodies: Vec<(String, String)>,
 }
 
-struct Station {
+struct LoggedCamera {
     camera: RecordedCamera,
     entity: String,
     /// The entity that moves.
@@ -128,7 +128,7 @@ impl<W: Write> Recorder for Rrd<W> {
         } else {
             entity.clone()
         };
-        self.cameras.push(Station {
+        self.cameras.push(LoggedCamera {
             camera: camera.clone(),
             entity,
             mount,

@@ -49,7 +49,7 @@ impl<M: Serialize> Output<M> {
     }
 
     /// Finds the subscribers.
-    pub(crate) fn look(&mut self, graph: &Graph) {
+    pub(crate) fn find_subscribers(&mut self, graph: &Graph) {
         let readers: Vec<_> = graph.subscribers(&self.endpoint).collect();
         self.subscribers = readers.len();
         if let Some(sender) = &mut self.sender {

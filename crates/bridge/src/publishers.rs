@@ -33,14 +33,14 @@ impl Publishers {
     }
 
     /// Finds the subscribers.
-    pub(crate) fn look(&mut self, graph: &Graph) {
-        self.image.look(graph);
-        self.info.look(graph);
-        look(&mut self.compressed, graph);
-        look(&mut self.points, graph);
-        look(&mut self.rgb, graph);
-        look(&mut self.rgb_info, graph);
-        look(&mut self.transforms, graph);
+    pub(crate) fn find_subscribers(&mut self, graph: &Graph) {
+        self.image.find_subscribers(graph);
+        self.info.find_subscribers(graph);
+        find_optional_subscribers(&mut self.compressed, graph);
+        find_optional_subscribers(&mut self.points, graph);
+        find_optional_subscribers(&mut self.rgb, graph);
+        find_optional_subscribers(&mut self.rgb_info, graph);
+        find_optional_subscribers(&mut self.transforms, graph);
     }
 
     /// The outputs that somebody subscribes to.
@@ -70,9 +70,9 @@ impl Publishers {
     }
 }
 
-fn look<M: serde::Serialize>(output: &mut Option<Output<M>>, graph: &Graph) {
+fn find_optional_subscribers<M: serde::Serialize>(output: &mut Option<Output<M>>, graph: &Graph) {
     if let Some(output) = output {
-        output.look(graph);
+        output.find_subscribers(graph);
     }
 }
 

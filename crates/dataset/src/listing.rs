@@ -11,13 +11,13 @@ use serde_json::{Value, json};
 
 use crate::file::{Array, Content, DatasetFile, Fault};
 use crate::segmentation::{self, Kind};
-use crate::{Extras, LayerData, Options, Shot, boxes, cloud, json, normals};
+use crate::{Extras, LayerData, Shot, WriterOptions, boxes, cloud, json, normals};
 
 /// The name of the parameters of the depth sensor's camera.
 pub(crate) const SENSOR_PARAMS: &str = "depth_sensor_camera_params";
 
 /// The files of a shot, in any layout.
-pub(crate) fn list<'a>(shot: &'a Shot, options: &Options) -> Vec<DatasetFile<'a>> {
+pub(crate) fn list<'a>(shot: &'a Shot, options: &WriterOptions) -> Vec<DatasetFile<'a>> {
     let mut files = Files {
         extras: options.extras,
         list: Vec::new(),
@@ -105,13 +105,13 @@ impl<'a> Files<'a> {
         }
         if extras.preview {
             self.push(folder, &format!("{name}_preview"), "png", move || {
-                let picture = preview::depth(metres, &preview::Options::default());
+                let picture = preview::depth(metres, &preview::PreviewOptions::default());
                 Ok(png::encode(&picture)?)
             });
         }
     }
 
-    fn push_annotations(&mut self, frame: &'a Frame, options: &Options) {
+    fn push_annotations(&mut self, frame: &'a Frame, options: &WriterOptions) {
         for (annotator, data) in frame.annotations() {
             let name = annotator.name();
             match data {

@@ -7,7 +7,7 @@ use oaktwin_camera::math::DVec3;
 use oaktwin_image::annotation::Frame;
 use oaktwin_image::{CodecError, Image};
 
-use crate::{CameraParams, Object, StereoImages, View};
+use crate::{CameraParams, FrameCamera, Object, StereoImages};
 
 /// One camera's frame on its way to the writers.
 #[derive(Debug)]
@@ -21,9 +21,9 @@ pub struct Shot {
     /// The parameters of the camera that the depth sensor's outputs are images of, if they are to be written.
     pub sensor_params: Option<CameraParams>,
     /// The camera and its pose, for layouts that describe them.
-    pub view: Option<View>,
+    pub view: Option<FrameCamera>,
     /// The camera that the depth sensor's outputs are images of, and its pose.
-    pub sensor_view: Option<View>,
+    pub sensor_view: Option<FrameCamera>,
     /// The objects whose poses layouts describe.
     pub objects: Vec<Object>,
     /// The stereo pair, for layouts that have one.

@@ -37,14 +37,14 @@ pub(crate) fn text(path: &Path, what: &str) -> Result<String, FileError> {
 
 /// The requested fields of a row in the order of the request; empty if the row is too short.
 #[derive(Clone, Debug)]
-pub(crate) struct Row<const N: usize> {
+pub(crate) struct CsvRow<const N: usize> {
     /// The line number in the file, starting at 1.
     pub(crate) line: usize,
     pub(crate) fields: [String; N],
     names: [&'static str; N],
 }
 
-impl<const N: usize> Row<N> {
+impl<const N: usize> CsvRow<N> {
     /// Parses a field as a finite number.
     pub(crate) fn number(&self, at: usize) -> Result<f64, Wrong> {
         let (field, name) = (&self.fields[at], self.names[at]);
@@ -57,7 +57,7 @@ impl<const N: usize> Row<N> {
 }
 
 /// Reads the named columns of a table. The columns may be in any order, and others are ignored.
-pub(crate) fn rows<const N: usize>(text: &str, names: [&'static str; N]) -> Result<Vec<Row<N>>, Wrong> {
+pub(crate) fn rows<const N: usize>(text: &str, names: [&'static str; N]) -> Result<Vec<CsvRow<N>>, Wrong> {
     let text = text.trim_start_matches('\u{feff}');
     let mut records = records(text);
     let wanted = names.join(",");
@@ -71,7 +71,7 @@ pub(crate) fn rows<const N: usize>(text: &str, names: [&'static str; N]) -> Resu
     let mut rows = Vec::new();
     for record in records {
         let (line, record) = record?;
-        rows.push(Row {
+        rows.push(CsvRow {
             line,
             fields: places.map(|at| record.get(at).map(plain).unwrap_or_default().to_owned()),
             names,

@@ -29,7 +29,7 @@ const TITLE: u32 = 14;
 /// Draws all columns at half size, with a common depth range (minimum and maximum, metres).
 #[must_use]
 pub fn contact_sheet(columns: &[Column], range_m: (f32, f32)) -> Image<[u8; 3]> {
-    let options = preview::Options { range: Some(range_m) };
+    let options = preview::PreviewOptions { range: Some(range_m) };
     let cells: Vec<[Image<[u8; 3]>; 3]> = columns
         .iter()
         .map(|column| {

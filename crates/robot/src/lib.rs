@@ -27,7 +27,7 @@ use oaktwin_files::{self as files, FileError};
 
 pub use description::{CameraFrame, DepthFrame, Description, Housing, ImuFrame, Visual};
 pub use error::RobotError;
-pub use frame::Frame;
+pub use frame::DeviceFrame;
 pub use mesh::Mesh;
 pub use mount::{Attachment, Mount};
 pub use read::{

@@ -11,7 +11,7 @@ use oaktwin_camera::{RigidTransform, frame_names};
 use oaktwin_imu::ChannelNoise;
 
 use crate::description::{CameraFrame, DepthFrame, Description, IMU_RATE, ImuFrame, roll_pitch_yaw};
-use crate::frame::Frame;
+use crate::frame::DeviceFrame;
 use crate::xml::{Element, number, numbers};
 use crate::{Export, Housing};
 
@@ -85,7 +85,7 @@ fn sdf(of: &Description, reader: Reader) -> Element {
     )
 }
 
-fn frame(of: &Frame) -> Element {
+fn frame(of: &DeviceFrame) -> Element {
     Element::new("frame")
         .set("name", &of.name)
         .set("attached_to", &of.parent)

@@ -5,7 +5,7 @@ use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::DMat3;
 
 use crate::description::{CameraFrame, Description, roll_pitch_yaw};
-use crate::frame::Frame;
+use crate::frame::DeviceFrame;
 use crate::xml::{Element, number, numbers};
 use crate::{Export, Housing};
 
@@ -103,7 +103,7 @@ fn camera_links(camera: &CameraFrame, device: &str) -> [Element; 4] {
 }
 
 /// Returns the link of a frame and the joint to the frame that carries it.
-fn link(joint_name: &str, frame: &Frame) -> [Element; 2] {
+fn link(joint_name: &str, frame: &DeviceFrame) -> [Element; 2] {
     [
         Element::new("link").set("name", &frame.name),
         joint(

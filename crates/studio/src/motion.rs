@@ -6,7 +6,7 @@ use axum::body::Bytes;
 use futures_util::Stream;
 use futures_util::stream::unfold;
 use oaktwin::coverage::{
-    self, Base, Carrier, CoverageError, MotionCoverage, MountCoverage, Options, Sweep, measure_motion,
+    self, Base, Carrier, CoverageError, CoverageOptions, MotionCoverage, MountCoverage, Sweep, measure_motion,
 };
 use oaktwin::progress::Progress;
 use oaktwin::render::Renderer;
@@ -120,9 +120,9 @@ fn measure(
         link,
         postures: &postures,
     };
-    let options = Options {
+    let options = CoverageOptions {
         tolerance_mm: request.tolerance_mm,
-        ..Options::default()
+        ..CoverageOptions::default()
     };
     let watch = |progress: Progress| {
         // Nobody may listen any more, which `watch` finds out.

@@ -8,7 +8,7 @@ use oaktwin::sense::{self, Output, SenseError};
 use crate::args::SenseArgs;
 use crate::context::{Context, Exit, Result};
 use crate::{output, progress};
-use report::Report;
+use report::SenseReport;
 
 pub(crate) fn run(context: &Context, args: &SenseArgs) -> Result<Exit> {
     let options = request::options(args)?;
@@ -44,6 +44,6 @@ pub(crate) fn run(context: &Context, args: &SenseArgs) -> Result<Exit> {
     } else {
         Exit::Success
     };
-    Report::new(&twin, sensed, calibration_findings).print(args.json, is_stream)?;
+    SenseReport::new(&twin, sensed, calibration_findings).print(args.json, is_stream)?;
     Ok(exit)
 }

@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use super::common::{Depths, FrameFiles, by_folder, center, number, quaternion, rgb, text};
 use super::lens::{Lens, lens};
-use crate::{Format, Records, Shot, View, WriteError, euroc};
+use crate::{Format, FrameCamera, Records, Shot, WriteError, euroc};
 
 const NAME: &str = "euroc";
 const PER_METRE: f32 = 1000.0;
@@ -68,7 +68,7 @@ impl Format for Euroc {
 }
 
 /// The description of a camera, without its rate.
-fn sensor(view: &View, lens: Lens, body_from_camera: &RigidTransform) -> String {
+fn sensor(view: &FrameCamera, lens: Lens, body_from_camera: &RigidTransform) -> String {
     let (model, [a, b, c, d]) = match lens {
         Lens::Pinhole => ("radial-tangential", [0.0; 4]),
         Lens::Radial { k, p } => ("radial-tangential", [k[0], k[1], p[0], p[1]]),

@@ -19,14 +19,14 @@ trait Groups<T> {
     fn of(words: &[[u32; LANES]; 4], out: &mut [T]);
 }
 
-struct Row<'a, T, G> {
+struct RandomRow<'a, T, G> {
     plane: &'a Plane,
     row: u32,
     out: &'a mut [T],
     groups: PhantomData<G>,
 }
 
-impl<T: Copy + Default, G: Groups<T>> Kernel for Row<'_, T, G> {
+impl<T: Copy + Default, G: Groups<T>> Kernel for RandomRow<'_, T, G> {
     type Output = ();
 
     #[inline(always)]
@@ -144,8 +144,8 @@ impl Plane {
         simd::run(self.kernel::<T, G>(row, out));
     }
 
-    fn kernel<'a, T, G>(&'a self, row: u32, out: &'a mut [T]) -> Row<'a, T, G> {
-        Row {
+    fn kernel<'a, T, G>(&'a self, row: u32, out: &'a mut [T]) -> RandomRow<'a, T, G> {
+        RandomRow {
             plane: self,
             row,
             out,

@@ -73,7 +73,7 @@ pub use output::{Output, Wanted};
 
 use crate::batch::Batch;
 use crate::random::Stream;
-use crate::{BatchEngine, BatchError, ParameterError, Shot};
+use crate::{BatchEngine, BatchError, DepthShot, ParameterError};
 
 /// The engine, with checked parameters.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,7 +110,7 @@ impl SingleView {
 
     /// Measures a shot and makes the requested outputs.
     #[must_use]
-    pub fn sense(&self, shot: &Shot<'_>, random: &Stream, wanted: Wanted) -> Output {
+    pub fn sense(&self, shot: &DepthShot<'_>, random: &Stream, wanted: Wanted) -> Output {
         sense::sense(self, shot, random, wanted)
     }
 }

@@ -10,7 +10,7 @@ use std::borrow::Cow;
 use oaktwin_base::diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_simd::run;
 
-use super::pair::{Luminance, Pair};
+use super::pair::{Luminance, RectifiedPair};
 use super::parameters::Parameters;
 use difference::{AREA, LeastDifference, SIDES, WINDOW};
 use profiles::Profiles;
@@ -60,7 +60,7 @@ pub const VERTICAL_OFFSET: &str = "vertical-offset";
 /// Returns the problems of a pair, or of its search range, that make depth wrong or invalid. All findings are warnings:
 /// `range-beyond-image`, `saturated`, `no-texture`, `same-image`, `pair-swapped`, `vertical-offset`, `unrelated`.
 #[must_use]
-pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
+pub fn inspect(pair: &RectifiedPair<'_>, parameters: &Parameters) -> Vec<Finding> {
     let (width, height) = (pair.width() as usize, pair.height() as usize);
     let last = parameters.max_disparity_px() as usize;
     let (left, right) = (pair.left(), pair.right());

@@ -78,7 +78,7 @@ impl Luminance<'_> {
 
 /// A rectified pair: a point of the scene is on the same row of both images, in the right one farther left.
 #[derive(Clone, Copy, Debug)]
-pub struct Pair<'a> {
+pub struct RectifiedPair<'a> {
     left: Luminance<'a>,
     right: Luminance<'a>,
 }
@@ -86,21 +86,24 @@ pub struct Pair<'a> {
 /// An invalid pair of images.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("stereo pair: {what}; {remedy}")]
-pub struct PairError {
+pub struct RectifiedPairError {
     /// What is wrong.
     pub what: String,
     /// How to fix it.
     pub remedy: &'static str,
 }
 
-impl<'a> Pair<'a> {
+impl<'a> RectifiedPair<'a> {
     /// Creates a pair from the rectified left and right images.
     ///
     /// # Errors
     /// Returns an error if their sizes or numbers of bits differ, or if they have no pixels.
-    pub fn new(left: impl Into<Luminance<'a>>, right: impl Into<Luminance<'a>>) -> Result<Self, PairError> {
+    pub fn new(
+        left: impl Into<Luminance<'a>>,
+        right: impl Into<Luminance<'a>>,
+    ) -> Result<Self, RectifiedPairError> {
         let (left, right) = (left.into(), right.into());
-        let error = |what, remedy| Err(PairError { what, remedy });
+        let error = |what, remedy| Err(RectifiedPairError { what, remedy });
         if (left.width(), left.height()) != (right.width(), right.height()) {
             return error(
                 format!(

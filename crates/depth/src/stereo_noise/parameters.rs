@@ -31,7 +31,7 @@ parameters! {
         disparity_shift_px: u32 = 0 => ("disparityShift".unit("px").range(0.0..=1024.0).typical(0.0..=128.0)),
         /// Whether pixels that the right camera cannot see are lost: shadows to the left of near surfaces, and a band at
         /// the left border.
-        occlusion: bool = true => ("occlusion".own("the geometry of a stereo pair")),
+        occlusion: bool = true => ("occlusion".chosen("the geometry of a stereo pair")),
         /// Whether the left-right check is enabled. It rejects a band beside the shadow of near surfaces that the matching
         /// window widens (`edgeDilation`).
         left_right_check: bool = true => ("leftRightCheck"),
@@ -56,7 +56,7 @@ parameters! {
         /// The amplitude of the error that repeats with every pixel of disparity (a); 0.2 px by default for widths of up
         /// to 640 px.
         pixel_locking_px: f64 = 0.13
-            => ("pixelLocking".unit("px").range(0.0..=1.0).typical(0.0..=0.5).own("fit to the vendor's error curves")),
+            => ("pixelLocking".unit("px").range(0.0..=1.0).typical(0.0..=0.5).chosen("fit to the vendor's error curves")),
         /// The standard deviation of a pixel's disparity over time (σ).
         jitter_px: f64 = 0.05 => ("jitter".common(4).unit("px").range(0.0..=10.0).typical(0.0..=0.5).estimate()),
         /// The factor of bias, pixel locking and jitter of surfaces nearer than 6 m; it grows to 1 at 7 m. On RVC4 it is 0.75: the

@@ -12,7 +12,7 @@ use super::scale::Scale;
 use super::shadow::{NEARER, Rows, Shadow};
 use super::texture::{self, GAIN, Texture};
 use super::window::{WindowSum, field_width};
-use crate::Shot;
+use crate::DepthShot;
 use crate::random::{Plane, Stage, Stream};
 use crate::reason::Reason;
 
@@ -65,7 +65,7 @@ pub(super) struct Scratch {
 }
 
 impl<'a> Job<'a> {
-    pub(super) fn new(sensor: &'a StereoNoise, shot: &Shot<'a>, random: &Stream) -> Self {
+    pub(super) fn new(sensor: &'a StereoNoise, shot: &DepthShot<'a>, random: &Stream) -> Self {
         let p = sensor.parameters();
         Self {
             sensor,

@@ -5,13 +5,13 @@ use oaktwin_simd::{self as simd, Level};
 use rayon::prelude::*;
 
 use super::light::{Albedos, CHANNELS, Echoes, InverseDepth, Lamp, LightRow, Returns};
-use super::multipath::{Add, Multipath, Normals, Surfaces, View};
+use super::multipath::{Add, Multipath, MultipathInput, Normals, Surfaces};
 use super::optics::Optics;
 use super::receive::{Decode, Decoded, Limits, Mix, Receiver, Sample, Sampled, Unwrap};
 use super::{Output, TimeOfFlight};
 use crate::filter::DepthConfidence;
 use crate::random::{Plane, Stage, Stream};
-use crate::{Reason, Shot};
+use crate::{DepthShot, Reason};
 
 /// The rows that one thread processes. The first and the last also require the rows beyond.
 const BAND: usize = 48;
@@ -64,7 +64,7 @@ pub(super) struct Scratch {
 }
 
 /// A finished row.
-pub(super) struct Row<'a> {
+pub(super) struct SensedRow<'a> {
     /// Millimetres.
     pub(super) depth: &'a [u16],
     pub(super) amplitude: &'a [u16],
@@ -73,7 +73,7 @@ pub(super) struct Row<'a> {
     decoded: Decoded<'a>,
 }
 
-impl Row<'_> {
+impl SensedRow<'_> {
     /// Writes the depth in metres.
     pub(super) fn metres(&self, out: &mut [f32]) {
         for (out, &millimetres) in out.iter_mut().zip(self.depth) {
@@ -95,7 +95,7 @@ impl Row<'_> {
 }
 
 impl<'a> Job<'a> {
-    pub(super) fn new(sensor: &'a TimeOfFlight, shot: &Shot<'a>, random: &Stream) -> Self {
+    pub(super) fn new(sensor: &'a TimeOfFlight, shot: &DepthShot<'a>, random: &Stream) -> Self {
         let p = sensor.parameters();
         let depth = shot.depth();
         let plane = |frame| random.plane(Stage::Correlation, frame, shot.item);
@@ -124,7 +124,7 @@ impl<'a> Job<'a> {
         let c = self.sensor.constants();
         let is_asked = c.multipath > 0.0 && !self.depth.pixels().is_empty();
         self.multipath = is_asked.then(|| {
-            let view = View {
+            let view = MultipathInput {
                 depth: self.depth,
                 picture: self.picture,
                 albedo: c.albedo,
@@ -202,7 +202,13 @@ impl<'a> Job<'a> {
     }
 
     /// Computes `count` rows from `first` and passes each to `finish`.
-    pub(super) fn rows(&self, s: &mut Scratch, first: usize, count: usize, mut finish: impl FnMut(Row<'_>)) {
+    pub(super) fn rows(
+        &self,
+        s: &mut Scratch,
+        first: usize,
+        count: usize,
+        mut finish: impl FnMut(SensedRow<'_>),
+    ) {
         if count == 0 || self.width() == 0 {
             return;
         }
@@ -216,7 +222,7 @@ impl<'a> Job<'a> {
             }
             if y >= first + 2 {
                 s.measure(self, y - 2);
-                finish(Row {
+                finish(SensedRow {
                     depth: &s.depth,
                     amplitude: &s.amplitude,
                     confidence: &s.confidence,

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::{AccuracyError, distances};
-use crate::table::{self, Row, Wrong, wrong};
+use crate::table::{self, CsvRow, Wrong, wrong};
 
 const DISTANCE: &str = "distance_m";
 const ERROR: &str = "depth_error_percent";
@@ -57,7 +57,7 @@ fn parse(text: &str) -> Result<Vec<Point>, Wrong> {
 }
 
 /// Parses an error: of −100 %, nothing is in front of the camera.
-fn error_in_row(row: &Row<2>) -> Result<f64, Wrong> {
+fn error_in_row(row: &CsvRow<2>) -> Result<f64, Wrong> {
     let error_percent = row.number(1)?;
     match error_percent > -100.0 && error_percent <= MAX_PERCENT {
         true => Ok(error_percent),

@@ -1,6 +1,6 @@
 //! The figure of error over distance.
 
-use super::{Band, Bands, Comparison, Devices, Reading, Report, Row};
+use super::{AccuracyReport, AccuracyRow, Band, Bands, Comparison, Devices, Reading};
 use crate::figure::{Axis, Figure, Layer, Shape};
 use oaktwin_catalog::Source;
 
@@ -11,7 +11,7 @@ const MEASURED: [u8; 3] = [190, 40, 70];
 const BANDS: [[u8; 3]; 2] = [[70, 150, 90], [130, 130, 140]];
 
 /// Draws a report. The errors are absolute if they are medians of several devices or compared with absolute measured errors.
-pub(super) fn figure(report: &Report, curve: &[Row], is_absolute: bool) -> Figure {
+pub(super) fn figure(report: &AccuracyReport, curve: &[AccuracyRow], is_absolute: bool) -> Figure {
     let many = report.devices.are_many();
     let is_absolute = is_absolute && (many || report.measured.is_some());
     let value = |error: Option<f64>| match error {
@@ -102,7 +102,7 @@ fn measured_label(comparison: &Comparison) -> String {
     format!("measured (R2 = {r2}{from})")
 }
 
-fn names(report: &Report) -> [String; 2] {
+fn names(report: &AccuracyReport) -> [String; 2] {
     if report.engine == "single-view" {
         let carried = "depth copied: exact by construction".to_owned();
         let recomputed = "depth recomputed from its disparity".to_owned();
@@ -121,7 +121,7 @@ fn names(report: &Report) -> [String; 2] {
     [name, String::new()]
 }
 
-fn subtitle(report: &Report) -> String {
+fn subtitle(report: &AccuracyReport) -> String {
     let method = if report.protocol_deviations.is_empty() {
         "the vendor's method".to_owned()
     } else {

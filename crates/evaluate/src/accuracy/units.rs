@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::stereo_camera::StereoCamera;
 use super::test_rig::{TestRig, Unit};
-use super::{AccuracyError, DEVICES, Devices, MATCHING_DEVICES, Options};
+use super::{AccuracyError, AccuracyOptions, DEVICES, Devices, MATCHING_DEVICES};
 use crate::measure::Region;
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_base::parameter::Table;
@@ -26,7 +26,7 @@ pub(super) struct Prepared {
 pub(super) fn rigs(
     twin: &Twin,
     depth: &TwinDepthSensor,
-    options: &Options,
+    options: &AccuracyOptions,
     scale: f64,
 ) -> Result<Prepared, AccuracyError> {
     if options.population {
@@ -71,7 +71,7 @@ pub(super) fn rigs(
 fn population(
     twin: &Twin,
     depth: &TwinDepthSensor,
-    options: &Options,
+    options: &AccuracyOptions,
     scale: f64,
 ) -> Result<Prepared, AccuracyError> {
     if twin.origin != Origin::Nominal {
@@ -167,7 +167,7 @@ pub(super) fn intrinsics(twin: &Twin, depth: &TwinDepthSensor) -> Result<Intrins
 fn rig(
     twin: &Twin,
     depth: &TwinDepthSensor,
-    options: &Options,
+    options: &AccuracyOptions,
     (units, first): (Vec<Unit>, u32),
     drift: StereoDrift,
     scale: f64,

@@ -9,7 +9,7 @@ use plotters::prelude::{
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, RGBColor, ShapeStyle, TextStyle, WHITE};
 
-use super::clip::{Frame, runs};
+use super::clip::{AxisRanges, runs};
 use super::{Figure, FigureError, Layer, Shape};
 
 const INK: RGBColor = RGBColor(30, 33, 38);
@@ -112,7 +112,7 @@ impl<DB: DrawingBackend> Page<'_, DB> {
     }
 
     fn plot(&self, figure: &Figure, top: u32) -> Result<(), FigureError> {
-        let frame = Frame::of(figure);
+        let frame = AxisRanges::of(figure);
         let mut chart = ChartBuilder::on(self.area)
             .margin_top(self.units(top))
             .margin_right(self.units(RIGHT))
@@ -145,7 +145,7 @@ impl<DB: DrawingBackend> Page<'_, DB> {
         Ok(())
     }
 
-    fn layer(&self, chart: &mut Chart<'_, DB>, frame: Frame, layer: &Layer) -> Result<(), FigureError> {
+    fn layer(&self, chart: &mut Chart<'_, DB>, frame: AxisRanges, layer: &Layer) -> Result<(), FigureError> {
         let color = color(layer);
         match &layer.shape {
             Shape::Steps(steps) => {
@@ -249,7 +249,7 @@ fn color(layer: &Layer) -> RGBColor {
 
 fn fill<DB: DrawingBackend>(
     chart: &mut Chart<'_, DB>,
-    frame: Frame,
+    frame: AxisRanges,
     corners: Vec<[f64; 2]>,
     color: plotters::style::RGBAColor,
 ) -> Result<(), FigureError> {
@@ -266,7 +266,7 @@ fn fill<DB: DrawingBackend>(
 
 fn stroke<DB: DrawingBackend>(
     chart: &mut Chart<'_, DB>,
-    frame: Frame,
+    frame: AxisRanges,
     points: &[[f64; 2]],
     style: ShapeStyle,
 ) -> Result<(), FigureError> {

@@ -1,4 +1,4 @@
-use super::clip::{Frame, runs};
+use super::clip::{AxisRanges, runs};
 use super::{Axis, Figure, Layer, Shape, image, svg};
 
 fn figure(title: &str, shape: Shape) -> Figure {
@@ -73,7 +73,7 @@ fn skips_values_that_are_not_finite_and_clips_the_rest() {
 
 #[test]
 fn clips_lines_and_polygons_to_the_axes() {
-    let frame = Frame::of(&figure("", Shape::Line(Vec::new())));
+    let frame = AxisRanges::of(&figure("", Shape::Line(Vec::new())));
     let pieces = frame.line(&[[-1.0, 0.5], [0.5, 0.5], [0.5, 2.0], [0.75, 2.0], [0.75, 0.0]]);
     assert_eq!(
         pieces,

@@ -1,7 +1,7 @@
 //! The figure of a fit: errors, curve and residuals.
 
 use super::method::Fitted;
-use super::report::{FittedPoint, Report, number};
+use super::report::{FitReport, FittedPoint, number};
 use crate::figure::{Axis, Figure, Layer, Shape};
 
 const CURVE: [u8; 3] = [27, 94, 170];
@@ -9,7 +9,7 @@ const MEASURED: [u8; 3] = [190, 40, 70];
 const LEFT_OUT: [u8; 3] = [160, 164, 170];
 const INK: [u8; 3] = [60; 3];
 
-pub(super) fn figures(report: &Report, found: Option<&dyn Fitted>) -> Vec<Figure> {
+pub(super) fn figures(report: &FitReport, found: Option<&dyn Fitted>) -> Vec<Figure> {
     let (unit, to_one) = report.shown_unit();
     let distances = || report.points.iter().map(|point| point.distance_m);
     let (near, far) = distances().fold((f64::INFINITY, 0.0f64), |(a, b), z| (a.min(z), b.max(z)));
@@ -67,7 +67,7 @@ pub(super) fn figures(report: &Report, found: Option<&dyn Fitted>) -> Vec<Figure
 
 /// Draws the residuals of the fitted curve, in thousandths because longer numbers do not fit beside the axis; `None` without
 /// a curve. The farthest distance is `far`.
-fn residuals(report: &Report, x: &Axis, far: f64) -> Option<Figure> {
+fn residuals(report: &FitReport, x: &Axis, far: f64) -> Option<Figure> {
     let (unit, to_one) = report.shown_unit();
     let used = || report.points.iter().filter(|point| point.is_used);
     let left: Vec<[f64; 2]> = used()
@@ -117,7 +117,7 @@ fn line(far: f64, at: f64) -> Layer {
     layer("", INK, Shape::Line(vec![[0.0, at], [2.0 * far, at]]))
 }
 
-fn curve(found: &dyn Fitted, report: &Report, near: f64, far: f64) -> (Vec<[f64; 2]>, Vec<[f64; 3]>) {
+fn curve(found: &dyn Fitted, report: &FitReport, near: f64, far: f64) -> (Vec<[f64; 2]>, Vec<[f64; 3]>) {
     let (_, to_one) = report.shown_unit();
     let error_domain = found.error_domain();
     let at = |z: f64, off: f64| {
@@ -137,13 +137,13 @@ fn curve(found: &dyn Fitted, report: &Report, near: f64, far: f64) -> (Vec<[f64;
     (curve, band)
 }
 
-fn name(found: &dyn Fitted, report: &Report) -> String {
+fn name(found: &dyn Fitted, report: &FitReport) -> String {
     let r2 = report.curve.and_then(|curve| curve.r_squared);
     let r2 = r2.map_or(String::new(), |r2| format!(", R2 = {r2:.3}"));
     format!("{}{r2}", found.name(report))
 }
 
-fn subtitle(report: &Report, found: Option<&dyn Fitted>) -> String {
+fn subtitle(report: &FitReport, found: Option<&dyn Fitted>) -> String {
     let noise = found.map_or(String::new(), |found| found.noise(report));
     format!(
         "{}, focal length {} px at {} px, {} points{noise}",

@@ -12,8 +12,8 @@ use crate::table::{self, wrong};
 use oaktwin_base::diagnostic::nearest;
 use oaktwin_files::FileError;
 use oaktwin_pipeline::input::name::Name;
+use oaktwin_pipeline::input::reader::DepthImageReader;
 use oaktwin_pipeline::input::replicator;
-use oaktwin_pipeline::input::source::Source;
 use oaktwin_pipeline::sense::InputKind;
 
 /// The name of the table of distances in a folder.
@@ -184,12 +184,12 @@ fn alone(sensed: PathBuf) -> Files {
 
 impl Files {
     /// Opens the measured images. Integer pixels are multiplied by `unit_m`.
-    pub(super) fn open(&self, unit_m: f64) -> Result<Source, FileError> {
+    pub(super) fn open(&self, unit_m: f64) -> Result<DepthImageReader, FileError> {
         match &self.npy {
-            None => Source::open(&self.sensed, unit_m),
+            None => DepthImageReader::open(&self.sensed, unit_m),
             Some(npy) => {
                 let (reader, length) = (Cursor::new(Arc::clone(npy)), npy.len() as u64);
-                Source::read(&self.sensed, Box::new(reader), Some(length), unit_m)
+                DepthImageReader::read(&self.sensed, Box::new(reader), Some(length), unit_m)
             }
         }
     }

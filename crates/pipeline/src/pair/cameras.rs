@@ -147,7 +147,7 @@ impl PairCameras {
 
     /// Renders a pair with the body at a pose in metres; the noise depends on the frame number.
     #[must_use]
-    pub fn look(&self, renderer: &Renderer, world_from_body: &RigidTransform, frame: u64) -> Pair {
+    pub fn capture(&self, renderer: &Renderer, world_from_body: &RigidTransform, frame: u64) -> Pair {
         self.record(&self.light(renderer, world_from_body), frame)
     }
 

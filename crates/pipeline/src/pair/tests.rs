@@ -174,7 +174,7 @@ fn dots_are_where_their_places_are_seen() {
     let twin = twin("oak-d-pro-poe");
     let (x, options) = (1.3f32, dots_only(0.5));
     let cameras = PairCameras::new(&twin, &options).unwrap();
-    let seen = cameras.look(&wall(x), &RigidTransform::IDENTITY, 0);
+    let seen = cameras.capture(&wall(x), &RigidTransform::IDENTITY, 0);
     let rectified = [&seen.rectified_left, &seen.rectified_right].map(numbers);
     let disparity = seen.geometry.stereo_geometry().disparity(f64::from(x));
     let mut compared = 0;
@@ -210,7 +210,7 @@ fn what_stands_in_the_light_takes_the_dots_of_the_wall_behind() {
     plate(&mut scene, near, [y0, y1], [z0, z1]);
     let options = dots_only(2.0);
     let cameras = PairCameras::new(&twin, &options).unwrap();
-    let seen = cameras.look(&Renderer::new(scene), &RigidTransform::IDENTITY, 0);
+    let seen = cameras.capture(&Renderer::new(scene), &RigidTransform::IDENTITY, 0);
     let image = numbers(&seen.left);
     let left = twin.camera(Role::Left).unwrap();
     let camera_from_body = left.body_from_camera.inverse();
@@ -292,7 +292,7 @@ struct Off {
 fn off<const N: usize>(twin: &Twin, exposure: f64, methods: [Method; N]) -> [Off; N] {
     let x = 1.1;
     let cameras = PairCameras::new(twin, &dots_only(exposure)).unwrap();
-    let seen = cameras.look(&wall(x as f32), &RigidTransform::IDENTITY, 0);
+    let seen = cameras.capture(&wall(x as f32), &RigidTransform::IDENTITY, 0);
     let raw = [&seen.left, &seen.right].map(|image| match image {
         Recorded::Ten(image) => image,
         Recorded::Eight(_) => unreachable!(),

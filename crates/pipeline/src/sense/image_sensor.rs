@@ -3,7 +3,7 @@
 use super::images::{Given, Images};
 use super::{InputKind, SenseError, SenseOptions};
 use crate::limits::check_size;
-use crate::sensor::{self, EngineInput, OutputCamera, Sensor, Shot, depth_sensor, frame, needs_a_pair};
+use crate::sensor::{self, DepthShot, EngineInput, OutputCamera, Sensor, depth_sensor, frame, needs_a_pair};
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::{Camera, ImageSize};
 use oaktwin_catalog::Twin;
@@ -69,7 +69,7 @@ impl ImageSensor {
             )));
         }
         let (z, rgb) = self.images.convert(z, rgb);
-        let mut shot = Shot::new((&z).into());
+        let mut shot = DepthShot::new((&z).into());
         shot.frame = frame_number;
         let mut request = vec![Annotator::DepthSensorDistance];
         if let Some(rgb) = &rgb {

@@ -15,7 +15,7 @@ use super::stream::StreamWriter;
 use super::{FieldOfView, Input, SenseError, SenseOptions, camera};
 use crate::align;
 use crate::input::check_depth_scale;
-use crate::input::source::Source;
+use crate::input::reader::DepthImageReader;
 use crate::limits;
 use crate::progress::Watch;
 use crate::sensor::{self, Engine, Sensor};
@@ -23,7 +23,7 @@ use crate::write::{Producer, write_while};
 use oaktwin_base::diagnostic::{Finding, add_new, message, opt};
 use oaktwin_camera::{Camera, ImageSize, RigidTransform, UsdOptics};
 use oaktwin_catalog::{Twin, TwinCamera, TwinDepthSensor};
-use oaktwin_dataset::{self as dataset, Extras, FlatWriter, InputName, Shot, View, Writer};
+use oaktwin_dataset::{self as dataset, Extras, FlatWriter, FrameCamera, InputName, Shot, Writer};
 use oaktwin_files::{FileError, OutputFiles, WrittenFile};
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Annotator;
@@ -78,12 +78,12 @@ pub fn sense(
     output_files.protect(files().map(|file| file.path.as_path()));
     output_files.protect(files().flat_map(|file| &file.rgb).map(PathBuf::as_path));
     let mut writer: Box<dyn Writer + '_> = match output {
-        Output::Files => Box::new(FlatWriter::new(dataset::Options {
+        Output::Files => Box::new(FlatWriter::new(dataset::WriterOptions {
             extras: Extras {
                 ply: false,
                 ..options.extras
             },
-            ..dataset::Options::default()
+            ..dataset::WriterOptions::default()
         })),
         Output::Stream(stream) => Box::new(StreamWriter {
             stream,
@@ -163,7 +163,7 @@ impl<'a> Run<'a, '_, '_> {
     fn sources(
         &mut self,
         sequence: &Sequence<'a>,
-        sources: Receiver<Result<Source, FileError>>,
+        sources: Receiver<Result<DepthImageReader, FileError>>,
     ) -> Result<ControlFlow<()>, SenseError> {
         let mut current: Option<(Session<'a>, Sensor)> = None;
         for (file, source) in sequence.files.iter().zip(sources) {
@@ -238,7 +238,7 @@ impl<'a> Run<'a, '_, '_> {
         session: &Session<'a>,
         sensor: &mut Sensor,
         file: &DepthFile,
-        mut source: Source,
+        mut source: DepthImageReader,
         mut pictures: Option<Pictures>,
     ) -> Result<ControlFlow<()>, SenseError> {
         let is_sequence = source.batch.is_none() || self.options.is_sequence;
@@ -334,7 +334,7 @@ impl Session<'_> {
         let Given { z, rgb, frame, item } = given;
         let (z, rgb) = self.images.convert(z, rgb);
         let request = self.output.request();
-        let mut shot = sensor::Shot::new((&z).into());
+        let mut shot = sensor::DepthShot::new((&z).into());
         shot.frame = frame;
         shot.item = item;
         let of_one_size = |error: oaktwin_depth::ShotError| {
@@ -349,21 +349,21 @@ impl Session<'_> {
     }
 }
 
-fn open(file: &DepthFile, scale: f64) -> Result<Source, FileError> {
+fn open(file: &DepthFile, scale: f64) -> Result<DepthImageReader, FileError> {
     if file.is_standard_input {
-        Source::read(&file.path, Box::new(std::io::stdin()), None, scale)
+        DepthImageReader::read(&file.path, Box::new(std::io::stdin()), None, scale)
     } else {
-        Source::open(&file.path, scale)
+        DepthImageReader::open(&file.path, scale)
     }
 }
 
 /// The view of the images of a sensor, at the origin: the numbers of the model's camera, whose focal length in
 /// millimetres does not depend on the image.
-fn view(own: &TwinCamera, sensor: &TwinDepthSensor, images: Camera) -> View {
+fn view(own: &TwinCamera, sensor: &TwinDepthSensor, images: Camera) -> FrameCamera {
     let focal_length_um = own.pixel_size_um * own.intrinsics.mean_focal_length();
     let pixel_size_um = focal_length_um / images.intrinsics.mean_focal_length();
     let (near, far) = sensor.spec.clipping_range_m;
-    View {
+    FrameCamera {
         optics: UsdOptics::from_intrinsics(&images.intrinsics, pixel_size_um, Default::default()),
         camera: images,
         world_from_camera: RigidTransform::IDENTITY,

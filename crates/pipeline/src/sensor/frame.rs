@@ -1,7 +1,7 @@
 //! From a capture to annotations: the only place where the points and colours of a measurement are made.
 
 use oaktwin_camera::{Camera, UsdOptics};
-use oaktwin_dataset::View;
+use oaktwin_dataset::FrameCamera;
 use oaktwin_depth::{Capture, Input, Layer, OutputCamera, ParameterError, Sensor};
 use oaktwin_image::annotation::{Annotation, Annotator, Frame};
 use oaktwin_image::{Image, ImageView};
@@ -85,7 +85,7 @@ fn annotation(layer: Layer) -> Option<Annotation> {
 }
 
 /// The view of a sensor's output camera; `input` is the view of the sensor's input.
-pub(crate) fn sensor_view(output: &OutputCamera, input: &View) -> View {
+pub(crate) fn sensor_view(output: &OutputCamera, input: &FrameCamera) -> FrameCamera {
     let intrinsics = &output.camera.intrinsics;
     let optics = if *intrinsics == input.camera.intrinsics {
         input.optics
@@ -94,7 +94,7 @@ pub(crate) fn sensor_view(output: &OutputCamera, input: &View) -> View {
         let pixel_size_um = input.optics.focal_length_mm * 1e3 / intrinsics.mean_focal_length();
         UsdOptics::from_intrinsics(intrinsics, pixel_size_um, Default::default())
     };
-    View {
+    FrameCamera {
         optics,
         camera: output.camera,
         world_from_camera: input.world_from_camera * output.input_from_output(),

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::StereoError;
 use super::files::PairFiles;
 use super::grey::read_pair;
-use super::matcher::{Matcher, PairOf, Seen};
+use super::matcher::{MatchedPair, Matcher, PairOf};
 use crate::align::{self, AlignTo, Measuring};
 use crate::limits;
 use crate::progress::Watch;
@@ -16,7 +16,7 @@ use crate::write::write_while;
 use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 use oaktwin_camera::{Camera, ImageSize, RigidTransform, UsdOptics};
 use oaktwin_dataset::{
-    self as dataset, CameraParams, CloudAxes, Extras, FlatWriter, Layer, LayerData, Shot, View,
+    self as dataset, CameraParams, CloudAxes, Extras, FlatWriter, FrameCamera, Layer, LayerData, Shot,
 };
 use oaktwin_depth::align::Align;
 use oaktwin_depth::rectify::Method;
@@ -119,12 +119,12 @@ pub fn stereo(
         method: matcher.method().map(Method::name),
         is_interrupted: false,
     };
-    let mut writer = FlatWriter::new(dataset::Options {
+    let mut writer = FlatWriter::new(dataset::WriterOptions {
         extras: Extras {
             ply: false,
             ..options.extras
         },
-        ..dataset::Options::default()
+        ..dataset::WriterOptions::default()
     });
     let (mut given, mut before) = (Some(images), first);
     let total = pairs.len() as u64;
@@ -141,7 +141,9 @@ pub fn stereo(
                 matcher.reset();
             }
             before = pair;
-            let seen = matcher.look(left, right).map_err(|error| in_files(error, pair))?;
+            let seen = matcher
+                .match_pair(left, right)
+                .map_err(|error| in_files(error, pair))?;
             matched.add(&seen, pair);
             let shot = shot(seen, &matcher, align.as_ref(), options, pair);
             if producer.write(shot).is_break() || producer.finish().is_break() {
@@ -212,7 +214,7 @@ fn in_files(error: StereoError, pair: &PairFiles) -> StereoError {
 
 impl Matched {
     /// Adds the fill rate and the findings of a pair.
-    fn add(&mut self, seen: &Seen, pair: &PairFiles) {
+    fn add(&mut self, seen: &MatchedPair, pair: &PairFiles) {
         let ZDepth(metres) = &seen.capture.distance;
         let measured = metres.pixels().iter().filter(|z| **z > 0.0).count();
         self.fill
@@ -250,14 +252,14 @@ fn nothing_measured() -> Finding {
 
 /// The frame of a matched pair.
 fn shot(
-    seen: Seen,
+    seen: MatchedPair,
     matcher: &Matcher,
     align: Option<&Align>,
     options: &StereoOptions,
     pair: &PairFiles,
 ) -> Shot {
     let wants = |output: StereoOutput| options.outputs.contains(&output);
-    let Seen {
+    let MatchedPair {
         capture, rectified, ..
     } = seen;
     let request = [
@@ -334,8 +336,8 @@ fn shot(
 
 /// The view of the rectified left camera, which is at the origin. The size of its pixels is unknown; it does not affect the
 /// projection.
-fn view(camera: &Camera) -> View {
-    View {
+fn view(camera: &Camera) -> FrameCamera {
+    FrameCamera {
         optics: UsdOptics::from_intrinsics(&camera.intrinsics, PIXEL_SIZE_UM, Default::default()),
         camera: *camera,
         world_from_camera: RigidTransform::IDENTITY,

@@ -19,10 +19,10 @@ use values::{Values, of_items, sources};
 
 use super::DepthSensor;
 use super::annotate::{not_made, sensor_annotator};
-use super::eye::Source;
 use super::items::Items;
 use super::many::{Batch, copy};
 use super::memory::Memory;
+use super::sized::SensorSettings;
 use super::units::{notice, numbers_of};
 use crate::arguments::{Annotators, FrameNumber};
 use crate::engine::PythonEngine;
@@ -55,7 +55,7 @@ pub(crate) struct SensorBatch {
     sensor: Py<DepthSensor>,
     arguments: Py<PyDict>,
     /// The units: one for each item, or one for all.
-    sources: Vec<Source>,
+    sources: Vec<SensorSettings>,
     /// The options of each item, or those of all.
     options: Vec<SensorOptions>,
     has_own_seeds: bool,

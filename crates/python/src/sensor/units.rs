@@ -81,7 +81,7 @@ impl DepthSensor {
             device_seed,
             ..self.source.options.clone()
         };
-        let sensor = self.source.eye_with(Some(size), &options)?.sensor;
+        let sensor = self.source.sized_with(Some(size), &options)?.sensor;
         sensors.insert((seed, device_seed), Arc::clone(&sensor));
         Ok(sensor)
     }

@@ -105,11 +105,11 @@ impl Bundle<'_> {
         let top = self.scene.instances;
         if self.leaf.count != 0
             && let Some((mesh, tree, mesh_from_world)) = self.scene.instance(self.leaf.instance)
-            && let Some(frame) = Frame::new(mesh_from_world, state, &tree.bounds)
+            && let Some(frame) = BundleRays::new(mesh_from_world, state, &tree.bounds)
         {
             frame.leaf::<L>(mesh, tree, self.leaf, state);
         }
-        let Some(frame) = Frame::new(DAffine3::IDENTITY, state, &top.bounds) else {
+        let Some(frame) = BundleRays::new(DAffine3::IDENTITY, state, &top.bounds) else {
             return;
         };
         self.stack.clear();
@@ -135,7 +135,7 @@ impl Visit for Instances<'_> {
             let Some((mesh, tree, mesh_from_world)) = self.scene.instance(instance) else {
                 continue;
             };
-            let Some(frame) = Frame::new(mesh_from_world, state, &tree.bounds) else {
+            let Some(frame) = BundleRays::new(mesh_from_world, state, &tree.bounds) else {
                 continue;
             };
             let visit = Triangles {
@@ -156,7 +156,7 @@ struct Triangles<'a> {
     mesh: &'a Mesh,
     tree: &'a MeshTree,
     instance: u32,
-    frame: &'a Frame,
+    frame: &'a BundleRays,
 }
 
 impl Visit for Triangles<'_> {
@@ -190,7 +190,7 @@ impl Bound {
 }
 
 /// The rays in the frame of a hierarchy.
-struct Frame {
+struct BundleRays {
     origin: DVec3,
     /// The end of the rays, in lengths of their directions in single precision.
     far: f32,
@@ -207,7 +207,7 @@ struct Frame {
     end_count: usize,
 }
 
-impl Frame {
+impl BundleRays {
     /// Creates the rays that are still open; `None` if they have no directions or the bounds are not finite.
     #[allow(
         clippy::cast_possible_truncation,
@@ -413,7 +413,7 @@ pub(crate) fn bits(mut set: u64) -> impl Iterator<Item = usize> {
 #[inline(always)]
 fn walk<L: Lanes>(
     nodes: &[Node],
-    frame: &Frame,
+    frame: &BundleRays,
     state: &mut State<'_>,
     stack: &mut Entries,
     visit: &impl Visit,

@@ -9,14 +9,14 @@ use rayon::prelude::*;
 use super::ShadingContext;
 use super::film::Film;
 use super::mirrored::Followed;
-use super::occlusion::Place;
+use super::occlusion::ShadingPoint;
 use super::paint::{Paint, finishes};
 use super::path::Arrival;
 use super::reflect::Radiance;
 use super::strength::Strengths;
 use super::surfaces::{Packet, lane_of};
-use super::targets::{Target, each_target};
 use super::tiles::TILE;
+use super::visible_pixels::{VisiblePixel, each_visible_pixel};
 use crate::ray::Stack;
 use crate::rays::Rays;
 use crate::{Hit, Visibility};
@@ -99,7 +99,7 @@ impl<'a> ShadingContext<'a> {
                             let seen = hits[columns.clone()].iter().zip(&depths[columns.clone()]);
                             let first = (y - TILE * strip) as usize * row_length;
                             for ((hit, z), x) in seen.zip(left..) {
-                                targets.push(Target {
+                                targets.push(VisiblePixel {
                                     tag: first + x as usize,
                                     place: [x, y],
                                     hit: *hit,
@@ -125,12 +125,12 @@ impl<'a> ShadingContext<'a> {
     /// what was seen. Rays that the lens does not have are left out.
     pub(super) fn colors<'w>(
         &'w self,
-        targets: &mut [Target],
+        targets: &mut [VisiblePixel],
         workspace: &mut Workspace<'w>,
         mut put: impl FnMut(usize, Seen),
     ) {
-        each_target(targets, self.scene, self.level, |target| {
-            let Target { tag, place, hit, z } = target;
+        each_visible_pixel(targets, self.scene, self.level, |target| {
+            let VisiblePixel { tag, place, hit, z } = target;
             let Some(ray) = workspace.packet.ray(place) else {
                 return;
             };
@@ -167,7 +167,7 @@ impl<'a> ShadingContext<'a> {
             let (mut shares, known) = self.coarse.light(&found, &self.occlusion, strengths, stack);
             for lane in 0..found.count() {
                 if (known >> lane) & 1 == 0 {
-                    let place = Place::new(&found, lane);
+                    let place = ShadingPoint::new(&found, lane);
                     shares.set(
                         lane,
                         self.occlusion.sample_alone(&place, strengths, stack).shares(),

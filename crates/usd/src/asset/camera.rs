@@ -1,7 +1,7 @@
 use oaktwin_camera::{ApertureOffsets, ImageSize, Usd, UsdOptics};
 use oaktwin_catalog::{LegacyDistortion, Origin, Twin, TwinCamera};
 
-use super::{AssetError, AssetOptions, IsaacVersion, Target, describe, float, lens, pose};
+use super::{AssetError, AssetOptions, AssetTarget, IsaacVersion, describe, float, lens, pose};
 use crate::nvidia::SENSOR_SCHEMA;
 use crate::text::{Prim, Value};
 
@@ -29,7 +29,8 @@ pub(super) fn prim(twin: &Twin, camera: &TwinCamera, options: &AssetOptions) -> 
         lens.author(&mut prim, &twin.device.name)?;
     }
     // The legacy attributes describe a pinhole, which would contradict a lens schema.
-    let by_default = options.isaac == IsaacVersion::V5_1 && options.target == Target::Isaac && lens.is_none();
+    let by_default =
+        options.isaac == IsaacVersion::V5_1 && options.target == AssetTarget::Isaac && lens.is_none();
     if by_default || options.legacy_distortion {
         add_legacy_distortion(&mut prim, camera);
     }
@@ -45,7 +46,7 @@ pub(super) fn base(
 ) -> Prim {
     let optics = optics(twin, camera, options);
     let mut prim = Prim::def("Camera", traits.name);
-    if options.isaac == IsaacVersion::V6 && options.target == Target::Isaac {
+    if options.isaac == IsaacVersion::V6 && options.target == AssetTarget::Isaac {
         prim.api_schemas.push(SENSOR_SCHEMA.into());
     }
     prim.set(

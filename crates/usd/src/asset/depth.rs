@@ -1,11 +1,11 @@
 use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_base::parameter::nvidia::Attributes;
-use oaktwin_base::parameter::{Kind, Row, Table};
+use oaktwin_base::parameter::{Kind, ParameterRow, Table};
 use oaktwin_catalog::{Twin, TwinCamera, TwinDepthSensor};
 
 use super::camera::{CameraTraits, base};
 use super::{
-    AssetError, AssetOptions, IsaacVersion, PRODUCTS, Target, describe, float, lens, render_product_name,
+    AssetError, AssetOptions, AssetTarget, IsaacVersion, PRODUCTS, describe, float, lens, render_product_name,
 };
 use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, OUTLIER_REMOVAL, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
 use crate::text::{Attribute, Prim, Value};
@@ -39,7 +39,7 @@ pub(super) fn virtual_camera(
     };
     let mut prim = base(twin, camera, &traits, options);
     prim.documentation = Some(describe::depth_camera(twin, sensor, camera));
-    if options.target == Target::Ovrtx {
+    if options.target == AssetTarget::Ovrtx {
         prim.api_schemas.push(CAMERA_SCHEMA.into());
         for attribute in attributes(sensor, options) {
             prim.add(attribute);
@@ -71,7 +71,7 @@ pub(super) fn products(twin: &Twin, options: &AssetOptions, device_path: &str) -
             .documented(describe::product(sensor));
         product.relate("camera", vec![format!("{device_path}/{}", sensor.spec.prim)]);
         product.set_uniform("resolution", lens::int2(&camera.intrinsics, &twin.device.name)?);
-        if options.target == Target::Isaac {
+        if options.target == AssetTarget::Isaac {
             product.api_schemas.push(PRODUCT_SCHEMA.into());
             for attribute in attributes(sensor, options) {
                 product.add(attribute);
@@ -99,17 +99,17 @@ pub(super) fn products(twin: &Twin, options: &AssetOptions, device_path: &str) -
 
 fn variables(options: &AssetOptions) -> Vec<&'static str> {
     match (options.target, options.isaac) {
-        (Target::Isaac, IsaacVersion::V5_1) => Vec::new(),
-        (Target::Isaac, IsaacVersion::V6) => VARIABLES.to_vec(),
-        (Target::Ovrtx, _) => VARIABLES.into_iter().chain([OVRTX_VARIABLE]).collect(),
+        (AssetTarget::Isaac, IsaacVersion::V5_1) => Vec::new(),
+        (AssetTarget::Isaac, IsaacVersion::V6) => VARIABLES.to_vec(),
+        (AssetTarget::Ovrtx, _) => VARIABLES.into_iter().chain([OVRTX_VARIABLE]).collect(),
     }
 }
 
 /// Returns the full name of a depth attribute for the target.
 pub(super) fn attribute_name(options: &AssetOptions, name: &str) -> String {
     let namespace = match options.target {
-        Target::Isaac => PRODUCT_NAMESPACE,
-        Target::Ovrtx => CAMERA_NAMESPACE,
+        AssetTarget::Isaac => PRODUCT_NAMESPACE,
+        AssetTarget::Ovrtx => CAMERA_NAMESPACE,
     };
     format!("{namespace}{name}")
 }
@@ -117,7 +117,7 @@ pub(super) fn attribute_name(options: &AssetOptions, name: &str) -> String {
 /// The parameter sheet's attributes that shape the output, sorted by name.
 fn attributes(sensor: &TwinDepthSensor, options: &AssetOptions) -> Vec<Attribute> {
     let values = sensor.attributes(options.extended_disparity);
-    let shapes = |row: &&Row<Attributes>| matches!(row.about.kind, Kind::Number | Kind::Integer);
+    let shapes = |row: &&ParameterRow<Attributes>| matches!(row.about.kind, Kind::Number | Kind::Integer);
     let mut attributes: Vec<Attribute> = Attributes::rows()
         .filter(shapes)
         .map(|row| {
@@ -127,7 +127,7 @@ fn attributes(sensor: &TwinDepthSensor, options: &AssetOptions) -> Vec<Attribute
             let range = values.outlier_removal_range_px;
             match (name, options.target, options.isaac) {
                 // One name, two types: a range in pixels in 5.x, a switch in 6.x.
-                (OUTLIER_REMOVAL, Target::Isaac, IsaacVersion::V5_1) => {
+                (OUTLIER_REMOVAL, AssetTarget::Isaac, IsaacVersion::V5_1) => {
                     let range = i32::try_from(range).unwrap_or(i32::MAX);
                     attribute(Value::Int(range)).documented(describe::OUTLIER_REMOVAL)
                 }
@@ -145,7 +145,7 @@ fn attributes(sensor: &TwinDepthSensor, options: &AssetOptions) -> Vec<Attribute
 
 /// Returns a note for each depth sensor whose schema is experimental.
 pub(super) fn findings(twin: &Twin, options: &AssetOptions, device_path: &str) -> Vec<Finding> {
-    if options.target != Target::Ovrtx {
+    if options.target != AssetTarget::Ovrtx {
         return Vec::new();
     }
     twin.depth_sensors

@@ -50,7 +50,7 @@ pub use error::AssetError;
 pub use files::{AssetFile, files};
 pub use names::{PrimNames, render_product_name};
 pub use oaktwin_catalog::LensChoice;
-pub use options::{AssetOptions, Format, IsaacVersion, Target};
+pub use options::{AssetOptions, AssetTarget, Format, IsaacVersion};
 pub use overrides::{OverrideBase, overrides};
 
 use crate::body;

@@ -2,7 +2,7 @@ use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_catalog::{Origin, Twin};
 
 use super::{
-    Asset, AssetError, AssetOptions, PRODUCTS, PrimNames, ROOT, Target, camera, depth, describe, float,
+    Asset, AssetError, AssetOptions, AssetTarget, PRODUCTS, PrimNames, ROOT, camera, depth, describe, float,
     guard, layer_data, lens, render_product_name,
 };
 use crate::text::{Layer, Prim, UpAxis};
@@ -66,12 +66,12 @@ pub fn overrides(twin: &Twin, options: &AssetOptions, base: &OverrideBase<'_>) -
             float(sensor.focal_length_px),
         );
         match options.target {
-            Target::Isaac => {
+            AssetTarget::Isaac => {
                 let mut product = Prim::over(render_product_name(name));
                 product.set(focal_length.0, focal_length.1);
                 products.children.push(product);
             }
-            Target::Ovrtx => prim.set(focal_length.0, focal_length.1),
+            AssetTarget::Ovrtx => prim.set(focal_length.0, focal_length.1),
         }
         device.children.push(prim);
     }

@@ -215,7 +215,7 @@ fn isaac_version_selects_attribute_names_types_and_render_variables() {
 #[test]
 fn ovrtx_assets_apply_the_schema_to_the_camera_and_note_that_it_is_assumed() {
     let options = AssetOptions {
-        target: Target::Ovrtx,
+        target: AssetTarget::Ovrtx,
         ..plain()
     };
     let asset = asset(&nominal_of("oak_d_tof"), &options).unwrap();

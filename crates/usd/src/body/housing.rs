@@ -4,7 +4,7 @@ use oaktwin_camera::math::{DVec2, DVec3};
 use oaktwin_catalog::BodyShape;
 
 use super::front::Panel;
-use super::loft::{End, Frame, loft};
+use super::loft::{End, LoftFrame, loft};
 use super::material;
 use super::mesh::Mesh;
 use super::outline::{COARSE, FINE, Outline, fraction, rounded_rectangle};
@@ -32,7 +32,7 @@ pub(super) fn collider(envelope: &Envelope, family: BodyShape) -> BodyPart {
     let radius = envelope.corner_radius(family);
     let outline = || rounded_rectangle(envelope.centre(), envelope.half, radius, 2);
     let stations = [(envelope.back_x(), outline()), (envelope.front.x, outline())];
-    loft(Frame::FORWARD, &stations, End::Flat, End::Flat).into_part("collider", material::ALUMINIUM)
+    loft(LoftFrame::FORWARD, &stations, End::Flat, End::Flat).into_part("collider", material::ALUMINIUM)
 }
 
 /// Creates the block that holds the glass, from `back_x` to the front face, as wide and high as the envelope.
@@ -75,7 +75,7 @@ fn shell(
     }
     stations.push((front_x, panel.pocket()));
     stations.push((panel.floor_x, panel.pocket()));
-    loft(Frame::FORWARD, &stations, End::Flat, End::Flat).into_part("shell", metal)
+    loft(LoftFrame::FORWARD, &stations, End::Flat, End::Flat).into_part("shell", metal)
 }
 
 /// Creates a vertical fin centred at `y` that spans `x` and `z`.
@@ -91,7 +91,7 @@ fn fin(y: f64, thickness: f64, x: [f64; 2], z: [f64; 2]) -> Mesh {
         (thickness / 2.0, outline(bevel)),
     ];
     loft(
-        Frame::left(DVec3::new(0.0, y, 0.0)),
+        LoftFrame::left(DVec3::new(0.0, y, 0.0)),
         &stations,
         End::Flat,
         End::Flat,
@@ -193,7 +193,7 @@ fn comb(envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
         (wall + 0.8, core(0.0)),
         (block_back + 3.0, core(0.0)),
     ];
-    parts.push(loft(Frame::FORWARD, &stations, End::Flat, End::Flat).into_part("core", metal));
+    parts.push(loft(LoftFrame::FORWARD, &stations, End::Flat, End::Flat).into_part("core", metal));
 
     let radius = envelope.corner_radius(BodyShape::Comb);
     let bay_half = 0.36 * half.x;

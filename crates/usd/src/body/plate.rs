@@ -1,6 +1,6 @@
 use oaktwin_camera::math::DVec2;
 
-use super::loft::Frame;
+use super::loft::LoftFrame;
 use super::mesh::Mesh;
 use super::outline::Outline;
 
@@ -15,7 +15,7 @@ pub(super) struct Opening {
 ///
 /// The openings are sorted by descending u. `cuts` holds the u of the lines between them, one fewer.
 pub(super) fn plate(outer: &[Outline; 3], levels: [f64; 3], openings: &[Opening], cuts: &[f64]) -> Mesh {
-    let frame = Frame::FORWARD;
+    let frame = LoftFrame::FORWARD;
     let mut mesh = Mesh::default();
     // Seams cross the outer outline at the same fraction of the same edges on every level.
     let splits = split(&outer[0], cuts);
@@ -67,33 +67,33 @@ pub(super) fn plate(outer: &[Outline; 3], levels: [f64; 3], openings: &[Opening]
 
 /// A point on an outline: a fraction of the edge that starts at a vertex, and the cut that created it, if any.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct OutlinePoint {
     edge: usize,
     share: f64,
     cut: Option<usize>,
 }
 
-impl Place {
+impl OutlinePoint {
     fn on(&self, outline: &[DVec2]) -> DVec2 {
         outline[self.edge].lerp(outline[(self.edge + 1) % outline.len()], self.share)
     }
 }
 
 /// Returns the vertices of an outline and its intersections with vertical lines.
-fn split(outline: &[DVec2], cuts: &[f64]) -> Vec<Place> {
+fn split(outline: &[DVec2], cuts: &[f64]) -> Vec<OutlinePoint> {
     let mut places = Vec::with_capacity(outline.len() + 2 * cuts.len());
     for edge in 0..outline.len() {
-        places.push(Place {
+        places.push(OutlinePoint {
             edge,
             share: 0.0,
             cut: None,
         });
         let (a, b) = (outline[edge].x, outline[(edge + 1) % outline.len()].x);
-        let mut crossed: Vec<Place> = cuts
+        let mut crossed: Vec<OutlinePoint> = cuts
             .iter()
             .enumerate()
             .filter(|(_, u)| (a - **u) * (b - **u) < 0.0)
-            .map(|(cut, &u)| Place {
+            .map(|(cut, &u)| OutlinePoint {
                 edge,
                 share: (u - a) / (b - a),
                 cut: Some(cut),
@@ -106,7 +106,7 @@ fn split(outline: &[DVec2], cuts: &[f64]) -> Vec<Place> {
 }
 
 /// Returns the upper and the lower point of a cut.
-fn seam(places: &[Place], flat: &[DVec2], cut: usize) -> (usize, usize) {
+fn seam(places: &[OutlinePoint], flat: &[DVec2], cut: usize) -> (usize, usize) {
     let mut on_cut = (0..places.len()).filter(|&i| places[i].cut == Some(cut));
     let (a, b) = (on_cut.next().unwrap_or(0), on_cut.next().unwrap_or(0));
     if flat[a].y > flat[b].y { (a, b) } else { (b, a) }

@@ -10,7 +10,7 @@ use crate::stage::StageMetadata;
 
 /// The result of checking a file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Report {
+pub struct CheckReport {
     /// The file's path as given by the caller.
     pub file: String,
     /// The root layer's metadata.
@@ -36,16 +36,16 @@ pub struct CameraReport {
     pub resolution_from: ResolutionSource,
     /// Isaac Sim's intrinsics: square pixels, centred. `None` if the attributes are invalid or the camera is not
     /// perspective.
-    pub isaac: Option<View>,
+    pub isaac: Option<PinholeReport>,
     /// OpenUSD's intrinsics: each axis by its aperture, with aperture offsets.
-    pub openusd: Option<View>,
+    pub openusd: Option<PinholeReport>,
     /// The lens-distortion schema, whose parameters Isaac Sim's renderer uses instead.
     pub lens: Option<LensReport>,
 }
 
 /// Pinhole intrinsics at the report's resolution.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct View {
+pub struct PinholeReport {
     /// The horizontal focal length, px.
     pub fx: f64,
     /// The vertical focal length, px.
@@ -104,7 +104,7 @@ pub struct DepthReport {
     pub nearest_by_disparity_m: f64,
 }
 
-impl Report {
+impl CheckReport {
     /// Returns the most severe level among the findings.
     #[must_use]
     pub fn worst(&self) -> Option<Level> {
@@ -112,8 +112,8 @@ impl Report {
     }
 }
 
-pub(super) fn report(scene: &Scene<'_>, findings: Vec<Finding>) -> Report {
-    Report {
+pub(super) fn report(scene: &Scene<'_>, findings: Vec<Finding>) -> CheckReport {
+    CheckReport {
         file: scene.stage.file.clone(),
         stage: scene.stage.metadata.clone(),
         cameras: scene.cameras.iter().map(camera_report).collect(),
@@ -132,7 +132,7 @@ fn camera_report(camera: &CheckedCamera<'_>) -> CameraReport {
     let view = |k: Intrinsics| {
         let sound = [k.fx, k.fy].iter().all(|f| f.is_finite() && *f > 0.0);
         let c = k.principal_point::<Usd>();
-        let view = View {
+        let view = PinholeReport {
             fx: k.fx,
             fy: k.fy,
             cx: c.x,

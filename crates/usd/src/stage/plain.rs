@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use openusd::{sdf, usd};
 
 use super::reader::{Reader, Record};
-use super::{Attribute, Prim, Target, Value};
+use super::{Attribute, Prim, RelationshipTarget, Value};
 
 /// Returns a prim's type.
 pub(super) fn type_name(prim: &usd::Prim) -> Option<String> {
@@ -54,10 +54,15 @@ fn plain_attribute(reader: &Reader, attribute: &usd::Attribute) -> Attribute {
 }
 
 /// Converts the targets of the relationship `name` of the prim composed at `record`, whose scene path is `path`.
-pub(super) fn plain_targets(reader: &Reader, record: &Record, path: &str, name: &str) -> Vec<Target> {
+pub(super) fn plain_targets(
+    reader: &Reader,
+    record: &Record,
+    path: &str,
+    name: &str,
+) -> Vec<RelationshipTarget> {
     let prim = reader.stage.prim(record.path.clone());
     let targets = prim.relationship(name).targets().unwrap_or_default();
-    let targets = targets.iter().map(|target| Target {
+    let targets = targets.iter().map(|target| RelationshipTarget {
         path: scene_path(target.as_str(), record.path.as_str(), path),
         ..plain_target(&reader.stage, target)
     });
@@ -81,10 +86,10 @@ fn scene_path(target: &str, composed: &str, path: &str) -> String {
 }
 
 /// Converts the target of a relationship.
-fn plain_target(stage: &usd::Stage, target: &sdf::Path) -> Target {
+fn plain_target(stage: &usd::Stage, target: &sdf::Path) -> RelationshipTarget {
     let prim = stage.prim(target.clone());
     let exists = prim.is_valid().unwrap_or(false);
-    Target {
+    RelationshipTarget {
         path: target.to_string(),
         type_name: exists.then(|| type_name(&prim).unwrap_or_default()),
     }

@@ -75,12 +75,12 @@ pub struct RenderProduct {
     /// The render product prim.
     pub prim: Prim,
     /// The targets of its `camera` relationship.
-    pub cameras: Vec<Target>,
+    pub cameras: Vec<RelationshipTarget>,
 }
 
 /// A relationship's target.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Target {
+pub struct RelationshipTarget {
     /// The target path.
     pub path: String,
     /// The type of the target prim; `None` if there is no such prim.

@@ -1,13 +1,13 @@
 //! The tables of `accuracy`.
 
-use oaktwin::accuracy::{Devices, Reading, Report, Row, Verdict};
+use oaktwin::accuracy::{AccuracyReport, AccuracyRow, Devices, Reading, Verdict};
 use oaktwin::catalog::Table;
 
 use super::cells::{band, distance, error, quartiles};
 use crate::number::{fixed, signed};
 use crate::output;
 
-pub(super) fn own(report: &Report, title: String) -> Table {
+pub(super) fn own(report: &AccuracyReport, title: String) -> Table {
     let many = report.devices.are_many();
     let is_factory = matches!(report.devices, Devices::Factory { .. });
     let header = [
@@ -53,7 +53,7 @@ pub(super) fn own(report: &Report, title: String) -> Table {
     )
 }
 
-pub(super) fn single_view(report: &Report, carries: bool) -> String {
+pub(super) fn single_view(report: &AccuracyReport, carries: bool) -> String {
     let [carried, recomputed] = [
         "Depth copied from the rendering: exact by construction; only its position is wrong",
         "Depth recomputed from the quantized and jittered disparity",
@@ -76,10 +76,10 @@ pub(super) fn single_view(report: &Report, carries: bool) -> String {
 
 /// Returns the table of one reading of Isaac Sim's sensor. If depth is recomputed, it includes the jitter and the invalid share.
 fn reading_table<'a>(
-    report: &'a Report,
+    report: &'a AccuracyReport,
     title: String,
     is_recomputed: bool,
-    reading: impl Fn(&'a Row) -> Option<(&'a Reading, Verdict)>,
+    reading: impl Fn(&'a AccuracyRow) -> Option<(&'a Reading, Verdict)>,
 ) -> Table {
     let mut header = vec!["Distance\n[m]", "Error\n[%]", "Pixel error\n[%]"];
     if is_recomputed {

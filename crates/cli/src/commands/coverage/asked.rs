@@ -2,7 +2,9 @@
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DVec3;
-use oaktwin::coverage::{self, Base, Candidate, Coverage, MeasuringRig, Options, Placement, Region, Sweep};
+use oaktwin::coverage::{
+    self, Base, Candidate, Coverage, CoverageOptions, MeasuringRig, Placement, Region, Sweep,
+};
 use oaktwin::files::OutputFiles;
 use oaktwin::render::{OpenOptions, Renderer, SceneFile, trajectory};
 use oaktwin::scene::{Bounds, Up};
@@ -71,11 +73,11 @@ pub(super) fn measure(
     })?)
 }
 
-pub(super) fn options(args: &CoverageArgs) -> Options {
-    Options {
+pub(super) fn options(args: &CoverageArgs) -> CoverageOptions {
+    CoverageOptions {
         samples: args.samples,
         tolerance_mm: args.tolerance,
-        ..Options::default()
+        ..CoverageOptions::default()
     }
 }
 

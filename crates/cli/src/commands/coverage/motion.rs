@@ -16,7 +16,7 @@ use crate::{output, progress};
 
 /// The result of the command.
 #[derive(Serialize)]
-struct Report<'a> {
+struct MotionCoverageReport<'a> {
     scene: &'a Path,
     robot: Option<&'a Path>,
     mount: Option<&'a str>,
@@ -90,8 +90,12 @@ pub(super) fn run(context: &Context, args: &CoverageArgs, region: &Region, sweep
     Ok(finish(&of_files, measured.is_interrupted))
 }
 
-fn report<'a>(args: &'a CoverageArgs, coverage: &'a MotionCoverage, files: &'a [WrittenFile]) -> Report<'a> {
-    Report {
+fn report<'a>(
+    args: &'a CoverageArgs,
+    coverage: &'a MotionCoverage,
+    files: &'a [WrittenFile],
+) -> MotionCoverageReport<'a> {
+    MotionCoverageReport {
         scene: &args.scene,
         robot: args.robot.robot(),
         mount: args.mount.as_deref(),

@@ -49,7 +49,7 @@ pub(super) fn sheet(context: &Context, renderer: &Renderer) -> Result<Vec<u8>> {
     let by_day = measured(by(&STEREO_MATCHING, &day)?)?;
     let at_night = by(&STEREO_MATCHING, &night)?;
     let pair = at_night.pair().ok_or("no stereo pair")?;
-    let pair = pair.look(renderer, &demo_room::world_from_body(), 0);
+    let pair = pair.capture(renderer, &demo_room::world_from_body(), 0);
     let dots: Image<u8> = pair.left.to_eight();
     let by_night = measured(at_night)?;
     let time_of_flight = measured(room::rig(&tof, HEIGHT, &RigSpec::default())?)?;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use oaktwin::catalog::{Device, Twin};
-use oaktwin::dataset::{Extras, FlatWriter, InputName, Options, Shot, Writer};
+use oaktwin::dataset::{Extras, FlatWriter, InputName, Shot, Writer, WriterOptions};
 use oaktwin::files::{self, OutputFiles};
 use oaktwin::image::annotation::{Annotator, Frame};
 use oaktwin::image::contact_sheet::{Column, contact_sheet};
@@ -46,12 +46,12 @@ pub(super) fn render(
     twins: &[Twin],
 ) -> Result<Vec<u8>> {
     let folder = output.join(FOLDER);
-    let options = Options {
+    let options = WriterOptions {
         extras: Extras {
             preview: true,
             ..Extras::default()
         },
-        ..Options::default()
+        ..WriterOptions::default()
     };
     let mut columns = Vec::new();
     for (device, twin) in devices.iter().zip(twins) {

@@ -16,7 +16,7 @@ use crate::output;
 
 /// The result of the command.
 #[derive(Debug, Serialize)]
-pub(super) struct Report<'a> {
+pub(super) struct RenderReport<'a> {
     scene: &'a Path,
     /// The output folder, if there is one.
     output: Option<&'a Path>,
@@ -40,7 +40,7 @@ pub(super) struct Report<'a> {
     calibration_findings: Vec<Finding>,
 }
 
-impl<'a> Report<'a> {
+impl<'a> RenderReport<'a> {
     pub(super) fn new(
         (args, output): (&'a RenderArgs, Option<&'a Path>),
         rig: &'a Rig,

@@ -13,7 +13,7 @@ use crate::output;
 
 /// The result of the command.
 #[derive(Debug, Serialize)]
-pub(super) struct Report {
+pub(super) struct StereoReport {
     /// The model, if one is given.
     model: Option<String>,
     output: PathBuf,
@@ -35,7 +35,7 @@ pub(super) struct Report {
     calibration_findings: Vec<Finding>,
 }
 
-impl Report {
+impl StereoReport {
     pub(super) fn new(args: &StereoArgs, unit: Option<(Twin, Vec<Finding>)>, matched: Matched) -> Self {
         let (model, calibration_findings) = match unit {
             Some((twin, findings)) => (Some(twin.device.name), findings),

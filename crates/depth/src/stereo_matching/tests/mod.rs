@@ -14,7 +14,7 @@ mod same_bytes;
 use oaktwin_camera::StereoGeometry;
 use oaktwin_image::{Image, ImageView};
 
-use super::{Pair, Parameters};
+use super::{Parameters, RectifiedPair};
 use crate::preset::Platform;
 
 const STEREO: StereoGeometry = StereoGeometry {
@@ -73,7 +73,7 @@ fn step(width: u32, height: u32, far: f64, near: f64, left: f64, right: f64) -> 
     ]
 }
 
-fn pair(images: &[Image<u8>; 2]) -> Pair<'_> {
+fn pair(images: &[Image<u8>; 2]) -> RectifiedPair<'_> {
     let [left, right] = images.each_ref().map(ImageView::from);
-    Pair::new(left, right).unwrap()
+    RectifiedPair::new(left, right).unwrap()
 }

@@ -47,7 +47,7 @@ const CELLS: [u32; 2] = [40, 30];
 const TASK: usize = 8 * LANES;
 
 /// The input of one image.
-pub(super) struct View<'a> {
+pub(super) struct MultipathInput<'a> {
     pub(super) depth: ImageView<'a, f32>,
     pub(super) picture: Option<ImageView<'a, [u8; 4]>>,
     /// The albedo without a colour image.
@@ -107,7 +107,7 @@ impl Grid {
 
 impl Multipath {
     /// A `strength` of 1 is physical.
-    pub(super) fn new(view: &View<'_>, strength: f32) -> Self {
+    pub(super) fn new(view: &MultipathInput<'_>, strength: f32) -> Self {
         let grid = Grid::new(view.depth.width(), view.depth.height());
         let [columns, rows] = [0, 1].map(|axis| grid.receivers(axis));
         let bands: Vec<(Vec<Patch>, Vec<Found>)> = (0..grid.size[1].div_ceil(grid.cell))

@@ -3,7 +3,7 @@
 use oaktwin_simd as simd;
 
 use super::spread::{Normals, Surfaces};
-use super::{Found, Grid, View};
+use super::{Found, Grid, MultipathInput};
 use crate::time_of_flight::light::{Albedos, InverseDepth};
 
 /// The surface of a cell, in metres in the camera's frame.
@@ -22,7 +22,7 @@ pub(super) struct Patch {
 
 /// The memory of one thread for a band of cells.
 pub(super) struct Surveyor<'a> {
-    view: &'a View<'a>,
+    view: &'a MultipathInput<'a>,
     grid: Grid,
     columns: &'a [usize],
     rows: &'a [usize],
@@ -42,7 +42,12 @@ struct Sum {
 }
 
 impl<'a> Surveyor<'a> {
-    pub(super) fn new(view: &'a View<'a>, grid: Grid, columns: &'a [usize], rows: &'a [usize]) -> Self {
+    pub(super) fn new(
+        view: &'a MultipathInput<'a>,
+        grid: Grid,
+        columns: &'a [usize],
+        rows: &'a [usize],
+    ) -> Self {
         let width = grid.size[0];
         let mut surfaces = Surfaces::default();
         surfaces.reset(width);

@@ -5,8 +5,8 @@ use oaktwin_pipeline::sensor::{
     EngineKind, SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, SensorOptions, sensor,
 };
 
-fn work(effort: Effort) -> Work<'static> {
-    Work {
+fn work(effort: Effort) -> RunControl<'static> {
+    RunControl {
         effort,
         wants_more: &|| true,
     }

@@ -6,7 +6,7 @@ use super::super::error_domain::ErrorDomain;
 use super::super::least_squares::{Problem, Solution, solve};
 use super::super::method::Fitted;
 use super::super::point::Point;
-use super::super::report::{Report, number};
+use super::super::report::{FitReport, number};
 use super::rays::mean;
 
 /// The number of points of the curve per wave, and its maximum.
@@ -135,12 +135,12 @@ impl Fitted for Found {
             .collect()
     }
 
-    fn name(&self, _report: &Report) -> String {
+    fn name(&self, _report: &FitReport) -> String {
         let [bias_m, wiggling] = [self.solution.parameters[0], self.solution.parameters[1]];
         format!("bias {:.2} mm, wiggling {:.4}", 1e3 * bias_m, wiggling.max(0.0))
     }
 
-    fn noise(&self, report: &Report) -> String {
+    fn noise(&self, report: &FitReport) -> String {
         report.parameter("signal").map_or(String::new(), |signal| {
             format!(", signal {} electrons at 1 m", number(signal.value))
         })

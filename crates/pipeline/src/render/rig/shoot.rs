@@ -182,7 +182,7 @@ impl Rig {
         let lights = during.lights.take();
         let pair = pair.map(|pair| match lights {
             Some(lights) => pair.record(&pair.with_truth(lights, renderer, &mount), number),
-            None => pair.look(renderer, &mount, number),
+            None => pair.capture(renderer, &mount, number),
         });
         let (mut frame, mut findings) = renderer.annotate(&view, &needed, self.backend, &options);
         during.put(&camera.camera, &mut frame, &mut findings);
@@ -240,12 +240,12 @@ impl Rig {
 fn sensed(
     sensor: &mut Sensor,
     camera: &PlacedCamera,
-    described: &dataset::View,
+    described: &dataset::FrameCamera,
     number: u64,
     pair: Option<&Pair>,
     annotators: &[Annotator],
     frame: &mut Frame,
-) -> Result<(dataset::View, Option<Finding>), RigError> {
+) -> Result<(dataset::FrameCamera, Option<Finding>), RigError> {
     let missing = sense_frame(sensor, &described.camera, number, pair, annotators, frame)?;
     let view = sensor_view(&sensor.output_camera(&described.camera), described);
     Ok((view, not_produced(&camera.path, sensor, &missing)))
@@ -314,9 +314,9 @@ fn pair_layers(pair: Pair) -> impl Iterator<Item = Layer> {
     })
 }
 
-fn described(camera: &PlacedCamera, view: &View, meters_per_unit: f64) -> dataset::View {
+fn described(camera: &PlacedCamera, view: &View, meters_per_unit: f64) -> dataset::FrameCamera {
     let (attributes, clip) = (&camera.attributes, &camera.clip);
-    dataset::View {
+    dataset::FrameCamera {
         optics: attributes.optics,
         camera: view.camera,
         world_from_camera: view.world_from_camera,

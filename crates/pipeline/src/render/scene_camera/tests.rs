@@ -1,6 +1,6 @@
 use super::*;
 use oaktwin_camera::Usd;
-use oaktwin_usd::stage::{Attribute, Prim, Target, Value};
+use oaktwin_usd::stage::{Attribute, Prim, RelationshipTarget, Value};
 
 const DEPTH_SCHEMA: &str = "OmniSensorDepthSensorSingleViewAPI";
 
@@ -43,7 +43,7 @@ fn product(path: &str, schemas: &[&str], camera: &str, size: Option<[i64; 2]>) -
     let resolution = size.map(|size| ("resolution", Value::Ints(size.to_vec())));
     RenderProduct {
         prim: prim(path, schemas, resolution.as_slice()),
-        cameras: vec![Target {
+        cameras: vec![RelationshipTarget {
             path: camera.to_owned(),
             type_name: Some("Camera".to_owned()),
         }],

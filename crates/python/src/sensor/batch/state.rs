@@ -12,8 +12,8 @@ use rayon::prelude::*;
 use super::{SensorBatch, in_item};
 use crate::arguments::FrameNumber;
 use crate::images::Shape;
-use crate::sensor::eye::Eye;
 use crate::sensor::items::{Item, Items};
+use crate::sensor::sized::SizedSensor;
 use crate::sensor::units::number;
 use crate::threads;
 
@@ -81,22 +81,23 @@ impl SensorBatch {
             let source = &self.sources[item.min(self.sources.len() - 1)];
             let options = &self.options[item.min(self.options.len() - 1)];
             source
-                .eye_with(Some(size), options)
+                .sized_with(Some(size), options)
                 .map_err(|error| (item, error))
         };
         let count = self.sources.len().max(self.options.len());
         let make_all = || (0..count).into_par_iter().map(make).collect();
-        let eyes: Vec<Eye> = threads::install::<Result<_, _>>(make_all).map_err(|error| (0, error))??;
+        let sensors: Vec<SizedSensor> =
+            threads::install::<Result<_, _>>(make_all).map_err(|error| (0, error))??;
         state.findings.clear();
         state.first.clear();
-        for eye in eyes {
-            let new = eye
+        for sized in sensors {
+            let new = sized
                 .findings
                 .into_iter()
                 .filter(|one| !state.findings.contains(one));
             let new: Vec<_> = new.collect();
             state.findings.extend(new);
-            state.first.push(eye.sensor);
+            state.first.push(sized.sensor);
         }
         state.later.clear();
         for item in 0..state.clocks.len() {

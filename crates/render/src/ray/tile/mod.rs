@@ -3,12 +3,12 @@
 //! In the tile frame each ray is a point `(u, v)` of the plane `z = 1`. A triangle is set up once and tested against the packets
 //! of eight rays that its bounding box in that plane touches; boxes of the hierarchy are tested against the whole tile.
 
-mod frame;
 mod rays;
 mod solve;
 mod state;
 mod table;
 mod trace;
+mod transform;
 mod triangles;
 
 pub(crate) use rays::{PACKETS, PerRay, SIDE, TileRays, place};

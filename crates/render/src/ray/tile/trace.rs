@@ -2,9 +2,9 @@ use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
 use oaktwin_scene::Mesh;
 use oaktwin_simd::{LaneKernel, Lanes};
 
-use super::frame::Frame;
 use super::rays::TileRays;
 use super::state::{Leaf, State};
+use super::transform::TileTransform;
 use super::triangles::Triangles;
 use crate::Clip;
 use crate::ray::Prepared;
@@ -52,7 +52,7 @@ impl LaneKernel for Trace<'_> {
         }
         let top = scene.instances;
         let tile_from_world = rays.tile_from_camera * origin.camera_from_world * origin.scale;
-        let world = Frame::new(
+        let world = TileTransform::new(
             &tile_from_world,
             origin.point,
             &DAffine3::IDENTITY,
@@ -95,7 +95,7 @@ impl Visit for VisitInstances<'_> {
             let Some((mesh, tree, mesh_from_world)) = self.scene.instance(instance) else {
                 continue;
             };
-            let frame = Frame::new(
+            let frame = TileTransform::new(
                 &self.tile_from_world,
                 mesh_from_world.transform_point3(self.origin.point),
                 &self.scene.scene.instances[instance as usize].world_from_mesh,
@@ -120,7 +120,7 @@ struct VisitTriangles<'a> {
     mesh: &'a Mesh,
     tree: &'a MeshTree,
     instance: u32,
-    frame: &'a Frame,
+    frame: &'a TileTransform,
     rays: &'a TileRays,
     ready: Triangles,
 }
@@ -171,7 +171,7 @@ impl Visit for VisitTriangles<'_> {
 #[inline(always)]
 fn walk<L: Lanes>(
     nodes: &[Node],
-    frame: &Frame,
+    frame: &TileTransform,
     state: &mut State,
     stack: &mut Entries,
     visit: &mut impl Visit,

@@ -10,7 +10,7 @@ use oaktwin_image::srgb;
 
 use super::super::builder::Builder;
 use super::super::error::DAMAGED;
-use super::super::uri::{Folder, Target};
+use super::super::uri::{Folder, ResolvedUri};
 use super::document::{Document, name};
 use crate::{ColorSpace, Mask, Material, Opacity, Texture, TextureSource, TextureUse};
 
@@ -147,7 +147,7 @@ impl Effects {
             color_space: ColorSpace::Auto,
         };
         match self.folder.resolve(&uri.replace('\\', "/")) {
-            Target::File(file) | Target::Outside(file) => {
+            ResolvedUri::File(file) | ResolvedUri::Outside(file) => {
                 *self.images.entry(file.clone()).or_insert_with(|| {
                     if file.is_file() {
                         return Some(builder.add_texture(texture(TextureSource::File(file))));
@@ -157,11 +157,11 @@ impl Effects {
                     None
                 })
             }
-            Target::Data(bytes) => Some(builder.add_texture(texture(TextureSource::Encoded {
+            ResolvedUri::Data(bytes) => Some(builder.add_texture(texture(TextureSource::Encoded {
                 name: name(image).to_owned(),
                 bytes: bytes.into(),
             }))),
-            Target::Unsupported(why) => {
+            ResolvedUri::Unsupported(why) => {
                 builder.warn("texture-missing", image.place(), format!("its file is {why}"));
                 None
             }

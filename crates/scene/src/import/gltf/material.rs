@@ -7,7 +7,7 @@ use json::texture::WrappingMode;
 use json::validation::Checked;
 use oaktwin_base::diagnostic::{Message, message};
 
-use super::super::uri::{self, Target};
+use super::super::uri::{self, ResolvedUri};
 use super::document::Document;
 use crate::import::builder::Builder;
 use crate::{ColorSpace, Mask, Material, Opacity, Texture, TextureSource, TextureUse, Transmission, Wrap};
@@ -193,17 +193,17 @@ fn source(document: &Document, image: usize) -> Result<TextureSource, Message> {
     match (&entry.uri, entry.buffer_view) {
         (_, Some(view)) => Ok(encoded(document.view(view.value())?.0)),
         (Some(uri), None) => match document.folder.resolve(uri) {
-            Target::Data(bytes) => Ok(encoded(&bytes)),
-            Target::File(file) if file.is_file() => Ok(TextureSource::File(file)),
-            Target::File(file) => Err(format!("{}: the image does not exist", file.display()).into()),
-            Target::Outside(file) => Err(message![
+            ResolvedUri::Data(bytes) => Ok(encoded(&bytes)),
+            ResolvedUri::File(file) if file.is_file() => Ok(TextureSource::File(file)),
+            ResolvedUri::File(file) => Err(format!("{}: the image does not exist", file.display()).into()),
+            ResolvedUri::Outside(file) => Err(message![
                 format!(
                     "{}: the image is outside the folder of the glTF file; ",
                     file.display()
                 ),
                 uri::inside()
             ]),
-            Target::Unsupported(why) => Err(format!("the image has {why}").into()),
+            ResolvedUri::Unsupported(why) => Err(format!("the image has {why}").into()),
         },
         (None, None) => Err("the image has no data".into()),
     }

@@ -138,7 +138,7 @@ impl Library {
 
     /// Parses a texture statement: options, then the name of the image.
     fn texture(&mut self, statement: &str, folder: &Path, builder: &mut Builder) -> Option<TextureUse> {
-        let (name, options) = Options::split(statement);
+        let (name, options) = TextureOptions::split(statement);
         let file = existing(folder, name);
         let texture = self.textures.entry(file.clone()).or_insert_with(|| {
             if !file.is_file() {
@@ -166,13 +166,13 @@ impl Library {
     }
 }
 
-struct Options {
+struct TextureOptions {
     scale: [f32; 2],
     offset: [f32; 2],
     clamp: bool,
 }
 
-impl Options {
+impl TextureOptions {
     fn split(statement: &str) -> (&str, Self) {
         let mut options = Self {
             scale: [1.0; 2],

@@ -16,12 +16,12 @@ fn every_asset() -> Vec<(String, Asset)> {
             ("fisheye", calibrated(twin.clone(), true)),
         ] {
             for (isaac, target) in [
-                (IsaacVersion::V5_1, Target::Isaac),
-                (IsaacVersion::V6, Target::Isaac),
-                (IsaacVersion::V6, Target::Ovrtx),
+                (IsaacVersion::V5_1, AssetTarget::Isaac),
+                (IsaacVersion::V6, AssetTarget::Isaac),
+                (IsaacVersion::V6, AssetTarget::Ovrtx),
             ] {
                 // Bodies are large and interact with the rigid body only.
-                let bodies = kind == "nominal" && (isaac, target) == (IsaacVersion::V5_1, Target::Isaac);
+                let bodies = kind == "nominal" && (isaac, target) == (IsaacVersion::V5_1, AssetTarget::Isaac);
                 for flags in (0..16u8).chain([16, 24].into_iter().filter(|_| bodies)) {
                     let flag = |bit: u8| flags >> bit & 1 == 1;
                     let options = AssetOptions {

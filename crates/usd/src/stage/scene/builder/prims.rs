@@ -271,9 +271,9 @@ impl Builder {
             let Some(faces) = mesh::subset_faces(walk.reader, &subset) else {
                 continue;
             };
-            let own = subset.own(walk.reader);
+            let opinions = subset.opinions(walk.reader);
             let path = format!("{path}/{name}");
-            if let Some(surface) = self.surface(walk, &subset, &context.with(own, &path), &path) {
+            if let Some(surface) = self.surface(walk, &subset, &context.with(opinions, &path), &path) {
                 found.push((faces, surface));
             }
         }

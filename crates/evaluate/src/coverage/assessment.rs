@@ -18,8 +18,8 @@ const EDGE_ON: f64 = 1e-6;
 /// The steepest slope of depth within a pixel, in widths of the pixel on the surface, up to which a surface counts as resolved.
 const STEEPEST: f64 = 16.0;
 
-/// The view of a candidate.
-pub(super) struct Look {
+/// The outcomes of a candidate at all points.
+pub(super) struct CandidateOutcomes {
     /// The outcome at each point.
     pub(super) outcomes: Vec<Outcome>,
     /// Measured minus true z, in metres; NaN where nothing is measured.
@@ -29,7 +29,7 @@ pub(super) struct Look {
     pub(super) findings: Vec<Finding>,
 }
 
-impl Look {
+impl CandidateOutcomes {
     /// Counts points with larger errors as not measured.
     pub(super) fn reject_errors_above(&mut self, tolerance_m: f64) {
         for (outcome, error) in self.outcomes.iter_mut().zip(&self.errors_m) {
@@ -44,11 +44,11 @@ impl Look {
 ///
 /// # Errors
 /// Returns an error if the sensor cannot measure what was rendered.
-pub(super) fn look(
+pub(super) fn assess_points(
     renderer: &Renderer,
     candidate: &Candidate<'_>,
     points: &[SurfacePoint],
-) -> Result<Look, RigError> {
+) -> Result<CandidateOutcomes, RigError> {
     let (image, findings) = SensorImage::capture(renderer, candidate)?;
     let lines = image.sight.lines(renderer, points);
     let assessed: Vec<(Outcome, f32)> = points
@@ -63,7 +63,7 @@ pub(super) fn look(
         }
     }
     let (outcomes, errors_m) = assessed.into_iter().unzip();
-    Ok(Look {
+    Ok(CandidateOutcomes {
         outcomes,
         errors_m,
         occluders,

@@ -10,7 +10,7 @@ const BATCH: usize = 32;
 
 /// A pixel that sees a triangle.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Target {
+pub(super) struct VisiblePixel {
     /// What the caller identifies the pixel by.
     pub(super) tag: usize,
     pub(super) place: [u32; 2],
@@ -20,8 +20,13 @@ pub(super) struct Target {
 }
 
 /// Sorts pixels by instance, and calls `with` for each.
-pub(super) fn each_target(targets: &mut [Target], scene: &Scene, level: Level, mut with: impl FnMut(Target)) {
-    let key = |target: &Target| target.hit.instance;
+pub(super) fn each_visible_pixel(
+    targets: &mut [VisiblePixel],
+    scene: &Scene,
+    level: Level,
+    mut with: impl FnMut(VisiblePixel),
+) {
+    let key = |target: &VisiblePixel| target.hit.instance;
     if !targets.is_sorted_by_key(key) {
         targets.sort_by_key(key);
     }
@@ -51,7 +56,7 @@ enum What {
 struct Request<'a> {
     scene: &'a Scene,
     what: What,
-    targets: &'a [Target],
+    targets: &'a [VisiblePixel],
 }
 
 impl LaneKernel for Request<'_> {
