@@ -65,7 +65,7 @@ pub fn inspect(pair: &RectifiedPair<'_>, parameters: &Parameters) -> Vec<Finding
     let last = parameters.max_disparity_px() as usize;
     let (left, right) = (pair.left(), pair.right());
     let grey = [&left, &right].map(grey_levels);
-    let look = Look {
+    let inspection = PairInspection {
         width,
         height,
         left: &grey[0],
@@ -81,12 +81,12 @@ pub fn inspect(pair: &RectifiedPair<'_>, parameters: &Parameters) -> Vec<Finding
             "use larger images, or a smaller disparityShift",
         ));
     }
-    findings.extend(saturated("left image", look.left));
-    findings.extend(saturated("right image", look.right));
-    let points = look.points(look.left);
-    match look.unmatchable(&points) {
+    findings.extend(saturated("left image", inspection.left));
+    findings.extend(saturated("right image", inspection.right));
+    let points = inspection.points(inspection.left);
+    match inspection.unmatchable(&points) {
         Some(finding) => findings.push(finding),
-        None => findings.extend(look.misplaced(&points)),
+        None => findings.extend(inspection.misplaced(&points)),
     }
     findings
 }
@@ -160,7 +160,7 @@ fn vertical_offset(profiles: &Profiles, offsets: &[(usize, isize)]) -> Option<Fi
     ))
 }
 
-struct Look<'a> {
+struct PairInspection<'a> {
     width: usize,
     height: usize,
     left: &'a [u8],
@@ -169,7 +169,7 @@ struct Look<'a> {
     reach: usize,
 }
 
-impl<'a> Look<'a> {
+impl<'a> PairInspection<'a> {
     /// Returns why the images cannot be compared: too little texture, or no difference.
     fn unmatchable(&self, points: &[[usize; 2]]) -> Option<Finding> {
         let counts = [

@@ -9,7 +9,7 @@ use super::paths::{FROM_ROW, Penalties, ScanRow, Slots, Sums};
 use super::plan;
 use super::refine::{self, NONE, Refined};
 use super::scan_input::ScanInput;
-use super::select::{Found, RightKeys, Select};
+use super::select::{RightKeys, RowWinners, Select};
 
 /// The sums of one scan for a row.
 enum Half<'a, H> {
@@ -30,7 +30,7 @@ pub(super) struct Scan<P: Lane, S: Lane> {
     /// The sums of all paths.
     sums: Vec<S>,
     penalties: [Vec<[P; 2]>; 1 + FROM_ROW],
-    found: Found,
+    found: RowWinners,
     right: RightKeys<S::Key>,
     refined: Refined,
 }
@@ -44,7 +44,7 @@ impl<P: Lane, S: Lane> Default for Scan<P, S> {
             costs: Vec::new(),
             sums: Vec::new(),
             penalties: Default::default(),
-            found: Found::default(),
+            found: RowWinners::default(),
             right: RightKeys::default(),
             refined: Refined::default(),
         }

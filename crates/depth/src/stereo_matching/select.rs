@@ -8,7 +8,7 @@ use super::plan::{MOST, PassPlan, Zone};
 
 /// The winners of a row.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Found {
+pub(super) struct RowWinners {
     /// The winning candidate.
     pub(super) best: Vec<u8>,
     /// The sums of the winner and of two candidates on each side; those beyond the range are undefined.
@@ -17,7 +17,7 @@ pub(super) struct Found {
     pub(super) second: Vec<u16>,
 }
 
-impl Found {
+impl RowWinners {
     pub(super) fn resize(&mut self, width: usize) {
         self.best.resize(width, 0);
         self.second.resize(width, 0);
@@ -110,7 +110,7 @@ const BESIDE: [u8; 2 * MOST + 1] = {
 pub(super) struct Select<'a, S: Lane, const D: usize> {
     pub(super) plan: &'a PassPlan,
     pub(super) sums: &'a [S],
-    pub(super) found: &'a mut Found,
+    pub(super) found: &'a mut RowWinners,
     /// The keys of the right image, if its disparities are needed.
     pub(super) right: Option<&'a mut RightKeys<S::Key>>,
 }
@@ -125,7 +125,7 @@ impl<S: Lane, const D: usize> Kernel for Select<'_, S, D> {
     #[inline(always)]
     fn run(self) {
         let width = self.sums.len() / D;
-        let Found { best, around, second } = self.found;
+        let RowWinners { best, around, second } = self.found;
         if best.len() < width || second.len() < width || around.iter().any(|row| row.len() < width) {
             return;
         }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::{AccuracyError, distances};
-use crate::table::{self, CsvRow, Wrong, wrong};
+use crate::table::{self, CsvRow, TableProblem, wrong};
 
 const DISTANCE: &str = "distance_m";
 const ERROR: &str = "depth_error_percent";
@@ -45,7 +45,7 @@ pub fn of_text(path: &Path, text: &str) -> Result<Curve, AccuracyError> {
     Ok(Curve { points, is_absolute })
 }
 
-fn parse(text: &str) -> Result<Vec<Point>, Wrong> {
+fn parse(text: &str) -> Result<Vec<Point>, TableProblem> {
     let rows = table::rows(text, [DISTANCE, ERROR])?;
     let points = rows.iter().map(|row| {
         Ok(Point {
@@ -57,7 +57,7 @@ fn parse(text: &str) -> Result<Vec<Point>, Wrong> {
 }
 
 /// Parses an error: of −100 %, nothing is in front of the camera.
-fn error_in_row(row: &CsvRow<2>) -> Result<f64, Wrong> {
+fn error_in_row(row: &CsvRow<2>) -> Result<f64, TableProblem> {
     let error_percent = row.number(1)?;
     match error_percent > -100.0 && error_percent <= MAX_PERCENT {
         true => Ok(error_percent),

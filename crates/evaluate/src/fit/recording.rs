@@ -199,7 +199,7 @@ impl Files {
 fn listed(file: &Path) -> Result<Vec<(f64, Named)>, FileError> {
     let text = table::text(file, "a table of distances")?;
     let folder = file.parent().unwrap_or(Path::new(""));
-    let in_table = |wrong: table::Wrong| wrong.of(file);
+    let in_table = |wrong: table::TableProblem| wrong.of(file);
     let mut seen = BTreeMap::new();
     let mut all = Vec::new();
     for row in table::rows(&text, ["file", "distance_m"]).map_err(in_table)? {

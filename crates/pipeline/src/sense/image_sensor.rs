@@ -1,6 +1,6 @@
 //! A depth sensor for images that arrive one by one.
 
-use super::images::{Given, Images};
+use super::images::{ImageInput, Images};
 use super::{InputKind, SenseError, SenseOptions};
 use crate::limits::check_size;
 use crate::sensor::{self, DepthShot, EngineInput, OutputCamera, Sensor, depth_sensor, frame, needs_a_pair};
@@ -40,7 +40,7 @@ impl ImageSensor {
         check_size(size).map_err(|error| SenseError::option(error.to_string()))?;
         check_engine(options)?;
         let of_twin = depth_sensor(twin, options.depth_sensor.as_deref())?;
-        let given = Given {
+        let given = ImageInput {
             size,
             kind: options.input_kind.unwrap_or(InputKind::Z),
             params: None,

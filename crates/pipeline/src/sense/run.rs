@@ -134,7 +134,7 @@ struct Session<'a> {
 }
 
 /// An input image.
-struct Given {
+struct InputImage {
     z: Image<f32>,
     rgb: Option<Image<[u8; 4]>>,
     frame: u64,
@@ -196,7 +196,7 @@ impl<'a> Run<'a, '_, '_> {
         size: ImageSize,
     ) -> Result<(Session<'a>, Sensor), SenseError> {
         let (options, prim) = (self.options, &sequence.sensor.spec.prim);
-        let given = images::Given {
+        let given = images::ImageInput {
             size,
             kind: file.kind,
             params: file.params.as_deref(),
@@ -266,7 +266,7 @@ impl<'a> Run<'a, '_, '_> {
                 } else {
                     (file.frame, u32::try_from(number).unwrap_or(u32::MAX))
                 };
-                given.push(Given { z, rgb, frame, item });
+                given.push(InputImage { z, rgb, frame, item });
             }
             if given.is_empty() {
                 return Ok(self.producer.finish());
@@ -327,11 +327,11 @@ impl Session<'_> {
     fn capture(
         &self,
         sensor: &mut Sensor,
-        given: Given,
+        given: InputImage,
         file: &DepthFile,
         input: InputName,
     ) -> Result<Shot, SenseError> {
-        let Given { z, rgb, frame, item } = given;
+        let InputImage { z, rgb, frame, item } = given;
         let (z, rgb) = self.images.convert(z, rgb);
         let request = self.output.request();
         let mut shot = sensor::DepthShot::new((&z).into());

@@ -20,7 +20,7 @@ use self::refine::{Detail, Spot};
 use self::samples::{Rows, Sample, Samples};
 use super::occlusion::{LightRows, Occlusion, ShadingPoint, Shares};
 use super::strength::{Strengths, Strongest};
-use super::surfaces::{Found, Packet};
+use super::surfaces::{Packet, PacketSurfaces};
 use super::tiles::{TILE, in_tiles};
 use super::visible_pixels::{VisiblePixel, each_visible_pixel};
 use crate::ray::Stack;
@@ -242,7 +242,7 @@ impl Coarse {
     /// lies on.
     pub(super) fn light(
         &self,
-        found: &Found<'_, '_>,
+        found: &PacketSurfaces<'_, '_>,
         occlusion: &Occlusion<'_>,
         strengths: &mut Strengths,
         stack: &mut Stack,
@@ -282,7 +282,7 @@ impl Coarse {
     /// Returns the share of the lamps' light that arrives at a pixel on the edge of a shadow.
     fn direct(
         &self,
-        found: &Found<'_, '_>,
+        found: &PacketSurfaces<'_, '_>,
         lane: usize,
         occlusion: &Occlusion<'_>,
         strongest: Strongest,

@@ -34,7 +34,7 @@ pub(super) struct Workspace<'a> {
 
 /// What a pixel sees.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Seen {
+pub(super) struct ExposedPixel {
     /// The colour, on film.
     pub(super) color: Vec3,
     /// The distance at which the pixel's brightest surface appears to be, divided by the distance of the first surface. It differs from 1
@@ -46,7 +46,7 @@ pub(super) struct Seen {
 pub(super) struct Centres {
     /// The colours, on film; black where the lens has no ray.
     pub(super) colors: Image<[f32; 3]>,
-    /// [`Seen::stretch`]; `None` if no material of the scene reflects rays or lets them pass.
+    /// [`ExposedPixel::stretch`]; `None` if no material of the scene reflects rays or lets them pass.
     pub(super) stretch: Option<Image<f32>>,
 }
 
@@ -127,7 +127,7 @@ impl<'a> ShadingContext<'a> {
         &'w self,
         targets: &mut [VisiblePixel],
         workspace: &mut Workspace<'w>,
-        mut put: impl FnMut(usize, Seen),
+        mut put: impl FnMut(usize, ExposedPixel),
     ) {
         each_visible_pixel(targets, self.scene, self.level, |target| {
             let VisiblePixel { tag, place, hit, z } = target;
@@ -136,7 +136,7 @@ impl<'a> ShadingContext<'a> {
             };
             if hit.is_miss() {
                 let direction = (self.view.world_from_camera.rotation * ray).normalize_or_zero();
-                let seen = Seen {
+                let seen = ExposedPixel {
                     color: self.film.exposed(self.rig.background(direction)),
                     stretch: 1.0,
                 };
@@ -152,7 +152,7 @@ impl<'a> ShadingContext<'a> {
     }
 
     /// Computes what a packet sees and clears it.
-    fn expose<'w>(&'w self, workspace: &mut Workspace<'w>, put: &mut impl FnMut(usize, Seen)) {
+    fn expose<'w>(&'w self, workspace: &mut Workspace<'w>, put: &mut impl FnMut(usize, ExposedPixel)) {
         let Workspace {
             rays,
             packet,
@@ -201,7 +201,7 @@ impl<'a> ShadingContext<'a> {
             for lane in 0..found.count() {
                 let own = lane_of(&colors, lane);
                 let seen = match followed.as_ref().zip(matt.as_ref()) {
-                    None => Seen {
+                    None => ExposedPixel {
                         color: own,
                         stretch: 1.0,
                     },
@@ -210,7 +210,7 @@ impl<'a> ShadingContext<'a> {
                         let range = f64::from(found.surfaces.range[lane & 7]);
                         let (light, distance) = followed.gathered(lane, own, range, arrivals, lights);
                         #[expect(clippy::cast_possible_truncation, reason = "a ratio near 1")]
-                        Seen {
+                        ExposedPixel {
                             color: self.film.exposed(light),
                             stretch: (distance / range) as f32,
                         }

@@ -9,7 +9,7 @@ use super::lamp::{Emitter, Lamp, Size};
 use super::pattern::{self, Hemisphere, Pattern, Spot, Spots};
 use super::rig::LightRig;
 use super::strength::{Strengths, Strongest};
-use super::surfaces::{Found, Surfaces, lane_of};
+use super::surfaces::{PacketSurfaces, Surfaces, lane_of};
 use crate::ray::{RAYS, Ray, RayCaster, Rays, Stack, ray_bits};
 
 /// The light that reaches a point.
@@ -74,7 +74,7 @@ pub(super) struct ShadingPoint {
 
 impl ShadingPoint {
     #[inline]
-    pub(super) fn new(found: &Found<'_, '_>, lane: usize) -> Self {
+    pub(super) fn new(found: &PacketSurfaces<'_, '_>, lane: usize) -> Self {
         Self::of_lane(found.surfaces, lane)
     }
 

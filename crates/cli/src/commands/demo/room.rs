@@ -55,7 +55,7 @@ pub(super) fn render(
     };
     let mut columns = Vec::new();
     for (device, twin) in devices.iter().zip(twins) {
-        let seen = Seen::new(renderer, &mut rig(twin, HEIGHT, &RigSpec::default())?)?;
+        let seen = RoomImages::new(renderer, &mut rig(twin, HEIGHT, &RigSpec::default())?)?;
         let frame = Frame {
             rgb: Some(seen.rgb.clone()),
             distance_to_image_plane: Some(seen.exact.clone()),
@@ -96,13 +96,13 @@ pub(super) fn rig(twin: &Twin, height: u32, spec: &RigSpec) -> Result<Rig> {
 }
 
 /// What a rig sees and measures of the room.
-pub(super) struct Seen {
+pub(super) struct RoomImages {
     pub(super) rgb: Image<[u8; 4]>,
     pub(super) exact: ZDepth,
     pub(super) measured: ZDepth,
 }
 
-impl Seen {
+impl RoomImages {
     pub(super) fn new(renderer: &Renderer, rig: &mut Rig) -> Result<Self> {
         let (shots, _) = rig.shoot(renderer, Some(&demo_room::world_from_body()), 0)?;
         let frame = shots.into_iter().next().ok_or("no camera")?.frame;

@@ -70,7 +70,7 @@ pub(super) struct Multipath {
 
 /// The position of a receiver, in [`Patch`]'s frame. The normal is 0 without a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Found {
+struct ReceiverPosition {
     point: [f32; 3],
     normal: [f32; 3],
 }
@@ -110,12 +110,12 @@ impl Multipath {
     pub(super) fn new(view: &MultipathInput<'_>, strength: f32) -> Self {
         let grid = Grid::new(view.depth.width(), view.depth.height());
         let [columns, rows] = [0, 1].map(|axis| grid.receivers(axis));
-        let bands: Vec<(Vec<Patch>, Vec<Found>)> = (0..grid.size[1].div_ceil(grid.cell))
+        let bands: Vec<(Vec<Patch>, Vec<ReceiverPosition>)> = (0..grid.size[1].div_ceil(grid.cell))
             .into_par_iter()
             .map(|band| Surveyor::new(view, grid, &columns, &rows).band(band))
             .collect();
         let patches: Vec<Patch> = bands.iter().flat_map(|(patches, _)| patches).copied().collect();
-        let found: Vec<Found> = bands.into_iter().flat_map(|(_, found)| found).collect();
+        let found: Vec<ReceiverPosition> = bands.into_iter().flat_map(|(_, found)| found).collect();
         let mut receivers = vec![Receiver::default(); found.len()];
         receivers
             .par_chunks_mut(TASK)

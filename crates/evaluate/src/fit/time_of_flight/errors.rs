@@ -37,7 +37,7 @@ impl Shape {
     }
 
     /// Fits bias and wiggling; `None` without points.
-    pub(super) fn fit(&self, points: &[Point]) -> Option<Found> {
+    pub(super) fn fit(&self, points: &[Point]) -> Option<WigglingFit> {
         let is_known = points.iter().all(|point| point.sigma.is_some());
         let problem = Errors { shape: self, points };
         let mut sizes: Vec<f64> = points.iter().map(|point| point.error * point.depth_m).collect();
@@ -75,7 +75,7 @@ impl Shape {
                 apart > 0.1 * bias.abs().max(1e-4) && other.squares <= solution.squares + 4.0 * scatter
             })
             .map(|other| other.parameters);
-        Some(Found {
+        Some(WigglingFit {
             shape: self.clone(),
             solution,
             is_known,
@@ -103,7 +103,7 @@ impl Problem for Errors<'_> {
 
 /// The solution: bias in metres, and the amplitude of wiggling.
 #[derive(Clone, Debug)]
-pub(super) struct Found {
+pub(super) struct WigglingFit {
     shape: Shape,
     pub(super) solution: Solution,
     pub(super) is_known: bool,
@@ -111,7 +111,7 @@ pub(super) struct Found {
     pub(super) rival: Option<Vec<f64>>,
 }
 
-impl Fitted for Found {
+impl Fitted for WigglingFit {
     fn error_domain(&self) -> ErrorDomain {
         ErrorDomain::Depth
     }

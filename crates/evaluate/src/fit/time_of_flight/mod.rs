@@ -17,7 +17,7 @@ use super::report::Parameter;
 use super::state::FitState;
 use super::target::Observation;
 use super::{FitError, FitOptions};
-use errors::{Found, Shape};
+use errors::{Shape, WigglingFit};
 use light::Noise;
 use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 
@@ -290,7 +290,7 @@ impl Method for Tof {
             state.not_found(wiggling, &why, &remedy);
             return None;
         }
-        let found: Found = found?;
+        let found: WigglingFit = found?;
         let interval = |at| found.solution.interval(at, 1.0, found.is_known);
         // An amplitude is not negative.
         let not_below = |ends: [f64; 2]| ends.map(|end| end.max(0.0));

@@ -5,7 +5,7 @@ use oaktwin_simd::{I32Lanes, LaneKernel, Lanes};
 use super::samples::{Rows, Surfaces, row};
 use crate::ray::Vector;
 use crate::shade::occlusion::{LightRows, Shares};
-use crate::shade::surfaces::Found;
+use crate::shade::surfaces::PacketSurfaces;
 
 /// The minimum total similarity for interpolation.
 pub(super) const MIN_SIMILARITY: f32 = 0.02;
@@ -27,7 +27,7 @@ pub(super) struct Between<'a> {
     /// light.
     pub(super) light: &'a [LightRows],
     pub(super) size: [u32; 2],
-    pub(super) found: &'a Found<'a, 'a>,
+    pub(super) found: &'a PacketSurfaces<'a, 'a>,
     pub(super) shares: &'a mut Shares,
 }
 

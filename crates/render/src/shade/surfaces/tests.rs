@@ -92,7 +92,13 @@ fn packets_equal_single_surfaces_in_double_precision() {
     }
 }
 
-fn compare(found: &Found<'_, '_>, lane: usize, expected: &Surface<'_>, eye: DVec3, next: [Option<DVec3>; 2]) {
+fn compare(
+    found: &PacketSurfaces<'_, '_>,
+    lane: usize,
+    expected: &Surface<'_>,
+    eye: DVec3,
+    next: [Option<DVec3>; 2],
+) {
     let near = |a: Vec3, b: DVec3, tolerance: f32| (a - b.as_vec3()).length() < tolerance;
     let surfaces = found.surfaces;
     let point = expected.point - eye;
