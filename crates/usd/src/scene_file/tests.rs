@@ -152,7 +152,7 @@ fn assert_same_mesh((scene, mesh): (&Scene, &Mesh), (other_scene, other): (&Scen
             )
         };
         assert_eq!(corners(mesh), corners(other));
-        let look = |scene: &Scene, mesh: &Mesh| {
+        let describe = |scene: &Scene, mesh: &Mesh| {
             let material = scene.materials[mesh.material(i).unwrap() as usize].clone();
             (
                 material.base_color,
@@ -165,7 +165,7 @@ fn assert_same_mesh((scene, mesh): (&Scene, &Mesh), (other_scene, other): (&Scen
                 material.specular,
             )
         };
-        assert_eq!(look(scene, mesh), look(other_scene, other));
+        assert_eq!(describe(scene, mesh), describe(other_scene, other));
     }
 }
 

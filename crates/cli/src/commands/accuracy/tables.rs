@@ -7,7 +7,7 @@ use super::cells::{band, distance, error, quartiles};
 use crate::number::{fixed, signed};
 use crate::output;
 
-pub(super) fn own(report: &AccuracyReport, title: String) -> Table {
+pub(super) fn distance_table(report: &AccuracyReport, title: String) -> Table {
     let many = report.devices.are_many();
     let is_factory = matches!(report.devices, Devices::Factory { .. });
     let header = [

@@ -9,7 +9,7 @@ use crate::output;
 pub(super) fn report(report: &AccuracyReport) -> String {
     let mut text = heading(report);
     match report.carries_depth {
-        None => text += &output::number_table(&tables::own(report, String::new())),
+        None => text += &output::number_table(&tables::distance_table(report, String::new())),
         Some(carries) => text += &tables::single_view(report, carries),
     }
     text += "\n";
