@@ -168,7 +168,7 @@ mod tests {
 
     use oaktwin_image::Image;
     use oaktwin_scene::{
-        Attribute, Mask, Material, MaterialSpan, Mesh, Texture, TextureSource, TextureUse, Wrap,
+        Mask, Material, MaterialSpan, Mesh, MeshAttribute, Texture, TextureSource, TextureUse, Wrap,
     };
 
     use super::*;
@@ -184,7 +184,7 @@ mod tests {
         ];
         for (x, z, material) in cards {
             let mesh = Mesh {
-                uvs: Some(Attribute::Vertex(vec![
+                uvs: Some(MeshAttribute::Vertex(vec![
                     [0.0, 0.0],
                     [0.0, 1.0],
                     [1.0, 1.0],

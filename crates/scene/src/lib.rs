@@ -21,7 +21,7 @@ mod turn;
 use oaktwin_base::parameter::choice;
 use oaktwin_camera::math::{DAffine3, DVec3};
 
-pub use attribute::Attribute;
+pub use attribute::MeshAttribute;
 pub use bounds::Bounds;
 pub use infrared::InfraredError;
 pub use light::{Light, LightKind};

@@ -6,7 +6,7 @@ mod tests;
 
 use glam::Vec3;
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
-use oaktwin_scene::{Attribute, Instance, Mesh, Scene};
+use oaktwin_scene::{Instance, Mesh, MeshAttribute, Scene};
 use oaktwin_simd::{Level, run_lanes_at};
 
 use self::locate::Locate;
@@ -373,7 +373,7 @@ fn near_one(matrix: DMat3) -> [Vec3; 3] {
 /// Interpolates the values of a triangle's corners; `None` if the attribute has too few.
 #[inline]
 pub(super) fn corner_values<T: Copy>(
-    of: Option<&Attribute<T>>,
+    of: Option<&MeshAttribute<T>>,
     mesh: &Mesh,
     triangle: u32,
 ) -> Option<[T; 3]> {

@@ -9,7 +9,7 @@ use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::DAffine3;
 use oaktwin_scene::import::{self, ImportOptions, Imported};
 use oaktwin_scene::{
-    Attribute, Instance, Light, LightKind, Material, Mesh, Scene, Texture, TextureSource, TextureUse,
+    Instance, Light, LightKind, Material, Mesh, MeshAttribute, Scene, Texture, TextureSource, TextureUse,
 };
 use oaktwin_usd::stage::{SceneOptions, StageScene, open_scene};
 use serde_json::{Value, json};
@@ -143,7 +143,7 @@ fn mesh(mesh: &Mesh, arrays: &mut Arrays) -> Value {
     })
 }
 
-fn corners<const N: usize>(mesh: &Mesh, values: Option<&Attribute<[f32; N]>>) -> Option<Vec<f32>> {
+fn corners<const N: usize>(mesh: &Mesh, values: Option<&MeshAttribute<[f32; N]>>) -> Option<Vec<f32>> {
     let values = values?;
     let mut flat = Vec::with_capacity(mesh.triangles.len() * 3 * N);
     for (triangle, vertices) in mesh.triangles.iter().enumerate() {

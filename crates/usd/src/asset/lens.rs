@@ -3,7 +3,7 @@ use oaktwin_camera::{Camera, Intrinsics, LensModel, OpenCv, OpenCvLens};
 use oaktwin_catalog::{LensChoice, Origin, Twin, TwinCamera};
 
 use super::{AssetError, AssetOptions, ROOT, float};
-use crate::text::{Prim, Value};
+use crate::text::{PrimSpec, SpecValue};
 
 /// The lens-distortion schema of a camera prim.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,7 +60,7 @@ pub(super) fn of_depth_camera(twin: &Twin, camera: &TwinCamera) -> Option<LensSc
 
 impl LensSchema {
     /// Applies the schema and writes all of its attributes.
-    pub(super) fn author(&self, prim: &mut Prim, model: &str) -> Result<(), AssetError> {
+    pub(super) fn author(&self, prim: &mut PrimSpec, model: &str) -> Result<(), AssetError> {
         let (schema, token, names, coefficients): (_, _, &[&str], &[f64]) = match &self.kind {
             Kind::Pinhole(k) => (
                 "OmniLensDistortionOpenCvPinholeAPI",
@@ -76,7 +76,7 @@ impl LensSchema {
             ),
         };
         prim.api_schemas.push(schema.into());
-        prim.set("omni:lensdistortion:model", Value::token(token));
+        prim.set("omni:lensdistortion:model", SpecValue::token(token));
         let name = |attribute: &str| format!("omni:lensdistortion:{token}:{attribute}");
         let c = self.intrinsics.principal_point::<OpenCv>();
         for (attribute, value) in [
@@ -104,7 +104,7 @@ impl LensSchema {
 }
 
 /// Returns the image size as `int2`.
-pub(super) fn int2(intrinsics: &Intrinsics, model: &str) -> Result<Value, AssetError> {
+pub(super) fn int2(intrinsics: &Intrinsics, model: &str) -> Result<SpecValue, AssetError> {
     let int = |value: u32| {
         i32::try_from(value).map_err(|_| AssetError::TooLarge {
             model: model.into(),
@@ -112,7 +112,7 @@ pub(super) fn int2(intrinsics: &Intrinsics, model: &str) -> Result<Value, AssetE
             value,
         })
     };
-    Ok(Value::Int2([
+    Ok(SpecValue::Int2([
         int(intrinsics.size.width)?,
         int(intrinsics.size.height)?,
     ]))

@@ -4,7 +4,7 @@ use super::rule::Rule;
 use super::scene::{CheckedCamera, DepthSensor, Generation};
 use crate::depth_sensor::attribute_types;
 use crate::nvidia::{OUTLIER_REMOVAL, PRODUCT_NAMESPACE};
-use crate::stage::Value;
+use crate::stage::AttributeValue;
 
 pub(super) const CAMERA_TYPE: Rule = Rule {
     code: "camera-type",
@@ -98,7 +98,8 @@ pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>)
                 format!("author it as `{expected}`"),
             ));
         }
-        if let Some(Value::Int(mode)) = attribute.value.as_ref().filter(|_| name == "rgbDepthOutputMode")
+        if let Some(AttributeValue::Int(mode)) =
+            attribute.value.as_ref().filter(|_| name == "rgbDepthOutputMode")
             && !(0..=7).contains(mode)
         {
             findings.push(super::depth::DEPTH_VALUE.with_remedy(

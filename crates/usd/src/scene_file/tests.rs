@@ -3,8 +3,8 @@ use std::sync::Arc;
 use oaktwin_camera::math::{DAffine3, DQuat, DVec3};
 use oaktwin_image::Image;
 use oaktwin_scene::{
-    Attribute, ColorSpace, Instance, Label, Light, LightKind, Mask, Material, MaterialSpan, Mesh, Opacity,
-    Scene, Texture, TextureSource, TextureUse, Up, Wrap,
+    ColorSpace, Instance, Label, Light, LightKind, Mask, Material, MaterialSpan, Mesh, MeshAttribute,
+    Opacity, Scene, Texture, TextureSource, TextureUse, Up, Wrap,
 };
 
 use super::*;
@@ -18,8 +18,8 @@ fn meshes() -> Vec<Mesh> {
     let square = Mesh {
         positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.25], [0.0, 1.0, 0.0]],
         triangles: vec![[0, 1, 2], [0, 2, 3]],
-        normals: Some(Attribute::Vertex(vec![[0.0, 0.0, 1.0]; 4])),
-        uvs: Some(Attribute::Corner {
+        normals: Some(MeshAttribute::Vertex(vec![[0.0, 0.0, 1.0]; 4])),
+        uvs: Some(MeshAttribute::Corner {
             values: vec![[0.0, 0.0], [0.5, 1.0]],
             indices: vec![[0, 1, 0], [1, 1, 0]],
         }),
@@ -30,7 +30,7 @@ fn meshes() -> Vec<Mesh> {
     let painted = Mesh {
         normals: None,
         uvs: None,
-        colors: Some(Attribute::Vertex(vec![[0.25, 0.5, 1.0]; 4])),
+        colors: Some(MeshAttribute::Vertex(vec![[0.25, 0.5, 1.0]; 4])),
         materials: vec![span(2, 2)],
         ..square.clone()
     };

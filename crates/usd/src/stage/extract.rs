@@ -19,8 +19,8 @@ use super::resolver::InspectingResolver;
 use super::scene::{Builder, Children, Context, Findings, pose};
 use super::walk::{VisitedPrim, Visitor, Walk, Which};
 use super::{
-    Physics, Prim, RenderProduct, SceneCamera, SceneLimit, SceneOptions, Stage, StageError, StageMetadata,
-    StageScene, StageTiming, Value, composition,
+    AttributeValue, Physics, Prim, RenderProduct, SceneCamera, SceneLimit, SceneOptions, Stage, StageError,
+    StageMetadata, StageScene, StageTiming, composition,
 };
 use crate::nvidia::{CAMERA_NAMESPACE, PRODUCT_NAMESPACE};
 
@@ -335,7 +335,7 @@ impl Visitor for Extraction<'_> {
 fn metadata(stage: &usd::Stage) -> StageMetadata {
     let field = |name: &str| stage.stage_metadata(name).ok().flatten().map(plain_value);
     let text = |value| match value {
-        Value::Text(text) => Some(text),
+        AttributeValue::Text(text) => Some(text),
         _ => None,
     };
     StageMetadata {

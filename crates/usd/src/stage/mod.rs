@@ -42,7 +42,7 @@ pub use animated::{AnimatedStage, StageChange, StageContents, StageTiming};
 pub use error::StageError;
 pub use limit::SceneLimit;
 pub use physics::{JointEnd, Physics, PhysicsBody, PhysicsJoint};
-pub use prim::{Attribute, Prim, RelationshipTarget, RenderProduct, SceneCamera, Value};
+pub use prim::{Attribute, AttributeValue, Prim, RelationshipTarget, RenderProduct, SceneCamera};
 pub use scene::{SceneOptions, StageScene};
 
 /// The maximum size of a layer, in bytes. A text layer of this size has about 40 million quads.

@@ -6,7 +6,7 @@ use oaktwin_base::diagnostic::{Finding, Level, nearest};
 use oaktwin_depth::single_view::Parameters;
 use oaktwin_usd::asset::IsaacVersion;
 use oaktwin_usd::depth_sensor::{DepthSensor, OUTLIER_REMOVAL, attribute_types};
-use oaktwin_usd::stage::{Attribute, Value};
+use oaktwin_usd::stage::{Attribute, AttributeValue};
 
 /// The schema's attributes that affect the sensor's output, all but its switches, with their types.
 fn shaping() -> impl Iterator<Item = (&'static str, &'static str)> {
@@ -101,15 +101,17 @@ fn parameters(
 
 /// The shortest text of a value: single precision in as few digits as identify it, so that 0.1 is 0.1. `None` for an
 /// unsupported type.
-fn text(name: &str, value: &Value, attribute: &Attribute) -> Option<String> {
+fn text(name: &str, value: &AttributeValue, attribute: &Attribute) -> Option<String> {
     match (name, value) {
-        (OUTLIER_REMOVAL, Value::Bool(on)) => Some(u8::from(*on).to_string()),
-        (OUTLIER_REMOVAL | "rgbDepthOutputMode", Value::Int(int)) => Some(int.to_string()),
+        (OUTLIER_REMOVAL, AttributeValue::Bool(on)) => Some(u8::from(*on).to_string()),
+        (OUTLIER_REMOVAL | "rgbDepthOutputMode", AttributeValue::Int(int)) => Some(int.to_string()),
         (OUTLIER_REMOVAL | "rgbDepthOutputMode", _) => None,
-        (_, Value::Int(int)) => Some(int.to_string()),
+        (_, AttributeValue::Int(int)) => Some(int.to_string()),
         #[expect(clippy::cast_possible_truncation, reason = "it was a float")]
-        (_, Value::Float(float)) if attribute.type_name == "float" => Some((*float as f32).to_string()),
-        (_, Value::Float(float)) => Some(float.to_string()),
+        (_, AttributeValue::Float(float)) if attribute.type_name == "float" => {
+            Some((*float as f32).to_string())
+        }
+        (_, AttributeValue::Float(float)) => Some(float.to_string()),
         _ => None,
     }
 }

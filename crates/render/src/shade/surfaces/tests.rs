@@ -23,7 +23,7 @@ fn waves() -> Scene {
             mesh.triangles.push([corner + 1, corner + 13, corner + 12]);
         }
     }
-    mesh.normals = Some(Attribute::Vertex(normals));
+    mesh.normals = Some(MeshAttribute::Vertex(normals));
     let mut scene = Scene::default();
     for scale in [DVec3::ONE, DVec3::new(-1.5, 0.5, 1.0)] {
         fixture::placed(&mut scene, "/Wave", mesh.clone());

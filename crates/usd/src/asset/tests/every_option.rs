@@ -77,7 +77,7 @@ fn assets_are_reproducible_and_relationships_have_targets() {
     }
 }
 
-fn walk(prim: &Prim, parent: &str, paths: &mut BTreeSet<String>, targets: &mut Vec<String>) {
+fn walk(prim: &PrimSpec, parent: &str, paths: &mut BTreeSet<String>, targets: &mut Vec<String>) {
     use crate::text::Property;
     let path = format!("{parent}/{}", prim.name);
     for property in &prim.properties {

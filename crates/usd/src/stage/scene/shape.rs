@@ -1,5 +1,5 @@
 use oaktwin_scene::shape::{self, Axis};
-use oaktwin_scene::{Attribute, Mesh};
+use oaktwin_scene::{Mesh, MeshAttribute};
 
 use super::super::reader::{Reader, Record};
 use super::super::value::{boolean, number, text, vec3s};
@@ -125,8 +125,8 @@ impl Shape {
 }
 
 /// Returns the colour of a shape if it has a single one; others would need authored vertices.
-pub(super) fn color(reader: &Reader, prim: &Record, context: &Context) -> Option<Attribute<[f32; 3]>> {
+pub(super) fn color(reader: &Reader, prim: &Record, context: &Context) -> Option<MeshAttribute<[f32; 3]>> {
     let colors = primvar(reader, prim, context, "primvars:displayColor", vec3s)?;
     (colors.interpolation == Interpolation::Constant || colors.values.len() == 1).then_some(())?;
-    colors.values.first().copied().map(Attribute::Constant)
+    colors.values.first().copied().map(MeshAttribute::Constant)
 }
