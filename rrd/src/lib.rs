@@ -290,7 +290,7 @@ fn not_written(error: EncodeError) -> RecordingError {
 mod tests {
     use super::*;
     use oaktwin::camera::{ImageSize, Intrinsics, LensModel};
-    use oaktwin::dataset::recording::{Body, Time};
+    use oaktwin::dataset::recording::{MovingBody, Time};
 
     fn recorded<W: Write>(output: W) -> Result<W, RecordingError> {
         let mut recorder = Rrd::new(output, true)?;
@@ -302,7 +302,7 @@ mod tests {
                 LensModel::Pinhole,
             ),
             measured: None,
-            body: Some(Body {
+            body: Some(MovingBody {
                 name: "OAK".to_owned(),
                 body_from_camera: RigidTransform::IDENTITY,
             }),

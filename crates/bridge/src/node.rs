@@ -11,7 +11,7 @@ use rustdds::{DomainParticipantBuilder, Duration, QosPolicies, QosPolicyBuilder,
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::filter::{Filter, check};
+use crate::filter::{DepthFilter, check};
 use crate::graph::{Endpoint, Graph};
 use crate::message::{CameraInfo, Image};
 use crate::options::{BridgeOptions, Topics};
@@ -43,7 +43,7 @@ impl RosNode {
     pub(crate) fn new(
         options: &BridgeOptions,
         network: &Network,
-        filter: &Filter,
+        filter: &DepthFilter,
         wanted: &Wanted,
     ) -> Result<Self, BridgeError> {
         let mut participant = DomainParticipantBuilder::new(network.domain)
@@ -231,7 +231,7 @@ pub(crate) fn dds_type((package, name): RosType) -> String {
 }
 
 /// Declares the sensor's options as parameters. A value is checked before it is set.
-fn node_options(filter: &Filter, wanted: &Wanted) -> NodeOptions {
+fn node_options(filter: &DepthFilter, wanted: &Wanted) -> NodeOptions {
     let mut node = NodeOptions::new().enable_rosout(false);
     for option in parameters::offered() {
         node = node.declare_parameter(option.name, parameters::value(option, &filter.options().sensor));

@@ -9,7 +9,7 @@ use oaktwin::diagnostic::{Finding, Level};
 
 use crate::delivery::Underway;
 use crate::event::{Event, Started, Status};
-use crate::filter::Filter;
+use crate::filter::DepthFilter;
 use crate::graph::{Endpoint, Reports};
 use crate::mailbox::{Arrived, Mailbox};
 use crate::message::Header;
@@ -40,7 +40,7 @@ const MAX_KINDS: usize = 256;
 /// # Errors
 /// Returns an error if a topic or an option is invalid, or the node cannot be created.
 pub fn run(
-    filter: Filter,
+    filter: DepthFilter,
     options: &BridgeOptions,
     network: &Network,
     lines: &Receiver<String>,

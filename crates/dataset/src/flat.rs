@@ -75,7 +75,7 @@ mod tests {
     use oaktwin_image::{Image, ZDepth, npy};
 
     use super::*;
-    use crate::{CloudAxes, Extras, InputName, Layer, LayerData};
+    use crate::{CloudAxes, Extras, InputName, LayerData, ShotLayer};
 
     fn shot(batch: Option<usize>, item: usize) -> Shot {
         let depth = Image::filled(2, 1, 1.0 + item as f32);
@@ -89,7 +89,7 @@ mod tests {
             axes: CloudAxes::Ros,
         };
         Shot {
-            layers: vec![Layer {
+            layers: vec![ShotLayer {
                 folder: "cloud",
                 name: "cloud".to_owned(),
                 data: cloud,

@@ -50,5 +50,5 @@ pub use formats::{FORMATS, FormatKind, Needs};
 pub use imu::ImuSample;
 pub use object::{Extent, Mask, Model, Object, Paint, StereoImages};
 pub use options::{Extras, SHARD_FRAMES, WriterOptions};
-pub use shot::{CloudAxes, InputName, Layer, LayerData, Shot};
+pub use shot::{CloudAxes, InputName, LayerData, Shot, ShotLayer};
 pub use writer::{Format, FormatWriter, Records, WriteError, Writer};

@@ -15,7 +15,7 @@ pub struct Shot {
     /// The annotations to write.
     pub frame: Frame,
     /// Images beside the annotations.
-    pub layers: Vec<Layer>,
+    pub layers: Vec<ShotLayer>,
     /// The camera's parameters, if they are to be written.
     pub camera_params: Option<CameraParams>,
     /// The parameters of the camera that the depth sensor's outputs are images of, if they are to be written.
@@ -119,7 +119,7 @@ impl InputName {
 
 /// An image beside a frame's annotations.
 #[derive(Debug)]
-pub struct Layer {
+pub struct ShotLayer {
     /// The folder, where annotators have folders.
     pub folder: &'static str,
     /// The name of its files.
@@ -128,7 +128,7 @@ pub struct Layer {
     pub data: LayerData,
 }
 
-/// The image of a [`Layer`], which also determines the file format.
+/// The image of a [`ShotLayer`], which also determines the file format.
 pub enum LayerData {
     /// Depth in metres, 0 where nothing was measured: NPY and the [extras](crate::Extras) of depth.
     Depth(Image<f32>),

@@ -37,7 +37,7 @@ pub mod stereo_noise;
 pub mod time_of_flight;
 mod turns;
 
-pub use capture::{Capture, FixedDisparity, Layer};
+pub use capture::{Capture, CaptureLayer, FixedDisparity};
 pub use engine::{BatchEngine, Comparable, Engine, Input};
 pub use error::{BatchError, ParameterError, ShotError};
 pub use kind::{Create, EngineInput, EngineKind, EngineRef, Factory, Technology};

@@ -8,7 +8,7 @@ use oaktwin_depth::parameters::{Platform, Scalar};
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::stereo_matching::RectifiedPair;
 use oaktwin_depth::{
-    Capture, DepthShot, Engine, EngineInput, EngineKind, Input, Layer, ReasonCodes, Sensor, Setup,
+    Capture, CaptureLayer, DepthShot, Engine, EngineInput, EngineKind, Input, ReasonCodes, Sensor, Setup,
 };
 use oaktwin_image::annotation::Annotator;
 use oaktwin_image::{Image, ImageView};
@@ -152,15 +152,17 @@ fn bits(capture: &Capture) -> Vec<u32> {
     let mut bits: Vec<u32> = capture.distance.0.pixels().iter().map(|z| z.to_bits()).collect();
     for (_, layer) in &capture.extras {
         match layer {
-            Layer::Bytes(image) => bits.extend(image.pixels().iter().map(|&byte| u32::from(byte))),
-            Layer::Levels(image) => bits.extend(image.pixels().iter().map(|&level| u32::from(level))),
-            Layer::Floats(image) => bits.extend(image.pixels().iter().map(|value| value.to_bits())),
-            Layer::Colors(image) => {
+            CaptureLayer::Bytes(image) => bits.extend(image.pixels().iter().map(|&byte| u32::from(byte))),
+            CaptureLayer::Levels(image) => bits.extend(image.pixels().iter().map(|&level| u32::from(level))),
+            CaptureLayer::Floats(image) => bits.extend(image.pixels().iter().map(|value| value.to_bits())),
+            CaptureLayer::Colors(image) => {
                 bits.extend(image.pixels().iter().map(|&color| u32::from_le_bytes(color)));
             }
-            Layer::Points(image) => bits.extend(image.pixels().iter().flatten().map(|value| value.to_bits())),
-            Layer::Reasons(codes) => bits.extend(codes.0.pixels().iter().map(|&code| u32::from(code))),
-            Layer::Disparity(disparity) => {
+            CaptureLayer::Points(image) => {
+                bits.extend(image.pixels().iter().flatten().map(|value| value.to_bits()))
+            }
+            CaptureLayer::Reasons(codes) => bits.extend(codes.0.pixels().iter().map(|&code| u32::from(code))),
+            CaptureLayer::Disparity(disparity) => {
                 bits.push(disparity.shift_px);
                 bits.extend(disparity.step_px.to_bits().to_le_bytes().map(u32::from));
                 bits.extend(disparity.fixed.pixels().iter().map(|&fixed| u32::from(fixed)));

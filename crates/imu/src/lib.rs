@@ -35,4 +35,4 @@ mod trajectory;
 
 pub use allan::{AllanPoint, allan_deviation};
 pub use noise::{Channel, ChannelNoise, Draws};
-pub use trajectory::{Motion, MotionError, Reading, State};
+pub use trajectory::{ImuReading, Motion, MotionError, State};

@@ -66,7 +66,7 @@ pub struct State {
 
 /// What an ideal inertial sensor measures, in its own frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reading {
+pub struct ImuReading {
     /// The angular velocity, rad/s.
     pub angular_velocity: DVec3,
     /// The specific force, m/s²: acceleration minus gravity; +g upwards at rest.
@@ -156,14 +156,14 @@ impl State {
     /// Returns what an ideal inertial sensor that is mounted on the body measures. `gravity` is the acceleration of free fall in
     /// the world, m/s².
     #[must_use]
-    pub fn reading(&self, body_from_imu: &RigidTransform, gravity: DVec3) -> Reading {
+    pub fn reading(&self, body_from_imu: &RigidTransform, gravity: DVec3) -> ImuReading {
         let imu_from_body = body_from_imu.rotation.transpose();
         let lever = body_from_imu.translation;
         let rate = self.angular_velocity;
         let of_lever = self.angular_acceleration.cross(lever) + rate.cross(rate.cross(lever));
         let body_from_world = self.world_from_body.rotation.transpose();
         let of_body = body_from_world * (self.acceleration - gravity);
-        Reading {
+        ImuReading {
             angular_velocity: imu_from_body * rate,
             specific_force: imu_from_body * (of_body + of_lever),
         }

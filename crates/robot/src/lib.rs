@@ -54,14 +54,14 @@ choice! {
 
 /// Files and their findings.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Export {
+pub struct RobotFiles {
     /// The paths relative to the output folder, with `/`, and the contents.
     pub files: Vec<(String, Vec<u8>)>,
     /// The information that the format cannot represent.
     pub findings: Vec<Finding>,
 }
 
-impl Export {
+impl RobotFiles {
     /// Writes the files into a folder, which is created, and returns their paths.
     ///
     /// # Errors
@@ -124,7 +124,7 @@ pub fn export(
     twin: &Twin,
     attachment: &Attachment,
     format: Format,
-) -> Result<Export, RobotError> {
+) -> Result<RobotFiles, RobotError> {
     let description = Description::new(catalog, twin, attachment)?;
     let mut export = match format {
         Format::Urdf => urdf::export(&description),

@@ -9,13 +9,13 @@ use oaktwin_imu::ChannelNoise;
 
 use crate::description::{CameraFrame, Description, IMU_RATE};
 use crate::xml::{Element, number, numbers};
-use crate::{Export, Housing};
+use crate::{Housing, RobotFiles};
 
 /// The axes of `MuJoCo`'s cameras (x right, y up, z backward) in an optical frame.
 pub(crate) const OPTICAL_FROM_OPENGL: DMat3 = DMat3::from_cols(DVec3::X, DVec3::NEG_Y, DVec3::NEG_Z);
 
-pub(crate) fn export(of: &Description) -> Export {
-    let mut export = Export::with_visuals(of).with_collider(of);
+pub(crate) fn export(of: &Description) -> RobotFiles {
+    let mut export = RobotFiles::with_visuals(of).with_collider(of);
     export.text(format!("{}.xml", of.name), model(of).document());
     export
 }

@@ -13,7 +13,7 @@ use oaktwin_imu::ChannelNoise;
 use crate::description::{CameraFrame, DepthFrame, Description, IMU_RATE, ImuFrame, roll_pitch_yaw};
 use crate::frame::DeviceFrame;
 use crate::xml::{Element, number, numbers};
-use crate::{Export, Housing};
+use crate::{Housing, RobotFiles};
 
 /// The rate of images, Hz.
 const FRAME_RATE: f64 = 30.0;
@@ -35,8 +35,8 @@ impl Reader {
     }
 }
 
-pub(crate) fn export(of: &Description, reader: Reader) -> Export {
-    let mut export = Export::with_visuals(of).with_collider(of);
+pub(crate) fn export(of: &Description, reader: Reader) -> RobotFiles {
+    let mut export = RobotFiles::with_visuals(of).with_collider(of);
     export.without_parent(
         of,
         "SDF",

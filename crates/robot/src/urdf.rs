@@ -7,7 +7,7 @@ use oaktwin_camera::math::DMat3;
 use crate::description::{CameraFrame, Description, roll_pitch_yaw};
 use crate::frame::DeviceFrame;
 use crate::xml::{Element, number, numbers};
-use crate::{Export, Housing};
+use crate::{Housing, RobotFiles};
 
 /// The parts of names and paths that differ between the plain file and the macro.
 struct Names<'a> {
@@ -15,8 +15,8 @@ struct Names<'a> {
     meshes: &'a str,
 }
 
-pub(crate) fn export(of: &Description) -> Export {
-    let mut export = Export::with_visuals(of).with_collider(of);
+pub(crate) fn export(of: &Description) -> RobotFiles {
+    let mut export = RobotFiles::with_visuals(of).with_collider(of);
     export.text(format!("{}.urdf", of.name), plain(of));
     export.text(format!("{}.urdf.xacro", of.id), xacro(of));
     export

@@ -55,7 +55,7 @@ fn robot(studio: &Studio, request: &ExportRequest, format: &str) -> Result<File,
     let format: robot::Format = choose("format", format).map_err(|error| Failure::of("format", &error))?;
     let twin = request.state.twin(studio)?;
     let exported = robot::export(&studio.catalog, &twin, &Attachment::default(), format);
-    let robot::Export { files, findings } = exported.map_err(|error| Failure::from(error.to_string()))?;
+    let robot::RobotFiles { files, findings } = exported.map_err(|error| Failure::from(error.to_string()))?;
     let files: Vec<(&str, &[u8])> = files
         .iter()
         .map(|(name, bytes)| (name.as_str(), bytes.as_slice()))

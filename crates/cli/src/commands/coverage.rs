@@ -29,7 +29,7 @@ struct CoverageReport<'a> {
 
 pub(crate) fn run(context: &Context, args: &CoverageArgs) -> Result<Exit> {
     let region = asked::region(args)?;
-    let sweep = coverage::Sweep::parse(args.height.as_deref(), args.tilt.as_deref())?;
+    let sweep = coverage::PlacementSweep::parse(args.height.as_deref(), args.tilt.as_deref())?;
     asked::check(args)?;
     args.threads.apply();
     if let Some(folder) = &args.report {

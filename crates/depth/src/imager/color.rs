@@ -9,7 +9,7 @@ use super::demosaic::{self, UNITS};
 use super::rows::Rows;
 use super::{Bits, Exposure, Imager, Parameters, blur, mosaic};
 use crate::ParameterError;
-use crate::random::{Stage, Stream};
+use crate::random::{NoiseStage, Stream};
 
 /// The variance of light over the area of a pixel, px².
 const PIXEL_VARIANCE: f64 = 1.0 / 12.0;
@@ -198,7 +198,7 @@ impl ColorImager {
         frame: u64,
     ) -> Image<[u16; 3]> {
         let scale = scale * self.light;
-        let random = [0, 1, 2].map(|item| random.plane(Stage::Color, frame, item));
+        let random = [0, 1, 2].map(|item| random.plane(NoiseStage::Color, frame, item));
         let rows = |exposure: Exposure, channel: usize, random| {
             Rows::new(self.channels[channel].parameters(), intrinsics, exposure, random)
         };

@@ -2,7 +2,7 @@
 
 use super::assumptions::ConfidenceComparison;
 use super::plan::SingleViewPlan;
-use crate::random::Plane;
+use crate::random::RandomPlane;
 use oaktwin_simd::saturating_trunc;
 
 /// Computes the luma of a row of the colour image with the given weights.
@@ -49,7 +49,13 @@ impl Texture {
 
     /// Fills `confidence` and `lacking` for row `y` of the colour image.
     #[inline(always)]
-    pub(super) fn measure_row(&mut self, plan: &SingleViewPlan, grain: &Plane, rgb: &[[u8; 4]], y: usize) {
+    pub(super) fn measure_row(
+        &mut self,
+        plan: &SingleViewPlan,
+        grain: &RandomPlane,
+        rgb: &[[u8; 4]],
+        y: usize,
+    ) {
         let (first, last) = (y.saturating_sub(1), (y + 1).min(plan.height - 1));
         for row in first..=last {
             if self.held.is_none_or(|(from, to)| row < from || row > to) {
@@ -76,7 +82,7 @@ impl Texture {
 
     #[inline(always)]
     #[expect(clippy::cast_possible_truncation, reason = "rows of an image")]
-    fn read(&mut self, plan: &SingleViewPlan, grain: &Plane, rgb: &[[u8; 4]], y: usize) {
+    fn read(&mut self, plan: &SingleViewPlan, grain: &RandomPlane, rgb: &[[u8; 4]], y: usize) {
         let row = self.rows[y % 3].as_mut_slice();
         let width = plan.width;
         luma(plan.levels, &rgb[y * width..][..width], &mut row[1..=width]);

@@ -12,7 +12,7 @@
 //! 3. A disparity above `maxDisparityPixel` gives no sample.
 //! 4. With a `noiseMean` q above 0, d' = q·round(d/q) + `noiseSigma`·N. N is standard normal, one per square of
 //!    `noiseDownscaleFactorPixel` k pixels, at row ⌊y/k⌋ and column ⌊x/k⌋ of
-//!    [`Plane::normals`](crate::random::Plane::normals), new in every frame. With 0, d' = d.
+//!    [`RandomPlane::normals`](crate::random::RandomPlane::normals), new in every frame. With 0, d' = d.
 //! 5. A sample moves to x + round(d'), with a negative baseline to x − d'. Of several samples in a pixel the nearest wins;
 //!    a pixel without a sample is a hole: left of near objects (right with a negative baseline), and at that image border.
 //! 6. Confidence, if there is a colour image: s = min(1, g·|∇(Y + n)|) of its luma Y, rounded to 8 bits, with Sobel's

@@ -13,22 +13,22 @@ use super::reasons;
 use super::rows::Rows;
 use super::view;
 use super::warp::{self, Key, LANES, RowBuffers};
-use crate::random::{Plane, Stage, Stream};
+use crate::random::{NoiseStage, RandomPlane, Stream};
 use crate::{DepthShot, Reason};
 
 /// The random numbers of an image.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Planes {
-    jitter: Plane,
-    grain: Plane,
+    jitter: RandomPlane,
+    grain: RandomPlane,
 }
 
 impl Planes {
     pub(super) fn new(random: &Stream, shot: &DepthShot<'_>) -> Self {
         let plane = |stage| random.plane(stage, shot.frame, shot.item);
         Self {
-            jitter: plane(Stage::Jitter),
-            grain: plane(Stage::Grain),
+            jitter: plane(NoiseStage::Jitter),
+            grain: plane(NoiseStage::Grain),
         }
     }
 }

@@ -4,7 +4,7 @@ use oaktwin_simd as simd;
 
 use super::assumptions::TargetRounding;
 use super::plan::SingleViewPlan;
-use crate::random::Plane;
+use crate::random::RandomPlane;
 
 /// A sample that moved to a pixel; of several, the smallest wins.
 pub(super) trait Key: Copy + Ord {
@@ -99,7 +99,7 @@ impl RowBuffers {
     pub(super) fn warp<K: Key>(
         &mut self,
         plan: &SingleViewPlan,
-        random: &Plane,
+        random: &RandomPlane,
         y: usize,
         row: &[f32],
         lacking: &[u32],
@@ -145,7 +145,7 @@ impl RowBuffers {
 
     /// Fills the normal numbers for row `y`; they change at each row of patches.
     #[inline(always)]
-    fn draw(&mut self, plan: &SingleViewPlan, random: &Plane, y: usize) {
+    fn draw(&mut self, plan: &SingleViewPlan, random: &RandomPlane, y: usize) {
         let patch = plan.patch(y);
         if self.held == Some(patch) {
             return;

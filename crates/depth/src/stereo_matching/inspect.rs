@@ -10,7 +10,7 @@ use std::borrow::Cow;
 use oaktwin_base::diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_simd::run;
 
-use super::pair::{Luminance, RectifiedPair};
+use super::pair::{LuminanceImage, RectifiedPair};
 use super::parameters::Parameters;
 use difference::{AREA, LeastDifference, SIDES, WINDOW};
 use profiles::Profiles;
@@ -96,10 +96,10 @@ fn warning(code: &'static str, place: &str, message: String, remedy: impl Into<M
 }
 
 /// Returns the 8-bit grey levels of an image.
-fn grey_levels<'a>(image: &Luminance<'a>) -> Cow<'a, [u8]> {
+fn grey_levels<'a>(image: &LuminanceImage<'a>) -> Cow<'a, [u8]> {
     match image {
-        Luminance::Bits8(image) => Cow::Borrowed(image.pixels()),
-        Luminance::Bits10(image) => image
+        LuminanceImage::Bits8(image) => Cow::Borrowed(image.pixels()),
+        LuminanceImage::Bits10(image) => image
             .pixels()
             .iter()
             .map(|&level| (level.min(1023) >> 2) as u8)

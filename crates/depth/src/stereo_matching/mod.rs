@@ -65,7 +65,7 @@ mod scan_input;
 mod select;
 
 pub use inspect::{VERTICAL_OFFSET, inspect};
-pub use pair::{Luminance, RectifiedPair, RectifiedPairError};
+pub use pair::{LuminanceImage, RectifiedPair, RectifiedPairError};
 pub use parameters::{
     AdaptiveMedian, AdaptivePenalty, CensusKernel, ConfidenceMetrics, DisparityWidth, HoleFilling,
     Interpolation, Parameters, platform_of,

@@ -2,26 +2,26 @@ use oaktwin_image::{Image, ImageView};
 
 /// The image of a monochrome camera.
 #[derive(Clone, Copy, Debug)]
-pub enum Luminance<'a> {
+pub enum LuminanceImage<'a> {
     /// 0 to 255.
     Bits8(ImageView<'a, u8>),
     /// 0 to 1023; larger values are clamped.
     Bits10(ImageView<'a, u16>),
 }
 
-impl<'a> From<ImageView<'a, u8>> for Luminance<'a> {
+impl<'a> From<ImageView<'a, u8>> for LuminanceImage<'a> {
     fn from(image: ImageView<'a, u8>) -> Self {
         Self::Bits8(image)
     }
 }
 
-impl<'a> From<ImageView<'a, u16>> for Luminance<'a> {
+impl<'a> From<ImageView<'a, u16>> for LuminanceImage<'a> {
     fn from(image: ImageView<'a, u16>) -> Self {
         Self::Bits10(image)
     }
 }
 
-impl Luminance<'_> {
+impl LuminanceImage<'_> {
     /// The width, px.
     #[must_use]
     pub fn width(&self) -> u32 {
@@ -79,8 +79,8 @@ impl Luminance<'_> {
 /// A rectified pair: a point of the scene is on the same row of both images, in the right one farther left.
 #[derive(Clone, Copy, Debug)]
 pub struct RectifiedPair<'a> {
-    left: Luminance<'a>,
-    right: Luminance<'a>,
+    left: LuminanceImage<'a>,
+    right: LuminanceImage<'a>,
 }
 
 /// An invalid pair of images.
@@ -99,8 +99,8 @@ impl<'a> RectifiedPair<'a> {
     /// # Errors
     /// Returns an error if their sizes or numbers of bits differ, or if they have no pixels.
     pub fn new(
-        left: impl Into<Luminance<'a>>,
-        right: impl Into<Luminance<'a>>,
+        left: impl Into<LuminanceImage<'a>>,
+        right: impl Into<LuminanceImage<'a>>,
     ) -> Result<Self, RectifiedPairError> {
         let (left, right) = (left.into(), right.into());
         let error = |what, remedy| Err(RectifiedPairError { what, remedy });
@@ -134,13 +134,13 @@ impl<'a> RectifiedPair<'a> {
 
     /// The left image, for whose pixels disparities are computed.
     #[must_use]
-    pub fn left(&self) -> Luminance<'a> {
+    pub fn left(&self) -> LuminanceImage<'a> {
         self.left
     }
 
     /// The right image.
     #[must_use]
-    pub fn right(&self) -> Luminance<'a> {
+    pub fn right(&self) -> LuminanceImage<'a> {
         self.right
     }
 

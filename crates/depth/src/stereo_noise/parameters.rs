@@ -2,7 +2,7 @@ use oaktwin_base::parameter::{Platform, parameters};
 use oaktwin_camera::StereoGeometry;
 
 use crate::disparity::{DepthRounding, Fixed, FractionalBits, Subpixel, SubpixelSwitch};
-use crate::random::{Stage, Stream, standard_normal};
+use crate::random::{NoiseStage, Stream, standard_normal};
 
 parameters! {
     /// The geometry and the errors of a stereo camera. Lengths in pixels are in matcher pixels, pixels of an image
@@ -99,7 +99,7 @@ impl Parameters {
     /// Returns the same parameters with the random bias of one unit.
     #[must_use]
     pub fn of_device(mut self, device_seed: u64) -> Self {
-        let plane = Stream::new(device_seed, "").plane(Stage::DeviceBias, 0, 0);
+        let plane = Stream::new(device_seed, "").plane(NoiseStage::DeviceBias, 0, 0);
         let [a, b, ..] = plane.words(0, 0);
         self.bias_px = DEVICE_BIAS_SIGMA_PX * standard_normal(a, b)[0];
         self

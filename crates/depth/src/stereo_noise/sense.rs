@@ -13,7 +13,7 @@ use super::shadow::{NEARER, Rows, Shadow};
 use super::texture::{self, GAIN, Texture};
 use super::window::{WindowSum, field_width};
 use crate::DepthShot;
-use crate::random::{Plane, Stage, Stream};
+use crate::random::{NoiseStage, RandomPlane, Stream};
 use crate::reason::Reason;
 
 /// The rows that one thread processes. The first one also sums the windows of the rows before it.
@@ -34,8 +34,8 @@ pub(super) struct Job<'a> {
     scale: Scale,
     depth: ImageView<'a, f32>,
     picture: Option<ImageView<'a, [u8; 4]>>,
-    jitter: Plane,
-    dropout: Plane,
+    jitter: RandomPlane,
+    dropout: RandomPlane,
     /// Whether the reasons for invalid pixels are recorded.
     explains: bool,
     level: Level,
@@ -72,8 +72,8 @@ impl<'a> Job<'a> {
             scale: Scale::new(p, shot),
             depth: shot.depth(),
             picture: shot.rgb().filter(|_| p.confidence_threshold > 0),
-            jitter: random.plane(Stage::Jitter, shot.frame, shot.item),
-            dropout: random.plane(Stage::Dropout, shot.frame, shot.item),
+            jitter: random.plane(NoiseStage::Jitter, shot.frame, shot.item),
+            dropout: random.plane(NoiseStage::Dropout, shot.frame, shot.item),
             explains: false,
             level: Level::detect(),
         }

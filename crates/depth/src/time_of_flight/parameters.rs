@@ -1,6 +1,6 @@
 use oaktwin_base::parameter::{FieldText, Kind, ParameterError, Platform, Value, parameters};
 
-use crate::random::{Stage, Stream, standard_normal};
+use crate::random::{NoiseStage, Stream, standard_normal};
 
 parameters! {
     /// The measurement and the errors of a time-of-flight camera.
@@ -104,7 +104,7 @@ impl Parameters {
     /// Returns the same parameters with the random constant error of one unit.
     #[must_use]
     pub fn of_device(mut self, device_seed: u64) -> Self {
-        let plane = Stream::new(device_seed, "").plane(Stage::DeviceBias, 0, 0);
+        let plane = Stream::new(device_seed, "").plane(NoiseStage::DeviceBias, 0, 0);
         let [a, b, ..] = plane.words(0, 0);
         self.bias_m = DEVICE_BIAS_SIGMA_M * standard_normal(a, b)[0];
         self

@@ -10,7 +10,7 @@ use super::optics::Optics;
 use super::receive::{Decode, Decoded, Limits, Mix, Receiver, Sample, Sampled, Unwrap};
 use super::{Output, TimeOfFlight};
 use crate::filter::DepthConfidence;
-use crate::random::{Plane, Stage, Stream};
+use crate::random::{NoiseStage, RandomPlane, Stream};
 use crate::{DepthShot, Reason};
 
 /// The rows that one thread processes. The first and the last also require the rows beyond.
@@ -25,8 +25,8 @@ pub(super) struct Job<'a> {
     velocities: Option<[ImageView<'a, f32>; 2]>,
     returns: Option<&'a annotation::Returns>,
     /// The random numbers of this frame's measurements, and of the previous frame's if they are shared.
-    measurements: [Option<Plane>; 2],
-    fixed_pattern: Option<Plane>,
+    measurements: [Option<RandomPlane>; 2],
+    fixed_pattern: Option<RandomPlane>,
     multipath: Option<Multipath>,
     level: Level,
 }
@@ -98,7 +98,7 @@ impl<'a> Job<'a> {
     pub(super) fn new(sensor: &'a TimeOfFlight, shot: &DepthShot<'a>, random: &Stream) -> Self {
         let p = sensor.parameters();
         let depth = shot.depth();
-        let plane = |frame| random.plane(Stage::Correlation, frame, shot.item);
+        let plane = |frame| random.plane(NoiseStage::Correlation, frame, shot.item);
         let shares = p.enable_phase_shuffle_temporal_filter && !p.enable_burst_mode;
         let has_pattern = !p.enable_fppn_correction && p.fixed_pattern_m > 0.0;
         let job = Self {
@@ -113,7 +113,7 @@ impl<'a> Job<'a> {
                 shares.then(|| plane(shot.frame.wrapping_sub(1))),
             ],
             // The same for every frame of the device.
-            fixed_pattern: has_pattern.then(|| random.plane(Stage::FixedPattern, 0, 0)),
+            fixed_pattern: has_pattern.then(|| random.plane(NoiseStage::FixedPattern, 0, 0)),
             multipath: None,
             level: Level::detect(),
         };

@@ -9,7 +9,7 @@
 
 use oaktwin_depth::engines::{SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, TIME_OF_FLIGHT};
 use oaktwin_depth::random::Stream;
-use oaktwin_depth::stereo_matching::{Luminance, RectifiedPair};
+use oaktwin_depth::stereo_matching::{LuminanceImage, RectifiedPair};
 use oaktwin_depth::time_of_flight::TimeOfFlight;
 use oaktwin_depth::{Capture, DepthShot, EngineKind, Input, Sensor};
 use oaktwin_image::Image;
@@ -209,8 +209,8 @@ fn matching_reports_the_confidence_of_its_costs() {
     };
     let [left, right] = [texture(0), texture(6)];
     let pair = RectifiedPair::new(
-        Luminance::Bits8((&left).into()),
-        Luminance::Bits8((&right).into()),
+        LuminanceImage::Bits8((&left).into()),
+        LuminanceImage::Bits8((&right).into()),
     )
     .unwrap();
     for filters in [&[][..], &["decimation:factor=2"]] {

@@ -4,7 +4,7 @@
 
 use oaktwin_depth::engines::{SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, TIME_OF_FLIGHT};
 use oaktwin_depth::filter::NAMES;
-use oaktwin_depth::stereo_matching::{Luminance, RectifiedPair};
+use oaktwin_depth::stereo_matching::{LuminanceImage, RectifiedPair};
 use oaktwin_depth::{Capture, DepthShot, EngineKind, Input, Reason, ReasonCodes, Sensor, reason};
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Annotator;
@@ -173,7 +173,7 @@ fn pair() -> [Image<u8>; 2] {
 
 fn matched(parameters: &[(&str, &str)], filters: &[&str]) -> Image<u8> {
     let images = pair();
-    let [left, right] = images.each_ref().map(|image| Luminance::Bits8(image.into()));
+    let [left, right] = images.each_ref().map(|image| LuminanceImage::Bits8(image.into()));
     let pair = RectifiedPair::new(left, right).unwrap();
     explained(&mut sensor(&STEREO_MATCHING, parameters, filters), pair)
 }

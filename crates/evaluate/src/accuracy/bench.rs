@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use crate::measure::r_squared;
 use rayon::prelude::*;
 
-use super::measured::Curve;
+use super::measured::MeasuredCurve;
 use super::test_rig::{Effort, RunControl, TestRig};
 use super::units::{Prepared, intrinsics, rigs};
 use super::vendor::protocol_deviations;
@@ -98,7 +98,7 @@ impl Bench {
     /// measurement.
     pub fn measure(
         mut self,
-        measured: Option<(&Path, &Curve)>,
+        measured: Option<(&Path, &MeasuredCurve)>,
         watch: &Watch<'_>,
     ) -> Result<Measurement, AccuracyError> {
         self.is_absolute = measured.is_none_or(|(_, curve)| curve.is_absolute);
@@ -162,7 +162,7 @@ impl Bench {
             .collect()
     }
 
-    fn comparison(&self, path: &Path, curve: &Curve, rows: &[AccuracyRow]) -> Comparison {
+    fn comparison(&self, path: &Path, curve: &MeasuredCurve, rows: &[AccuracyRow]) -> Comparison {
         let points: Vec<ComparedPoint> = curve
             .points
             .iter()

@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use super::AccuracyError;
 use super::board::{self, Board};
 use super::stereo_camera::StereoCamera;
-use crate::measure::{Optics, Quality, Region, Vendor, quality, vendor};
+use crate::measure::{ImageRegion, Optics, Quality, Vendor, quality, vendor};
 
 /// The margin around the measured region in which textures affect it, besides windows and neighbourhoods, px.
 const AROUND_PX: u32 = 4;
@@ -29,7 +29,7 @@ pub(super) struct TestRig {
     /// The intrinsics of the whole depth image.
     pub(super) intrinsics: Intrinsics,
     /// The measured region of the depth image.
-    pub(super) region: Region,
+    pub(super) region: ImageRegion,
     pub(super) units: Vec<Unit>,
     /// The number of the first unit, which distinguishes their noise.
     pub(super) first: u32,
@@ -217,7 +217,7 @@ impl TestRig {
         };
         let within = |range: &Range<u32>, start: u32| range.start - start..range.end - start;
         Part {
-            region: Region {
+            region: ImageRegion {
                 columns: within(&self.region.columns, columns.start),
                 rows: within(&self.region.rows, rows.start),
             },
@@ -342,12 +342,12 @@ struct Part {
     columns: Range<u32>,
     rows: Range<u32>,
     /// The measured region of the part.
-    region: Region,
+    region: ImageRegion,
 }
 
 impl Part {
     /// Returns the region and the intrinsics in the sensor's output image, which filters may have decimated.
-    fn in_image(&self, image: Option<&ZDepth>) -> (Region, Intrinsics) {
+    fn in_image(&self, image: Option<&ZDepth>) -> (ImageRegion, Intrinsics) {
         let own = self.intrinsics.size;
         let size = image.map_or(own, |image| ImageSize::new(image.0.width(), image.0.height()));
         if size == own {
@@ -358,7 +358,7 @@ impl Part {
             let narrow = |place: u64| u32::try_from(place).unwrap_or(u32::MAX);
             narrow(at(range.start))..narrow(at(range.end))
         };
-        let region = Region {
+        let region = ImageRegion {
             columns: scaled(&self.region.columns, size.width, own.width),
             rows: scaled(&self.region.rows, size.height, own.height),
         };

@@ -2,7 +2,7 @@
 //!
 //! Points are distributed evenly over the surface of a [`Region`] of a scene. For each [`Candidate`], an OAK at a pose, the depth
 //! sensor's image is simulated, and a ray decides whether a point is visible. The shares of the points that are seen and measured,
-//! the errors of the measurements and the [reasons](Reason) of the losses rank the candidates.
+//! the errors of the measurements and the [reasons](OutcomeRow) of the losses rank the candidates.
 //!
 //! ```
 //! use oaktwin_camera::math::DVec3;
@@ -64,10 +64,10 @@ pub use error::CoverageError;
 pub use lights::{InLight, InLights, LIGHTS};
 pub use measure::{CoverageOptions, MAX_CANDIDATES, MAX_SAMPLES, SAMPLES, measure};
 pub use motion::{Carrier, MotionCoverage, MountCoverage, measure_motion};
-pub use outcome::{Outcome, Reason, reasons};
+pub use outcome::{Outcome, OutcomeRow, reasons};
 pub use patches::{MAX_TRIANGLES, PATCHES, Patches};
 pub use picture::picture;
-pub use placement::{Base, Placement, Sweep};
+pub use placement::{Base, Placement, PlacementSweep};
 pub use region::Region;
 pub use report::{
     CandidateCoverage, Coverage, Occluder, OwnRobot, PointOutcomes, SampledRegion, Selected, Shares,

@@ -5,7 +5,7 @@ use oaktwin_camera::{Camera, ImageSize, PixelPoint, Usd};
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_image::contact_sheet::{GAP, INK, PAPER, paste};
-use oaktwin_image::text::{self, Style};
+use oaktwin_image::text::{self, TextStyle};
 use oaktwin_pipeline::render::{AnnotateOptions, Backend, Renderer, View};
 use oaktwin_render::Hit;
 
@@ -289,7 +289,7 @@ pub(super) fn sheet(
     let first = GAP + 2 * line;
     let bottom = first + HEIGHT + GAP;
     let mut sheet = Image::filled(width, bottom + line + GAP, PAPER);
-    let style = Style {
+    let style = TextStyle {
         height: TEXT as f32,
         color: INK,
     };

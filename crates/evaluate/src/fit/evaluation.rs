@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::method::{Fitted, Method};
 use super::point::{OfTarget, Point};
 use super::recording::TargetRecording;
-use super::report::{Curve, FittedPoint};
+use super::report::{FitQuality, FittedPoint};
 use super::state::FitState;
 use super::target::{self, EvaluationSettings, Observation};
 use super::{FitError, findings, points};
@@ -103,7 +103,7 @@ impl FitState<'_> {
     }
 
     /// Returns the quality of the curve; `None` if its residuals are no numbers.
-    fn goodness(&self, found: &dyn Fitted) -> Option<Curve> {
+    fn goodness(&self, found: &dyn Fitted) -> Option<FitQuality> {
         let used: Vec<&FittedPoint> = self.report.points.iter().filter(|point| point.is_used).collect();
         let rms = |of: &dyn Fn(&FittedPoint) -> f64| {
             (used.iter().map(|point| of(point).powi(2)).sum::<f64>() / used.len() as f64).sqrt()
@@ -113,7 +113,7 @@ impl FitState<'_> {
             .filter_map(|point| Some([point.error_percent, point.fitted_percent?]))
             .collect();
         let (solution, is_known) = found.solution();
-        let curve = Curve {
+        let curve = FitQuality {
             points: used.len(),
             rms: rms(&|point| point.error - point.fitted.unwrap_or(f64::NAN)),
             rms_percent: rms(&|point| point.error_percent - point.fitted_percent.unwrap_or(f64::NAN)),

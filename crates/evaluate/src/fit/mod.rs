@@ -46,7 +46,7 @@ mod target;
 mod time_of_flight;
 
 pub use recording::TABLE;
-pub use report::{Curve, FitReport, FittedPoint, NotFound, Parameter, TargetReport};
+pub use report::{FitQuality, FitReport, FittedPoint, NotFound, Parameter, TargetReport};
 
 use crate::accuracy::{AccuracyError, MeasuredOptics, REGION};
 use crate::figure::Figure;

@@ -9,7 +9,7 @@ use super::point::{OfTarget, Point};
 use super::recording::TargetRecording;
 use super::report::TargetReport;
 use super::target::{Observation, Sum};
-use crate::accuracy::measured::Curve;
+use crate::accuracy::measured::MeasuredCurve;
 use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 use oaktwin_files::FileError;
 
@@ -21,7 +21,7 @@ const MIN_TILT_DEG: f64 = 0.3;
 const MIN_TILT_ERRORS: f64 = 4.0;
 
 /// Returns the errors of a measured curve.
-pub(super) fn of_curve(curve: &Curve) -> Vec<OfTarget> {
+pub(super) fn of_curve(curve: &MeasuredCurve) -> Vec<OfTarget> {
     let points = curve.points.iter().map(|point| OfTarget {
         target: None,
         point: Point {

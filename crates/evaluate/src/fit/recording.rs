@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::FitError;
 use crate::accuracy::distances;
-use crate::accuracy::measured::{self, Curve};
+use crate::accuracy::measured::{self, MeasuredCurve};
 use crate::table::{self, wrong};
 use oaktwin_base::diagnostic::nearest;
 use oaktwin_files::FileError;
@@ -92,7 +92,7 @@ impl TargetImages {
 /// The content of the inputs.
 pub(super) enum Recording {
     /// Errors over distance, without images.
-    Curve(PathBuf, Curve),
+    Curve(PathBuf, MeasuredCurve),
     /// Images in order of distance.
     Targets(Vec<TargetRecording>),
 }

@@ -34,7 +34,7 @@ pub struct FitReport {
     /// The distance in metres below which errors were ignored.
     pub from_m: f64,
     /// The quality of the fit; `None` without true distances.
-    pub curve: Option<Curve>,
+    pub curve: Option<FitQuality>,
     /// The rotation of the targets that was applied to the true distances; `None` if they are perpendicular within the
     /// uncertainty.
     pub tilt_deg: Option<f64>,
@@ -79,7 +79,7 @@ pub struct NotFound {
 
 /// The quality of a fitted curve.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Curve {
+pub struct FitQuality {
     /// The number of points used.
     pub points: usize,
     /// The root mean square of the residuals.

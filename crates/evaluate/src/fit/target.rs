@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::measure::{Autocovariance, Region, median};
+use crate::measure::{Autocovariance, ImageRegion, median};
 
 use super::FitError;
 use super::error_domain::ErrorDomain;
@@ -228,7 +228,7 @@ fn no_truth(files: &Files) -> FileError {
 struct Observer {
     settings: EvaluationSettings,
     size: ImageSize,
-    region: Region,
+    region: ImageRegion,
     lags: usize,
     frames: usize,
     valid: u64,
@@ -245,7 +245,7 @@ struct Observer {
 
 impl Observer {
     fn new(settings: EvaluationSettings, size: ImageSize, recording: &TargetRecording) -> Self {
-        let region = Region::centred(size.width, size.height, settings.region);
+        let region = ImageRegion::centred(size.width, size.height, settings.region);
         let [columns, rows] = [region.columns.len(), region.rows.len()];
         #[expect(
             clippy::cast_possible_truncation,

@@ -7,7 +7,7 @@ use super::camera::read_pose;
 use crate::align;
 use crate::sensor::{Capture, OutputCamera, Sensor, frame, sensor_view};
 use oaktwin_camera::{Camera, RigidTransform};
-use oaktwin_dataset::{CameraParams, FrameCamera, InputName, Layer, LayerData, Shot};
+use oaktwin_dataset::{CameraParams, FrameCamera, InputName, LayerData, Shot, ShotLayer};
 use oaktwin_depth::align::Align;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_image::{Image, ImageView};
@@ -67,7 +67,7 @@ impl OutputContext<'_> {
         let rgb = rgb.map(ImageView::from);
         let mut frame = frame(sensor, &self.camera, capture, rgb, &self.request());
         if let (Some(positions), Some(axes)) = (&frame.depth_sensor_point_cloud_position, options.cloud) {
-            layers.push(Layer {
+            layers.push(ShotLayer {
                 folder: Annotator::DepthSensorPointCloudPosition.name(),
                 name: "depth_sensor_point_cloud".to_owned(),
                 data: LayerData::Cloud {

@@ -2,7 +2,7 @@
 
 use oaktwin_camera::{Camera, UsdOptics};
 use oaktwin_dataset::FrameCamera;
-use oaktwin_depth::{Capture, Input, Layer, OutputCamera, ParameterError, Sensor};
+use oaktwin_depth::{Capture, CaptureLayer, Input, OutputCamera, ParameterError, Sensor};
 use oaktwin_image::annotation::{Annotation, Annotator, Frame};
 use oaktwin_image::{Image, ImageView};
 
@@ -73,14 +73,14 @@ pub(crate) fn frame(
 }
 
 /// The annotation of a layer; `None` of outputs that frames do not have.
-fn annotation(layer: Layer) -> Option<Annotation> {
+fn annotation(layer: CaptureLayer) -> Option<Annotation> {
     match layer {
-        Layer::Levels(levels) => Some(Annotation::Levels(levels)),
-        Layer::Floats(numbers) => Some(Annotation::Scalar(numbers)),
-        Layer::Colors(colors) => Some(Annotation::Color(colors)),
-        Layer::Reasons(codes) => Some(Annotation::Reasons(codes.into())),
-        Layer::Points(points) => Some(Annotation::PixelPoints(points)),
-        Layer::Bytes(_) | Layer::Disparity(_) => None,
+        CaptureLayer::Levels(levels) => Some(Annotation::Levels(levels)),
+        CaptureLayer::Floats(numbers) => Some(Annotation::Scalar(numbers)),
+        CaptureLayer::Colors(colors) => Some(Annotation::Color(colors)),
+        CaptureLayer::Reasons(codes) => Some(Annotation::Reasons(codes.into())),
+        CaptureLayer::Points(points) => Some(Annotation::PixelPoints(points)),
+        CaptureLayer::Bytes(_) | CaptureLayer::Disparity(_) => None,
     }
 }
 

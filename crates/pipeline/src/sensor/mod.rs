@@ -21,8 +21,8 @@ pub use oaktwin_depth::engines::{
     ENGINES, SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, TIME_OF_FLIGHT, calibration_error_px,
 };
 pub use oaktwin_depth::{
-    Capture, DepthShot, Engine, EngineInput, EngineKind, EngineRef, Factory, FixedDisparity, Input, Layer,
-    OutputCamera, ParameterError, Sensor, Setup, Technology, single_view,
+    Capture, CaptureLayer, DepthShot, Engine, EngineInput, EngineKind, EngineRef, Factory, FixedDisparity,
+    Input, OutputCamera, ParameterError, Sensor, Setup, Technology, single_view,
 };
 
 pub use choose::{depth_sensor, stereo_cameras};

@@ -11,7 +11,7 @@ mod run;
 pub use files::{PairFiles, pairs};
 pub use grey::{luma, read_pair};
 pub use matcher::{MatchedPair, Matcher, PairOf};
-pub use run::{Matched, StereoOptions, StereoOutput, stereo};
+pub use run::{MatchingResult, StereoOptions, StereoOutput, stereo};
 
 use std::path::Path;
 

@@ -16,7 +16,7 @@ use crate::write::write_while;
 use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 use oaktwin_camera::{Camera, ImageSize, RigidTransform, UsdOptics};
 use oaktwin_dataset::{
-    self as dataset, CameraParams, CloudAxes, Extras, FlatWriter, FrameCamera, Layer, LayerData, Shot,
+    self as dataset, CameraParams, CloudAxes, Extras, FlatWriter, FrameCamera, LayerData, Shot, ShotLayer,
 };
 use oaktwin_depth::align::Align;
 use oaktwin_depth::rectify::Method;
@@ -73,7 +73,7 @@ impl StereoOutput {
 
 /// The result of stereo matching.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Matched {
+pub struct MatchingResult {
     /// The complete files.
     pub files: Vec<WrittenFile>,
     /// The fill rate of each pair, 0 to 1.
@@ -100,7 +100,7 @@ pub fn stereo(
     options: &StereoOptions,
     output: &Path,
     watch: &Watch<'_>,
-) -> Result<Option<Matched>, StereoError> {
+) -> Result<Option<MatchingResult>, StereoError> {
     let Some(first) = pairs.first() else {
         return Ok(None);
     };
@@ -110,7 +110,7 @@ pub fn stereo(
     limits::check_memory(&first.left, size, limits::match_bytes(size))?;
     let mut matcher = Matcher::new(of, size, &options.sensor)?;
     let align = aligner(of, &matcher, options.align.as_ref())?;
-    let mut matched = Matched {
+    let mut matched = MatchingResult {
         files: Vec::new(),
         fill: Vec::new(),
         findings: matcher.findings().to_vec(),
@@ -212,7 +212,7 @@ fn in_files(error: StereoError, pair: &PairFiles) -> StereoError {
     }
 }
 
-impl Matched {
+impl MatchingResult {
     /// Adds the fill rate and the findings of a pair.
     fn add(&mut self, seen: &MatchedPair, pair: &PairFiles) {
         let ZDepth(metres) = &seen.capture.distance;
@@ -278,13 +278,13 @@ fn shot(
         .filter(|(wanted, _)| *wanted)
         .map(|(_, one)| one)
         .collect();
-    let mut layers: Vec<Layer> = align
+    let mut layers: Vec<ShotLayer> = align
         .zip(options.align.as_ref())
         .and_then(|(align, to)| align::layer(align, to, &capture.distance.0))
         .into_iter()
         .collect();
     let mut add = |name: &'static str, data| {
-        layers.push(Layer {
+        layers.push(ShotLayer {
             folder: name,
             name: name.to_owned(),
             data,

@@ -2,8 +2,8 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use oaktwin::camera::ImageSize;
 use oaktwin::camera::math::DVec3;
 use oaktwin::coverage::{
-    Base, CoverageError, CoverageOptions, MeasuringRig, Outcome, PointOutcomes, Region, Samples, Sweep,
-    candidates, measure, reasons,
+    Base, CoverageError, CoverageOptions, MeasuringRig, Outcome, PlacementSweep, PointOutcomes, Region,
+    Samples, candidates, measure, reasons,
 };
 use oaktwin::render::RigSpec;
 use oaktwin::scene::{self, Bounds};
@@ -94,12 +94,12 @@ pub(crate) fn coverage<'py>(
         rigs.push(rig);
     }
     let base = Base::Poses(Of::Body.several("poses", world_from_body)?.0);
-    let sweep = Sweep {
+    let sweep = PlacementSweep {
         heights_m: List::numbers(List::of("height", height)?, |text| {
-            Ok(Sweep::parse(Some(text), None)?.heights_m)
+            Ok(PlacementSweep::parse(Some(text), None)?.heights_m)
         })?,
         tilts_deg: List::numbers(List::of("tilt_deg", tilt_deg)?, |text| {
-            Ok(Sweep::parse(None, Some(text))?.tilts_deg)
+            Ok(PlacementSweep::parse(None, Some(text))?.tilts_deg)
         })?,
     };
     let stage = scene.read(py);

@@ -40,7 +40,7 @@ impl Footprints {
 }
 
 /// Filters a texture over footprints. Lanes without a bit in `used` return 0, as do footprints that are not finite.
-pub(super) struct Filter<'a> {
+pub(super) struct TextureFilter<'a> {
     /// The image and its reductions.
     pub(super) levels: &'a [Image<[u8; 4]>],
     /// Whether the bytes are sRGB rather than data.
@@ -50,7 +50,7 @@ pub(super) struct Filter<'a> {
     pub(super) used: u32,
 }
 
-impl LaneKernel for Filter<'_> {
+impl LaneKernel for TextureFilter<'_> {
     type Output = [[f32; 8]; 3];
 
     #[inline(always)]
@@ -151,7 +151,7 @@ impl<L: Lanes> Shape<L> {
     }
 }
 
-impl Filter<'_> {
+impl TextureFilter<'_> {
     /// Returns the finer and the coarser level of each lane, the part of the coarser, and the lanes with two levels.
     #[inline(always)]
     fn levels_of<L: Lanes>(&self, lod: L) -> ([usize; 8], [usize; 8], [f32; 8], u32) {

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 
 use oaktwin_camera::math::DVec3;
 use oaktwin_image::srgb;
-use oaktwin_scene::import::{self, ImportOptions, Imported};
+use oaktwin_scene::import::{self, ImportOptions, ImportedScene};
 use oaktwin_scene::{MeshAttribute, MetersPerUnit, Up};
 
 use crate::support::{Files, error, open};
@@ -79,7 +79,7 @@ pub(crate) fn everything() -> String {
 }
 
 /// The corners of an instance's triangles in the world.
-fn corners(imported: &Imported, instance: usize) -> Vec<[DVec3; 3]> {
+fn corners(imported: &ImportedScene, instance: usize) -> Vec<[DVec3; 3]> {
     let instance = &imported.scene.instances[instance];
     let mesh = &imported.scene.meshes[instance.mesh as usize];
     let point = |at: u32| DVec3::from(mesh.positions[at as usize].map(f64::from));

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::DAffine3;
-use oaktwin_scene::import::{self, ImportOptions, Imported};
+use oaktwin_scene::import::{self, ImportOptions, ImportedScene};
 use oaktwin_scene::{
     Instance, Light, LightKind, Material, Mesh, MeshAttribute, Scene, Texture, TextureSource, TextureUse,
 };
@@ -92,7 +92,7 @@ fn describe_stage(read: &StageScene, arrays: &mut Arrays) -> Value {
     described
 }
 
-fn describe_file(read: &Imported, arrays: &mut Arrays) -> Value {
+fn describe_file(read: &ImportedScene, arrays: &mut Arrays) -> Value {
     let mut described = describe(&read.scene, arrays);
     described["cameras"] = read
         .cameras

@@ -1,13 +1,13 @@
 //! The tables of `accuracy`.
 
 use oaktwin::accuracy::{AccuracyReport, AccuracyRow, Devices, Reading, Verdict};
-use oaktwin::catalog::Table;
+use oaktwin::catalog::TextTable;
 
 use super::cells::{band, distance, error, quartiles};
 use crate::number::{fixed, signed};
 use crate::output;
 
-pub(super) fn distance_table(report: &AccuracyReport, title: String) -> Table {
+pub(super) fn distance_table(report: &AccuracyReport, title: String) -> TextTable {
     let many = report.devices.are_many();
     let is_factory = matches!(report.devices, Devices::Factory { .. });
     let header = [
@@ -44,7 +44,7 @@ pub(super) fn distance_table(report: &AccuracyReport, title: String) -> Table {
         ]
     });
     without_column(
-        Table {
+        TextTable {
             title,
             header: header.map(str::to_owned).to_vec(),
             rows: rows.collect(),
@@ -80,7 +80,7 @@ fn reading_table<'a>(
     title: String,
     is_recomputed: bool,
     reading: impl Fn(&'a AccuracyRow) -> Option<(&'a Reading, Verdict)>,
-) -> Table {
+) -> TextTable {
     let mut header = vec!["Distance\n[m]", "Error\n[%]", "Pixel error\n[%]"];
     if is_recomputed {
         header.extend(["Jitter of d\n[%]", "Invalid\n[%]"]);
@@ -112,14 +112,14 @@ fn reading_table<'a>(
         ]);
         Some(cells)
     });
-    Table {
+    TextTable {
         title,
         header: header.into_iter().map(str::to_owned).collect(),
         rows: rows.collect(),
     }
 }
 
-fn without_column(mut table: Table, column: Option<usize>) -> Table {
+fn without_column(mut table: TextTable, column: Option<usize>) -> TextTable {
     if let Some(column) = column {
         for cells in std::iter::once(&mut table.header).chain(&mut table.rows) {
             cells.remove(column);

@@ -3,7 +3,7 @@
 use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DVec3;
 use oaktwin::coverage::{
-    self, Base, Candidate, Coverage, CoverageOptions, MeasuringRig, Placement, Region, Sweep,
+    self, Base, Candidate, Coverage, CoverageOptions, MeasuringRig, Placement, PlacementSweep, Region,
 };
 use oaktwin::files::OutputFiles;
 use oaktwin::render::{OpenOptions, Renderer, SceneFile, trajectory};
@@ -82,7 +82,7 @@ pub(super) fn options(args: &CoverageArgs) -> CoverageOptions {
 }
 
 /// The poses of the models.
-pub(super) fn placements(args: &CoverageArgs, sweep: &Sweep, up: Up) -> Result<Vec<Placement>> {
+pub(super) fn placements(args: &CoverageArgs, sweep: &PlacementSweep, up: Up) -> Result<Vec<Placement>> {
     let base = if let Some(file) = &args.poses {
         let poses = trajectory::read(file)?;
         Base::Poses(poses.iter().map(|pose| pose.world_from_mount).collect())

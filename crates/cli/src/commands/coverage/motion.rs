@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use oaktwin::coverage::{self, Carrier, MeasuringRig, MotionCoverage, Region, Sweep};
+use oaktwin::coverage::{self, Carrier, MeasuringRig, MotionCoverage, PlacementSweep, Region};
 use oaktwin::files::WrittenFile;
 use oaktwin::image::png;
 use oaktwin::render::Renderer;
@@ -25,7 +25,12 @@ struct MotionCoverageReport<'a> {
     files: &'a [WrittenFile],
 }
 
-pub(super) fn run(context: &Context, args: &CoverageArgs, region: &Region, sweep: &Sweep) -> Result<Exit> {
+pub(super) fn run(
+    context: &Context,
+    args: &CoverageArgs,
+    region: &Region,
+    sweep: &PlacementSweep,
+) -> Result<Exit> {
     let models = rigs::of_models(context, args, None)?;
     let mut scene = asked::scene(args)?;
     let mut findings = std::mem::take(&mut scene.findings);

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use oaktwin::catalog::Table;
+use oaktwin::catalog::TextTable;
 use oaktwin::fit::{FitReport, FittedPoint, Parameter, TargetReport};
 
 use crate::number::fixed;
@@ -77,7 +77,7 @@ fn parameters(report: &FitReport) -> String {
         ]
     });
     let header = ["Parameter", "Value", "95 % from", "to", "Unit", "What"];
-    output::number_table(&Table {
+    output::number_table(&TextTable {
         title: String::new(),
         header: header.map(str::to_owned).to_vec(),
         rows: rows.collect(),
@@ -137,7 +137,7 @@ fn targets(report: &FitReport) -> String {
         ]
     };
     let shown = report.targets.iter().enumerate().take(MAX_TARGETS);
-    let mut text = output::number_table(&Table {
+    let mut text = output::number_table(&TextTable {
         title: String::new(),
         header: header.to_vec(),
         rows: shown.map(row).collect(),

@@ -4,7 +4,7 @@ use oaktwin::camera::OpenCv;
 use oaktwin::catalog::Twin;
 use oaktwin::diagnostic::{self, Finding};
 use oaktwin::files::WrittenFile;
-use oaktwin::stereo::Matched;
+use oaktwin::stereo::MatchingResult;
 use serde::Serialize;
 
 use crate::args::StereoArgs;
@@ -36,7 +36,11 @@ pub(super) struct StereoReport {
 }
 
 impl StereoReport {
-    pub(super) fn new(args: &StereoArgs, unit: Option<(Twin, Vec<Finding>)>, matched: Matched) -> Self {
+    pub(super) fn new(
+        args: &StereoArgs,
+        unit: Option<(Twin, Vec<Finding>)>,
+        matched: MatchingResult,
+    ) -> Self {
         let (model, calibration_findings) = match unit {
             Some((twin, findings)) => (Some(twin.device.name), findings),
             None => (None, Vec::new()),

@@ -2,7 +2,7 @@ use oaktwin_simd::{self as simd, Level};
 use proptest::prelude::*;
 
 use super::*;
-use crate::random::Stage;
+use crate::random::NoiseStage;
 
 fn bits(image: &Image<f32>) -> Vec<u32> {
     image.pixels().iter().map(|z| z.to_bits()).collect()
@@ -48,8 +48,12 @@ fn does_not_depend_on_threads() {
 fn does_not_depend_on_instructions() {
     let depth = bumpy(333, 20);
     let plan = plan::SingleViewPlan::new(&oak_d_pro(), &Assumptions::default(), 333, 20);
-    let random = Stream::new(1, "left").plane(Stage::Jitter, 0, 0);
-    struct Rows<'a>(&'a plan::SingleViewPlan, &'a Image<f32>, &'a crate::random::Plane);
+    let random = Stream::new(1, "left").plane(NoiseStage::Jitter, 0, 0);
+    struct Rows<'a>(
+        &'a plan::SingleViewPlan,
+        &'a Image<f32>,
+        &'a crate::random::RandomPlane,
+    );
     impl simd::Kernel for Rows<'_> {
         type Output = Vec<u64>;
         #[inline(always)]

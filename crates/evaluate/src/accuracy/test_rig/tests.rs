@@ -28,7 +28,7 @@ fn test_rig(model: &str, engine: &'static EngineKind, parameters: &[(&str, &str)
     let intrinsics = twin.camera(depth.spec.camera).unwrap().intrinsics;
     TestRig {
         intrinsics,
-        region: Region::centred(intrinsics.size.width, intrinsics.size.height, 0.05),
+        region: ImageRegion::centred(intrinsics.size.width, intrinsics.size.height, 0.05),
         first: 0,
         units: vec![Unit {
             drifted: None,

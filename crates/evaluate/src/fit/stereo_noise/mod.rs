@@ -158,7 +158,7 @@ impl Method for Stereo {
         state
             .findings
             .extend(findings::implausible(&errors, &found, is_free));
-        Some(Box::new(Curve {
+        Some(Box::new(LockingFit {
             px_m: self.px_m,
             is_absolute: state.report.is_absolute,
             found,
@@ -231,13 +231,13 @@ fn parameters_of(found: &Systematic, report: &mut FitReport) -> Vec<Parameter> {
 
 /// The fitted curve.
 #[derive(Debug)]
-struct Curve {
+struct LockingFit {
     px_m: f64,
     is_absolute: bool,
     found: Systematic,
 }
 
-impl Curve {
+impl LockingFit {
     fn errors(&self) -> Errors<'static> {
         Errors {
             points: &[],
@@ -247,7 +247,7 @@ impl Curve {
     }
 }
 
-impl Fitted for Curve {
+impl Fitted for LockingFit {
     fn error_domain(&self) -> ErrorDomain {
         ErrorDomain::Disparity { px_m: self.px_m }
     }

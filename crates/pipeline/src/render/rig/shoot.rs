@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::RigidTransform;
-use oaktwin_dataset::{self as dataset, CameraParams, Layer, LayerData, Shot};
+use oaktwin_dataset::{self as dataset, CameraParams, LayerData, Shot, ShotLayer};
 use oaktwin_depth::Engine;
 use oaktwin_image::annotation::{Annotator, Frame};
 use oaktwin_image::{Image, png};
@@ -251,7 +251,7 @@ fn sensed(
     Ok((view, not_produced(&camera.path, sensor, &missing)))
 }
 
-fn layers(sheet: Option<Image<[u8; 3]>>, pair: Option<Pair>) -> Vec<Layer> {
+fn layers(sheet: Option<Image<[u8; 3]>>, pair: Option<Pair>) -> Vec<ShotLayer> {
     let sheet = sheet.into_iter().map(sheet_layer);
     sheet.chain(pair.into_iter().flat_map(pair_layers)).collect()
 }
@@ -292,22 +292,22 @@ fn keep_annotations(annotators: &[Annotator], frame: &mut Frame) {
     }
 }
 
-fn sheet_layer(sheet: Image<[u8; 3]>) -> Layer {
-    Layer {
+fn sheet_layer(sheet: Image<[u8; 3]>) -> ShotLayer {
+    ShotLayer {
         folder: "sweep",
         name: "sweep".to_owned(),
         data: LayerData::Png(Box::new(move || png::encode(&sheet))),
     }
 }
 
-fn pair_layers(pair: Pair) -> impl Iterator<Item = Layer> {
+fn pair_layers(pair: Pair) -> impl Iterator<Item = ShotLayer> {
     let images = [
         ("left", pair.left),
         ("right", pair.right),
         ("rectified_left", pair.rectified_left),
         ("rectified_right", pair.rectified_right),
     ];
-    images.into_iter().map(|(name, image)| Layer {
+    images.into_iter().map(|(name, image)| ShotLayer {
         folder: "pair",
         name: name.to_owned(),
         data: LayerData::Png(Box::new(move || image.to_png())),

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use oaktwin_camera::StereoGeometry;
 use oaktwin_depth::filter::{self, Chain};
-use oaktwin_depth::random::{Stage, Stream};
+use oaktwin_depth::random::{NoiseStage, Stream};
 use oaktwin_depth::single_view::{Assumptions, Parameters, SingleView, Wanted};
 use oaktwin_depth::stereo_noise::{self, StereoNoise};
 use oaktwin_depth::time_of_flight::{self, TimeOfFlight};
@@ -166,7 +166,7 @@ fn stereo_noise_cases<'a>(
             Ok(sensor.sense_batch(depth.pixels(), shape(depth), frame, 0, &random, &mut out)?)
         }),
     };
-    let noise = random.plane(Stage::Exposure, 0, 0);
+    let noise = random.plane(NoiseStage::Exposure, 0, 0);
     let mut white = vec![0.0; batch_pixels];
     for (row, depths) in (0..).zip(white.chunks_exact_mut(BATCH[2])) {
         noise.uniforms(row, depths);

@@ -5,9 +5,9 @@ use oaktwin_scene::{Mask, Material, Opacity, TextureUse};
 use super::super::super::value::{color, single};
 use super::identifier;
 use super::network::{Input, Node, input};
-use super::surface::{MAX_DEPTH, Reading};
+use super::surface::{MAX_DEPTH, SurfaceReading};
 
-impl Reading<'_> {
+impl SurfaceReading<'_> {
     /// Reads the opacity of a surface shader.
     pub(super) fn opacity(&mut self, shader: &Node, name: &str, threshold: f32, material: &mut Material) {
         match input(self.reader, &shader.shader, name) {
