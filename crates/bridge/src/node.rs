@@ -15,7 +15,7 @@ use crate::filter::{DepthFilter, check};
 use crate::graph::{Endpoint, Graph};
 use crate::message::{CameraInfo, Image};
 use crate::options::{BridgeOptions, Topics};
-use crate::output::Output;
+use crate::output::TopicPublisher;
 use crate::publishers::Publishers;
 use crate::{BridgeError, Network, buffers, parameters};
 
@@ -136,11 +136,11 @@ impl RosNode {
         name: &str,
         message: RosType,
         qos: &QosPolicies,
-    ) -> Result<Output<M>, BridgeError> {
+    ) -> Result<TopicPublisher<M>, BridgeError> {
         let topic = self.topic(name, message, qos)?;
         let publisher = self.node.create_publisher(&topic, None);
         let publisher = publisher.map_err(|error| failed(&error))?;
-        let output = Output::new(name, dds_type(message), qos.clone(), publisher);
+        let output = TopicPublisher::new(name, dds_type(message), qos.clone(), publisher);
         output.map_err(|error| failed(&error))
     }
 
@@ -149,7 +149,7 @@ impl RosNode {
         name: Option<&String>,
         message: RosType,
         qos: &QosPolicies,
-    ) -> Result<Option<Output<M>>, BridgeError> {
+    ) -> Result<Option<TopicPublisher<M>>, BridgeError> {
         name.map(|name| self.publisher(name, message, qos)).transpose()
     }
 

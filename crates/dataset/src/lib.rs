@@ -48,7 +48,7 @@ pub use file::DatasetError;
 pub use flat::FlatWriter;
 pub use formats::{FORMATS, FormatKind, Needs};
 pub use imu::ImuSample;
-pub use object::{Extent, Mask, Model, Object, Paint, StereoImages};
+pub use object::{Extent, Model, Object, ObjectMask, Paint, StereoImages};
 pub use options::{Extras, SHARD_FRAMES, WriterOptions};
 pub use shot::{CloudAxes, InputName, LayerData, Shot, ShotLayer};
 pub use writer::{Format, FormatWriter, Records, WriteError, Writer};

@@ -4,7 +4,7 @@ use oaktwin_image::annotation::{
     AnnotationRef, Annotator, Boxes2d, Frame, PointCloud, ReasonLabel, Reasons, Segmentation,
     SemanticSegmentation,
 };
-use oaktwin_image::npy::Element;
+use oaktwin_image::npy::NpyElement;
 use oaktwin_image::{Image, exr, millimetres, ply, png, preview};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -83,11 +83,11 @@ impl<'a> Files<'a> {
         });
     }
 
-    fn push_image<T: Element + Sync>(&mut self, folder: &'static str, name: &str, image: &'a Image<T>) {
+    fn push_image<T: NpyElement + Sync>(&mut self, folder: &'static str, name: &str, image: &'a Image<T>) {
         self.push_content(folder, name, "npy", Content::Array(Array::of_image(image)));
     }
 
-    fn push_vectors<T: Element + Sync>(&mut self, name: &'static str, image: &'a Image<[T; 4]>) {
+    fn push_vectors<T: NpyElement + Sync>(&mut self, name: &'static str, image: &'a Image<[T; 4]>) {
         self.push_content(name, name, "npy", Content::Array(Array::of_vectors(image)));
     }
 

@@ -168,7 +168,7 @@ mod tests {
 
     use oaktwin_image::Image;
     use oaktwin_scene::{
-        Mask, Material, MaterialSpan, Mesh, MeshAttribute, Texture, TextureSource, TextureUse, Wrap,
+        Material, MaterialSpan, Mesh, MeshAttribute, Texture, TextureMask, TextureSource, TextureUse, Wrap,
     };
 
     use super::*;
@@ -204,7 +204,7 @@ mod tests {
             wrap_s: Wrap::Clamp,
             ..TextureUse::new(0)
         };
-        let cut = Opacity::new(1.0, Some(Mask { texture, channel: 3 }), 0.5);
+        let cut = Opacity::new(1.0, Some(TextureMask { texture, channel: 3 }), 0.5);
         scene.materials = [cut, Opacity::new(0.0, None, 0.0)]
             .map(|opacity| Material {
                 opacity,

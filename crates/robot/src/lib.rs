@@ -28,7 +28,7 @@ use oaktwin_files::{self as files, FileError};
 pub use description::{CameraFrame, DepthFrame, Description, Housing, ImuFrame, Visual};
 pub use error::RobotError;
 pub use frame::DeviceFrame;
-pub use mesh::Mesh;
+pub use mesh::HousingMesh;
 pub use mount::{Attachment, Mount};
 pub use read::{
     Joint, JointKind, JointPositions, Link, LinkVisual, Mimic, PlacedRobot, Robot, RobotFileError, Shape,

@@ -10,7 +10,7 @@ use oaktwin_camera::math::DQuat;
 
 use crate::description::{CameraFrame, Description, Visual};
 use crate::xml::{number, numbers};
-use crate::{Housing, Mesh, RobotFiles};
+use crate::{Housing, HousingMesh, RobotFiles};
 
 /// Shifts of the principal point from here on are reported, pixels.
 const VISIBLE_SHIFT_PX: f64 = 0.05;
@@ -147,7 +147,7 @@ fn device(node: &str, of: &Description, camera: &CameraFrame, more: &str) -> Str
 }
 
 /// Returns a mesh as an `IndexedFaceSet`.
-fn faces(mesh: &Mesh) -> String {
+fn faces(mesh: &HousingMesh) -> String {
     let points: Vec<String> = mesh
         .points
         .iter()

@@ -26,8 +26,8 @@ pub use bounds::Bounds;
 pub use infrared::InfraredError;
 pub use light::{Light, LightKind};
 pub use material::{
-    ColorSpace, DEFAULT_INDEX, Mask, Material, Opacity, Texture, TextureSource, TextureUse, Transmission,
-    Wrap,
+    ColorSpace, DEFAULT_INDEX, Material, Opacity, Texture, TextureMask, TextureSource, TextureUse,
+    Transmission, Wrap,
 };
 pub use mesh::{MaterialSpan, Mesh};
 

@@ -99,7 +99,7 @@ impl Material {
         Self {
             base_color_texture: self.base_color_texture.map(moved),
             opacity: self.opacity.map(|opacity| Opacity {
-                mask: opacity.mask.map(|mask| Mask {
+                mask: opacity.mask.map(|mask| TextureMask {
                     texture: moved(mask.texture),
                     ..mask
                 }),
@@ -116,7 +116,7 @@ pub struct Opacity {
     /// The opacity, which multiplies the mask if there is one.
     pub value: f32,
     /// The image that cuts the surface.
-    pub mask: Option<Mask>,
+    pub mask: Option<TextureMask>,
     /// The surface is invisible where its opacity is below this number, and solid elsewhere. If it is 0, the surface is
     /// invisible where its opacity is 0, and lets the rest of the light pass elsewhere.
     pub threshold: f32,
@@ -125,7 +125,7 @@ pub struct Opacity {
 impl Opacity {
     /// Returns an opacity; `None` if the surface is solid everywhere.
     #[must_use]
-    pub fn new(value: f32, mask: Option<Mask>, threshold: f32) -> Option<Self> {
+    pub fn new(value: f32, mask: Option<TextureMask>, threshold: f32) -> Option<Self> {
         let opacity = Self {
             value,
             mask,
@@ -157,7 +157,7 @@ impl Opacity {
 
 /// One channel of a texture as a mask.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mask {
+pub struct TextureMask {
     /// The texture.
     pub texture: TextureUse,
     /// The index of the channel among red, green, blue and opacity.

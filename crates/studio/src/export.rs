@@ -107,7 +107,7 @@ fn error_image(studio: &Studio, request: &ExportRequest) -> Result<File, Failure
     Ok(File::new("error.npy", array(image, &[], &errors)?))
 }
 
-fn array<P, T: npy::Element>(image: &Image<P>, more: &[usize], values: &[T]) -> Result<Vec<u8>, Failure> {
+fn array<P, T: npy::NpyElement>(image: &Image<P>, more: &[usize], values: &[T]) -> Result<Vec<u8>, Failure> {
     let shape = [&[image.height() as usize, image.width() as usize], more].concat();
     encoded(npy::encode(&shape, values))
 }

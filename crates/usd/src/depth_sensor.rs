@@ -27,7 +27,7 @@ pub fn attribute_types() -> Vec<(&'static str, &'static str)> {
 
 /// The attributes that a stage authors for a depth sensor; all others have the schema's defaults.
 #[derive(Clone, Debug, PartialEq)]
-pub struct DepthSensor {
+pub struct StageDepthSensor {
     prim: Prim,
     namespace: &'static str,
 }
@@ -35,9 +35,9 @@ pub struct DepthSensor {
 /// Returns the depth sensor of a render product: Kit's schema on the product, else ovrtx's on the camera. The former
 /// takes precedence, as Isaac Sim reads no other.
 #[must_use]
-pub fn of_product(product: Option<&RenderProduct>, camera: Option<&SceneCamera>) -> Option<DepthSensor> {
+pub fn of_product(product: Option<&RenderProduct>, camera: Option<&SceneCamera>) -> Option<StageDepthSensor> {
     let of = |prim: &Prim, schema: &str, namespace| {
-        prim.has_api(schema).then(|| DepthSensor {
+        prim.has_api(schema).then(|| StageDepthSensor {
             prim: prim.clone(),
             namespace,
         })
@@ -47,7 +47,7 @@ pub fn of_product(product: Option<&RenderProduct>, camera: Option<&SceneCamera>)
         .or_else(|| camera.and_then(|camera| of(&camera.prim, CAMERA_SCHEMA, CAMERA_NAMESPACE)))
 }
 
-impl DepthSensor {
+impl StageDepthSensor {
     /// Returns the prim that carries the attributes.
     #[must_use]
     pub fn prim(&self) -> &Prim {

@@ -2,7 +2,7 @@ use std::fmt::Write;
 
 use oaktwin::diagnostic::{self, Level};
 use oaktwin::usd::check::{
-    CameraReport, CheckOptions, CheckReport, DepthReport, PinholeReport, ResolutionSource, check,
+    CheckOptions, CheckReport, PinholeReport, ResolutionSource, UsdCameraReport, UsdDepthReport, check,
 };
 
 use crate::args::CheckArgs;
@@ -65,7 +65,7 @@ fn text(report: &CheckReport) -> String {
     out
 }
 
-fn camera_text(out: &mut String, camera: &CameraReport) {
+fn camera_text(out: &mut String, camera: &UsdCameraReport) {
     let model = camera
         .model
         .as_ref()
@@ -99,7 +99,7 @@ fn camera_text(out: &mut String, camera: &CameraReport) {
     }
 }
 
-fn depth_text(out: &mut String, sensor: &DepthReport) {
+fn depth_text(out: &mut String, sensor: &UsdDepthReport) {
     let resolution = sensor
         .resolution
         .map_or_else(String::new, |size| format!(" ({size})"));

@@ -3,7 +3,7 @@ mod request;
 
 use std::io::{self, IsTerminal};
 
-use oaktwin::sense::{self, Output, SenseError};
+use oaktwin::sense::{self, SenseError, SenseOutput};
 
 use crate::args::SenseArgs;
 use crate::context::{Context, Exit, Result};
@@ -23,9 +23,9 @@ pub(crate) fn run(context: &Context, args: &SenseArgs) -> Result<Exit> {
     }
     let mut stdout = io::stdout();
     let to = if is_stream {
-        Output::Stream(&mut stdout)
+        SenseOutput::Stream(&mut stdout)
     } else {
-        Output::Files
+        SenseOutput::Files
     };
     let sensed = progress::watched(|watch| sense::sense(&twin, &inputs, &options, to, watch));
     let sensed = sensed.map_err(|error| match error {

@@ -22,7 +22,7 @@
 //!    pixel that is not measured while all others are takes the measurement on its left, in the first column that on its
 //!    right (in an image of one column it does not change). Pixels outside the image do not count. All pixels are judged by
 //!    the image before this step. Isaac Sim 5.x has r = 3; the switch of 6.x is r = 1.
-//! 8. The outputs: [`Output`].
+//! 8. The outputs: [`SingleViewOutput`].
 //!
 //! # Assumptions
 //! NVIDIA's documentation describes these steps, but not every detail. The open details are options in [`Assumptions`]:
@@ -69,7 +69,7 @@ pub use assumptions::{
     TargetRounding,
 };
 pub use oaktwin_base::parameter::nvidia::{Attributes as Parameters, MAX_OUTLIER_RANGE_PX, OutputMode};
-pub use output::{Output, Wanted};
+pub use output::{SingleViewOutput, Wanted};
 
 use crate::batch::Batch;
 use crate::random::Stream;
@@ -110,7 +110,7 @@ impl SingleView {
 
     /// Measures a shot and makes the requested outputs.
     #[must_use]
-    pub fn sense(&self, shot: &DepthShot<'_>, random: &Stream, wanted: Wanted) -> Output {
+    pub fn sense(&self, shot: &DepthShot<'_>, random: &Stream, wanted: Wanted) -> SingleViewOutput {
         sense::sense(self, shot, random, wanted)
     }
 }

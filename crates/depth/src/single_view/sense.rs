@@ -3,7 +3,7 @@ use rayon::prelude::*;
 
 use super::OutputMode;
 use super::SingleView;
-use super::output::{Output, Wanted};
+use super::output::{SingleViewOutput, Wanted};
 use super::plan::SingleViewPlan;
 use super::rows::Rows;
 use super::tile::{self, Planes, Scratch};
@@ -17,11 +17,16 @@ const TILE_ROWS: std::ops::RangeInclusive<usize> = 32..=128;
 /// The images of a batch that a thread takes at once; if there are fewer, the threads share each image.
 const IMAGES_A_THREAD: usize = 8;
 
-pub(super) fn sense(sensor: &SingleView, shot: &DepthShot<'_>, random: &Stream, wanted: Wanted) -> Output {
+pub(super) fn sense(
+    sensor: &SingleView,
+    shot: &DepthShot<'_>,
+    random: &Stream,
+    wanted: Wanted,
+) -> SingleViewOutput {
     let (width, height) = (shot.depth().width(), shot.depth().height());
     let (has_rgb, mode) = (shot.rgb().is_some(), sensor.parameters().rgb_depth_output_mode);
     let has_view = wanted.view && (has_rgb || mode != OutputMode::Color);
-    let mut output = Output {
+    let mut output = SingleViewOutput {
         distance: ZDepth(Image::filled(width, height, 0.0)),
         positions: image(
             wanted.positions && shot.positions().is_some(),

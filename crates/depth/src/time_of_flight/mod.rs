@@ -79,7 +79,7 @@ pub struct TimeOfFlight {
 
 /// All outputs of the engine.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Output {
+pub struct TimeOfFlightOutput {
     /// Metres, whole millimetres; 0 where nothing was measured. Distance along the ray without
     /// [`Parameters::enable_optical_correction`].
     pub distance: ZDepth,
@@ -134,9 +134,9 @@ impl TimeOfFlight {
 
     /// Measures all outputs of a shot.
     #[must_use]
-    pub fn output(&self, shot: &DepthShot<'_>, random: &Stream) -> Output {
+    pub fn output(&self, shot: &DepthShot<'_>, random: &Stream) -> TimeOfFlightOutput {
         let (width, height) = (shot.depth().width(), shot.depth().height());
-        let mut out = Output {
+        let mut out = TimeOfFlightOutput {
             distance: ZDepth(Image::filled(width, height, 0.0)),
             amplitude: Image::filled(width, height, 0),
             confidence: Image::filled(width, height, 0),

@@ -8,7 +8,7 @@ use super::light::{Albedos, CHANNELS, Echoes, InverseDepth, Lamp, LightRow, Retu
 use super::multipath::{Add, Multipath, MultipathInput, Normals, Surfaces};
 use super::optics::Optics;
 use super::receive::{Decode, Decoded, Limits, Mix, Receiver, Sample, Sampled, Unwrap};
-use super::{Output, TimeOfFlight};
+use super::{TimeOfFlight, TimeOfFlightOutput};
 use crate::filter::DepthConfidence;
 use crate::random::{NoiseStage, RandomPlane, Stream};
 use crate::{DepthShot, Reason};
@@ -176,7 +176,7 @@ impl<'a> Job<'a> {
     }
 
     /// Computes all outputs.
-    pub(super) fn output(&self, out: &mut Output) {
+    pub(super) fn output(&self, out: &mut TimeOfFlightOutput) {
         let (band, width) = ((BAND * self.width()).max(1), self.width().max(1));
         let distance = out.distance.0.pixels_mut().par_chunks_mut(band);
         let amplitude = out.amplitude.pixels_mut().par_chunks_mut(band);

@@ -12,7 +12,7 @@ use super::picture::Pictures;
 use super::plan::{self, DepthFile, Sequence};
 use super::shot::OutputContext;
 use super::stream::StreamWriter;
-use super::{FieldOfView, Input, SenseError, SenseOptions, camera};
+use super::{FieldOfView, SenseError, SenseInput, SenseOptions, camera};
 use crate::align;
 use crate::input::check_depth_scale;
 use crate::input::reader::DepthImageReader;
@@ -33,7 +33,7 @@ const PIXELS_AT_ONCE: usize = 1 << 24;
 
 /// The destination of the results.
 #[expect(missing_debug_implementations, reason = "a stream does not implement it")]
-pub enum Output<'a> {
+pub enum SenseOutput<'a> {
     /// Files in the folders that the inputs name.
     Files,
     /// The distances of a single input, or the aligned ones, as one NPY array.
@@ -64,9 +64,9 @@ pub struct Sensed {
 /// Returns an error if an input cannot be read, an option is invalid or a file cannot be written.
 pub fn sense(
     twin: &Twin,
-    inputs: &[Input],
+    inputs: &[SenseInput],
     options: &SenseOptions,
-    output: Output<'_>,
+    output: SenseOutput<'_>,
     watch: &Watch<'_>,
 ) -> Result<Sensed, SenseError> {
     check_depth_scale(options.depth_scale).map_err(SenseError::option)?;
@@ -78,14 +78,14 @@ pub fn sense(
     output_files.protect(files().map(|file| file.path.as_path()));
     output_files.protect(files().flat_map(|file| &file.rgb).map(PathBuf::as_path));
     let mut writer: Box<dyn Writer + '_> = match output {
-        Output::Files => Box::new(FlatWriter::new(dataset::WriterOptions {
+        SenseOutput::Files => Box::new(FlatWriter::new(dataset::WriterOptions {
             extras: Extras {
                 ply: false,
                 ..options.extras
             },
             ..dataset::WriterOptions::default()
         })),
-        Output::Stream(stream) => Box::new(StreamWriter {
+        SenseOutput::Stream(stream) => Box::new(StreamWriter {
             stream,
             has_begun: false,
         }),

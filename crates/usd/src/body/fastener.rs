@@ -5,7 +5,7 @@ use oaktwin_camera::math::{DVec2, DVec3};
 use super::BodyPart;
 use super::loft::{End, LoftFrame, loft};
 use super::material;
-use super::mesh::Mesh;
+use super::mesh::BodyMesh;
 use super::outline::{COARSE, MEDIUM, circle, rounded_rectangle};
 
 /// Creates a round socket for a screw-on plug (M12 or M8, depending on the thread radius), `height` high on the wall at
@@ -60,7 +60,7 @@ pub(super) fn screws(bases: impl IntoIterator<Item = DVec3>) -> BodyPart {
         (0.95, ring(1.1)),
         (-0.1, ring(1.0)),
     ];
-    let mut mesh = Mesh::default();
+    let mut mesh = BodyMesh::default();
     for base in bases {
         mesh.append(&loft(LoftFrame::backward(base), &stations, End::Flat, End::Flat));
     }

@@ -1,7 +1,7 @@
 use oaktwin_base::diagnostic::{Finding, Level, nearest};
 
 use super::rule::Rule;
-use super::scene::{CheckedCamera, DepthSensor, Generation};
+use super::scene::{CheckedCamera, CheckedDepthSensor, Generation};
 use crate::depth_sensor::attribute_types;
 use crate::nvidia::{OUTLIER_REMOVAL, PRODUCT_NAMESPACE};
 use crate::stage::AttributeValue;
@@ -71,7 +71,7 @@ pub(super) fn camera_rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Findin
     }
 }
 
-pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>) {
+pub(super) fn depth_rules(sensor: &CheckedDepthSensor<'_>, findings: &mut Vec<Finding>) {
     let path = &sensor.prim.path;
     let namespace = sensor.generation.namespace();
     for (name, attribute) in sensor.prim.in_namespace(namespace) {

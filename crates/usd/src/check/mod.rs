@@ -25,7 +25,7 @@ use oaktwin_catalog::{Catalog, Twin};
 
 use crate::stage::{SceneLimit, Stage, StageError, open};
 
-pub use report::{CameraReport, CheckReport, DepthReport, LensReport, PinholeReport};
+pub use report::{CheckReport, LensReport, PinholeReport, UsdCameraReport, UsdDepthReport};
 pub use rule::Rule;
 pub use scene::ResolutionSource;
 
@@ -111,7 +111,7 @@ pub fn check(path: impl AsRef<Path>, options: &CheckOptions<'_>) -> Result<Check
 #[must_use]
 pub fn check_stage(stage: &Stage, options: &CheckOptions<'_>) -> CheckReport {
     let twins = options.catalog.nominals();
-    let scene = scene::Scene::new(stage, &twins, options.model);
+    let scene = scene::CheckedScene::new(stage, &twins, options.model);
     let mut findings = stage.findings.clone();
     stage::rules(stage, &mut findings);
     for camera in &scene.cameras {

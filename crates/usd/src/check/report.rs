@@ -3,7 +3,7 @@ use oaktwin_camera::{ImageSize, Intrinsics, Usd};
 use serde::Serialize;
 
 use super::depth::Parameters;
-use super::scene::{CheckedCamera, DepthSensor, Generation, ResolutionSource, Scene};
+use super::scene::{CheckedCamera, CheckedDepthSensor, CheckedScene, Generation, ResolutionSource};
 use crate::lens::Lens;
 use crate::nvidia::{CAMERA_SCHEMA, PRODUCT_SCHEMA};
 use crate::stage::StageMetadata;
@@ -16,16 +16,16 @@ pub struct CheckReport {
     /// The root layer's metadata.
     pub stage: StageMetadata,
     /// The cameras, in stage order.
-    pub cameras: Vec<CameraReport>,
+    pub cameras: Vec<UsdCameraReport>,
     /// The depth sensors, in stage order.
-    pub depth_sensors: Vec<DepthReport>,
+    pub depth_sensors: Vec<UsdDepthReport>,
     /// The findings: errors, warnings, then notes, each sorted by place.
     pub findings: Vec<Finding>,
 }
 
 /// A camera as interpreted by Isaac Sim and by OpenUSD.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct CameraReport {
+pub struct UsdCameraReport {
     /// The path of the camera prim.
     pub path: String,
     /// The name of the model that it was checked against, if given or recognised.
@@ -79,7 +79,7 @@ pub struct LensReport {
 
 /// A depth sensor.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct DepthReport {
+pub struct UsdDepthReport {
     /// The path of the prim that carries its attributes.
     pub path: String,
     /// The schema.
@@ -112,7 +112,7 @@ impl CheckReport {
     }
 }
 
-pub(super) fn report(scene: &Scene<'_>, findings: Vec<Finding>) -> CheckReport {
+pub(super) fn report(scene: &CheckedScene<'_>, findings: Vec<Finding>) -> CheckReport {
     CheckReport {
         file: scene.stage.file.clone(),
         stage: scene.stage.metadata.clone(),
@@ -126,7 +126,7 @@ pub(super) fn report(scene: &Scene<'_>, findings: Vec<Finding>) -> CheckReport {
     }
 }
 
-fn camera_report(camera: &CheckedCamera<'_>) -> CameraReport {
+fn camera_report(camera: &CheckedCamera<'_>) -> UsdCameraReport {
     let optics = camera.camera.optics();
     let perspective = camera.camera.is_perspective();
     let view = |k: Intrinsics| {
@@ -143,7 +143,7 @@ fn camera_report(camera: &CheckedCamera<'_>) -> CameraReport {
         };
         (perspective && sound && c.x.is_finite() && c.y.is_finite()).then_some(view)
     };
-    CameraReport {
+    UsdCameraReport {
         path: camera.path().to_owned(),
         model: camera.known.map(|known| known.twin.device.name.clone()),
         resolution: camera.resolution,
@@ -164,7 +164,7 @@ fn lens_report(lens: &Lens) -> LensReport {
     }
 }
 
-fn depth_report(scene: &Scene<'_>, sensor: &DepthSensor<'_>) -> DepthReport {
+fn depth_report(scene: &CheckedScene<'_>, sensor: &CheckedDepthSensor<'_>) -> UsdDepthReport {
     let parameters = Parameters::of(sensor);
     // The shortest decimal that identifies the float: 0.2 rather than 0.20000000298.
     let decimal = |name| {
@@ -181,7 +181,7 @@ fn depth_report(scene: &Scene<'_>, sensor: &DepthSensor<'_>) -> DepthReport {
             .into_iter()
             .collect(),
     };
-    DepthReport {
+    UsdDepthReport {
         path: sensor.prim.path.clone(),
         schema: match sensor.generation {
             Generation::Product => PRODUCT_SCHEMA,

@@ -19,7 +19,7 @@ use crate::text::{Layer, PrimSpec, SpecValue, UpAxis};
 
 /// A scene as a USD layer, and the images that it refers to.
 #[derive(Clone, Debug, PartialEq)]
-pub struct SceneFile {
+pub struct SceneLayer {
     /// The layer.
     pub layer: Layer,
     /// The images: their paths relative to the layer, and their bytes.
@@ -40,7 +40,7 @@ pub enum ImageFiles {
 ///
 /// # Errors
 /// Returns an error for a texture that cannot be decoded, or copied.
-pub fn scene_file(scene: &Scene, folder: &str, files: ImageFiles) -> Result<SceneFile, CodecError> {
+pub fn scene_file(scene: &Scene, folder: &str, files: ImageFiles) -> Result<SceneLayer, CodecError> {
     let materials = Materials::new(scene, folder, files)?;
     let mut tree = Tree::default();
     for instance in &scene.instances {
@@ -65,7 +65,7 @@ pub fn scene_file(scene: &Scene, folder: &str, files: ImageFiles) -> Result<Scen
         prims: vec![root],
         ..Layer::default()
     };
-    Ok(SceneFile {
+    Ok(SceneLayer {
         layer,
         images: materials.into_images(),
     })

@@ -3,8 +3,8 @@ use std::sync::Arc;
 use oaktwin_camera::math::{DAffine3, DQuat, DVec3};
 use oaktwin_image::Image;
 use oaktwin_scene::{
-    ColorSpace, Instance, Label, Light, LightKind, Mask, Material, MaterialSpan, Mesh, MeshAttribute,
-    Opacity, Scene, Texture, TextureSource, TextureUse, Up, Wrap,
+    ColorSpace, Instance, Label, Light, LightKind, Material, MaterialSpan, Mesh, MeshAttribute, Opacity,
+    Scene, Texture, TextureMask, TextureSource, TextureUse, Up, Wrap,
 };
 
 use super::*;
@@ -82,7 +82,7 @@ fn materials() -> Vec<Material> {
             base_color_texture: Some(textured),
             opacity: Opacity::new(
                 1.0,
-                Some(Mask {
+                Some(TextureMask {
                     texture: textured,
                     channel: 3,
                 }),

@@ -7,7 +7,7 @@ use oaktwin::files::WrittenFile;
 use oaktwin::render::{Rig, Written};
 use serde::Serialize;
 
-use camera::CameraReport;
+use camera::RenderedCameraReport;
 
 use super::imu::ImuReport;
 use crate::args::RenderArgs;
@@ -32,7 +32,7 @@ pub(super) struct RenderReport<'a> {
     #[serde(rename = "interrupted")]
     pub(super) is_interrupted: bool,
     annotators: Vec<&'static str>,
-    cameras: Vec<CameraReport<'a>>,
+    cameras: Vec<RenderedCameraReport<'a>>,
     files: Vec<WrittenFile>,
     /// The findings about the scene, its cameras and the rendering.
     findings: Vec<Finding>,
@@ -65,7 +65,7 @@ impl<'a> RenderReport<'a> {
                 .map(|annotator| annotator.name())
                 .collect(),
             cameras: cameras
-                .map(|(camera, sensor)| CameraReport::new(camera, sensor.as_ref(), output, is_flat))
+                .map(|(camera, sensor)| RenderedCameraReport::new(camera, sensor.as_ref(), output, is_flat))
                 .collect(),
             files: files.unwrap_or_default(),
             findings,

@@ -24,7 +24,7 @@ impl Inputs {
         }
     }
 
-    fn sense(&self, parameters: Parameters, assumptions: &[(&str, &str)]) -> Output {
+    fn sense(&self, parameters: Parameters, assumptions: &[(&str, &str)]) -> SingleViewOutput {
         let mut changed = Assumptions::default();
         for (name, value) in assumptions {
             changed.set(name, *value).unwrap();

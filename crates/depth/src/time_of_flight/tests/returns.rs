@@ -6,7 +6,7 @@ use oaktwin_image::annotation::Returns;
 
 use super::*;
 use crate::DepthShot;
-use crate::time_of_flight::Output;
+use crate::time_of_flight::TimeOfFlightOutput;
 use crate::time_of_flight::unwrap::turn_m;
 
 const SIZE: [u32; 2] = [40, 30];
@@ -59,7 +59,7 @@ fn expected(p: &Parameters, ranges: [f64; 2], strengths: [f32; 2]) -> (f64, f64)
 }
 
 /// The mean amplitude of the pixels around the centre.
-fn amplitude_of(output: &Output) -> f64 {
+fn amplitude_of(output: &TimeOfFlightOutput) -> f64 {
     let places = (12..18).flat_map(|y| (17..23).map(move |x| (x, y)));
     let values = places.map(|(x, y)| f64::from(*output.amplitude.get(x, y).unwrap()));
     values.sum::<f64>() / 36.0

@@ -12,7 +12,7 @@ use super::super::builder::Builder;
 use super::super::error::DAMAGED;
 use super::super::uri::{Folder, ResolvedUri};
 use super::document::{Document, name};
-use crate::{ColorSpace, Mask, Material, Opacity, Texture, TextureSource, TextureUse};
+use crate::{ColorSpace, Material, Opacity, Texture, TextureMask, TextureSource, TextureUse};
 
 /// The format defines no threshold; images of cut-out surfaces are black and white.
 const MASK_THRESHOLD: f32 = 0.5;
@@ -294,7 +294,7 @@ impl<'a> Reader<'a, '_> {
         let opacity = match self.paint(model, "transparent")? {
             Some(Paint::Image { texture, .. }) if mode == "A_ONE" => {
                 let texture = TextureUse::new(texture);
-                let mask = Mask { texture, channel: 3 };
+                let mask = TextureMask { texture, channel: 3 };
                 return Ok(Opacity::new(factor, Some(mask), MASK_THRESHOLD));
             }
             Some(Paint::Image { .. }) => {

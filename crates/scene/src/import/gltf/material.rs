@@ -10,7 +10,9 @@ use oaktwin_base::diagnostic::{Message, message};
 use super::super::uri::{self, ResolvedUri};
 use super::document::Document;
 use crate::import::builder::Builder;
-use crate::{ColorSpace, Mask, Material, Opacity, Texture, TextureSource, TextureUse, Transmission, Wrap};
+use crate::{
+    ColorSpace, Material, Opacity, Texture, TextureMask, TextureSource, TextureUse, Transmission, Wrap,
+};
 
 /// The materials by their index in the file, with the properties that primitives need.
 pub(super) struct Materials {
@@ -124,7 +126,7 @@ fn opacity(material: &json::Material, factor: f32, texture: Option<TextureUse>) 
         Checked::Valid(AlphaMode::Blend) => 0.0,
         Checked::Valid(AlphaMode::Opaque) | Checked::Invalid => return None,
     };
-    let mask = texture.map(|texture| Mask { texture, channel: 3 });
+    let mask = texture.map(|texture| TextureMask { texture, channel: 3 });
     Opacity::new(factor, mask, threshold)
 }
 

@@ -9,7 +9,7 @@ use super::{names, rest};
 use crate::import::MAX_BYTES;
 use crate::import::builder::Builder;
 use crate::import::text;
-use crate::{ColorSpace, Mask, Material, Opacity, Texture, TextureSource, TextureUse, Wrap};
+use crate::{ColorSpace, Material, Opacity, Texture, TextureMask, TextureSource, TextureUse, Wrap};
 
 /// The format defines no threshold; images of cut-out surfaces are black and white.
 const MASK_THRESHOLD: f32 = 0.5;
@@ -102,7 +102,7 @@ impl Library {
                 b"map_d" => {
                     let mask = self.texture(&rest(line, 5), folder, builder);
                     material.opacity = mask.and_then(|texture| {
-                        Opacity::new(1.0, Some(Mask { texture, channel: 0 }), MASK_THRESHOLD)
+                        Opacity::new(1.0, Some(TextureMask { texture, channel: 0 }), MASK_THRESHOLD)
                     });
                 }
                 _ => {}

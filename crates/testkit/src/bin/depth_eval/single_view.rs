@@ -92,7 +92,7 @@ impl Request {
 }
 
 /// Writes an image if it exists and its file is requested.
-fn write4<T: npy::Element>(
+fn write4<T: npy::NpyElement>(
     path: Option<&Path>,
     image: Option<&Image<[T; 4]>>,
 ) -> Result<bool, Box<dyn Error>> {
