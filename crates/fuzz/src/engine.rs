@@ -159,7 +159,7 @@ fn bits(capture: &Capture) -> Vec<u32> {
                 bits.extend(image.pixels().iter().map(|&color| u32::from_le_bytes(color)));
             }
             CaptureLayer::Points(image) => {
-                bits.extend(image.pixels().iter().flatten().map(|value| value.to_bits()))
+                bits.extend(image.pixels().iter().flatten().map(|value| value.to_bits()));
             }
             CaptureLayer::Reasons(codes) => bits.extend(codes.0.pixels().iter().map(|&code| u32::from(code))),
             CaptureLayer::Disparity(disparity) => {
