@@ -10,7 +10,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::file::{Array, Content, DatasetFile, Fault};
-use crate::segmentation::{self, Kind};
+use crate::segmentation::{self, IdKind};
 use crate::{Extras, LayerData, Shot, WriterOptions, boxes, cloud, json, normals};
 
 /// The name of the parameters of the depth sensor's camera.
@@ -126,12 +126,12 @@ impl<'a> Files<'a> {
                 AnnotationRef::InstanceIds(Segmentation { ids, prim_paths }) => {
                     let legend = &format!("{name}_mapping");
                     let colorized = options.colorize_instance_id_segmentation;
-                    self.push_ids(name, legend, Kind::InstanceId, ids, prim_paths, colorized);
+                    self.push_ids(name, legend, IdKind::InstanceId, ids, prim_paths, colorized);
                 }
                 AnnotationRef::SemanticIds(SemanticSegmentation { ids, labels }) => {
                     let legend = &format!("{name}_labels");
                     let colorized = options.colorize_semantic_segmentation;
-                    self.push_ids(name, legend, Kind::Semantic, ids, labels, colorized);
+                    self.push_ids(name, legend, IdKind::Semantic, ids, labels, colorized);
                 }
                 AnnotationRef::Boxes(boxes) => self.push_boxes(name, boxes),
                 AnnotationRef::Points(cloud) => self.push_cloud(name, cloud),
@@ -161,7 +161,7 @@ impl<'a> Files<'a> {
         &mut self,
         name: &'static str,
         legend: &str,
-        kind: Kind,
+        kind: IdKind,
         ids: &'a Image<u32>,
         names: &'a BTreeMap<u32, T>,
         colorized: bool,

@@ -51,7 +51,7 @@ pub enum MotionError {
 
 /// The state of a moving frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State {
+pub struct MotionState {
     /// The pose, metres.
     pub world_from_body: RigidTransform,
     /// The velocity in the world, m/s.
@@ -135,14 +135,14 @@ impl Motion {
     /// Returns the state at a time in seconds since the first pose. Before it and after the last, the polynomials of the nearest
     /// poses continue.
     #[must_use]
-    pub fn at(&self, since_start_s: f64) -> State {
+    pub fn at(&self, since_start_s: f64) -> MotionState {
         let after = self.times.partition_point(|time| *time <= since_start_s);
         let segment = after.clamp(1, self.times.len() - 1) - 1;
         let h = self.times[segment + 1] - self.times[segment];
         let u = (since_start_s - self.times[segment]) / h;
         let [position, velocity, acceleration] = self.positions.at(segment, u, h);
         let (orientation, angular_velocity, angular_acceleration) = self.orientations.at(segment, u, h);
-        State {
+        MotionState {
             world_from_body: RigidTransform::new(DMat3::from_quat(orientation), position),
             velocity,
             acceleration,
@@ -152,7 +152,7 @@ impl Motion {
     }
 }
 
-impl State {
+impl MotionState {
     /// Returns what an ideal inertial sensor that is mounted on the body measures. `gravity` is the acceleration of free fall in
     /// the world, m/s².
     #[must_use]

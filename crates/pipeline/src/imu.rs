@@ -380,7 +380,7 @@ pub fn write_euroc(
         if done % BATCH == 0 && watch(Progress { done, total }).is_break() {
             return Ok(None);
         }
-        write!(output, "{}", euroc::Line(&sample)).map_err(failed)?;
+        write!(output, "{}", euroc::EurocLine(&sample)).map_err(failed)?;
     }
     let file = output.into_inner().map_err(|error| failed(error.into_error()))?;
     let (path, bytes) = file.finish()?;

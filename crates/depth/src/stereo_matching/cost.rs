@@ -78,7 +78,7 @@ impl Blocks {
         } = view;
         let is_gathered = plan.zones.len() > 1;
         let rows = [(entering, &mut self.entering), (leaving, &mut self.leaving)];
-        let rows = rows.map(|(y, gathered)| Line {
+        let rows = rows.map(|(y, gathered)| ImagePlanes {
             left: left.row(y),
             right: match is_gathered {
                 true => gathered.of(level, plan, right.row(y), right.stride(), width),
@@ -115,7 +115,7 @@ impl Blocks {
 
 /// A row's planes of both images, the right one mirrored.
 #[derive(Clone, Copy)]
-struct Line<'a> {
+struct ImagePlanes<'a> {
     left: &'a [u8],
     right: &'a [u8],
 }
@@ -123,7 +123,7 @@ struct Line<'a> {
 struct CostRows<'a, S, P> {
     plan: &'a PassPlan,
     /// The row that enters the block, and the one that leaves it.
-    rows: [Line<'a>; 2],
+    rows: [ImagePlanes<'a>; 2],
     left_stride: usize,
     right_stride: usize,
     is_gathered: bool,
@@ -221,7 +221,7 @@ fn replace_outside<S: Copy, const D: usize>(plan: &PassPlan, x: usize, beyond: S
 #[inline(always)]
 fn raw<S: BlockSum, const PLANES: usize, const D: usize>(
     raw: Raw,
-    row: Line<'_>,
+    row: ImagePlanes<'_>,
     [x, left_stride, place, right_stride]: [usize; 4],
 ) -> Option<[S; D]> {
     let mut differing = [0u8; D];

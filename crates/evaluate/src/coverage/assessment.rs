@@ -9,7 +9,7 @@ use oaktwin_image::annotation::Reasons;
 use oaktwin_pipeline::render::{Backend, Renderer, RigError, View};
 use rayon::prelude::*;
 
-use super::sight::{Line, Sight};
+use super::sight::{Sight, SightLine};
 use super::{Candidate, Outcome, SurfacePoint};
 
 /// The cosine of the angle of incidence below which a face is seen edge-on.
@@ -106,7 +106,7 @@ impl SensorImage {
     }
 
     /// Returns the outcome at a point and the error of its measurement.
-    fn assess(&self, point: &SurfacePoint, line: Option<&Line>) -> (Outcome, f32) {
+    fn assess(&self, point: &SurfacePoint, line: Option<&SightLine>) -> (Outcome, f32) {
         let lost = |outcome| (outcome, f32::NAN);
         let Some(line) = line else {
             return lost(Outcome::OUTSIDE_VIEW);
@@ -142,7 +142,7 @@ impl SensorImage {
 
     /// Whether the centre of a point's pixel, where the depth is `truth`, shows the surface around the point. That surface need not
     /// be plane: its depth may differ from the point's by twice what the slope of the face explains, and the width of two pixels.
-    fn resolves(&self, point: &SurfacePoint, line: &Line, truth: f32) -> bool {
+    fn resolves(&self, point: &SurfacePoint, line: &SightLine, truth: f32) -> bool {
         let camera = &self.sight.view.camera;
         let (x, y) = line.pixel;
         let centre = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);

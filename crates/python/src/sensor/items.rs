@@ -7,7 +7,7 @@ use oaktwin::sensor::{DepthShot, Sensor};
 use pyo3::prelude::*;
 
 use crate::error::{error, wrong};
-use crate::images::{Shape, part};
+use crate::images::{ImageShape, part};
 
 /// One of the images that are measured together.
 pub(super) struct Item {
@@ -45,7 +45,7 @@ impl Items {
 pub(super) struct Images<'a> {
     pub(super) metres: &'a [f32],
     pub(super) rgb: Option<&'a [[u8; 4]]>,
-    pub(super) shape: Shape,
+    pub(super) shape: ImageShape,
     /// The number of the first one in the batch, and how many there are.
     pub(super) first: usize,
     pub(super) count: usize,

@@ -60,7 +60,7 @@ pub(crate) struct Stopped {
 }
 
 /// What is known about the rays so far.
-struct State<'a> {
+struct TraversalState<'a> {
     scene: &'a Scene,
     cutouts: Option<&'a Cutouts>,
     rays: &'a Rays,
@@ -79,7 +79,7 @@ impl LaneKernel for Bundle<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(mut self) -> Stopped {
-        let mut state = State {
+        let mut state = TraversalState {
             scene: self.scene.scene,
             cutouts: self.cutouts,
             rays: self.rays,
@@ -101,7 +101,7 @@ impl LaneKernel for Bundle<'_> {
 
 impl Bundle<'_> {
     #[inline(always)]
-    fn trace<L: Lanes>(&mut self, state: &mut State<'_>) {
+    fn trace<L: Lanes>(&mut self, state: &mut TraversalState<'_>) {
         let top = self.scene.instances;
         if self.leaf.count != 0
             && let Some((mesh, tree, mesh_from_world)) = self.scene.instance(self.leaf.instance)
@@ -121,7 +121,7 @@ impl Bundle<'_> {
 /// The handling of leaves.
 trait Visit {
     /// Tests the items of a leaf.
-    fn leaf<L: Lanes>(&self, first: u32, count: u32, state: &mut State<'_>, stack: &mut Entries);
+    fn leaf<L: Lanes>(&self, first: u32, count: u32, state: &mut TraversalState<'_>, stack: &mut Entries);
 }
 
 struct Instances<'a> {
@@ -130,7 +130,7 @@ struct Instances<'a> {
 
 impl Visit for Instances<'_> {
     #[inline(always)]
-    fn leaf<L: Lanes>(&self, first: u32, count: u32, state: &mut State<'_>, stack: &mut Entries) {
+    fn leaf<L: Lanes>(&self, first: u32, count: u32, state: &mut TraversalState<'_>, stack: &mut Entries) {
         for &instance in &self.scene.instances.order[first as usize..][..count as usize] {
             let Some((mesh, tree, mesh_from_world)) = self.scene.instance(instance) else {
                 continue;
@@ -161,7 +161,7 @@ struct Triangles<'a> {
 
 impl Visit for Triangles<'_> {
     #[inline(always)]
-    fn leaf<L: Lanes>(&self, first: u32, count: u32, state: &mut State<'_>, _: &mut Entries) {
+    fn leaf<L: Lanes>(&self, first: u32, count: u32, state: &mut TraversalState<'_>, _: &mut Entries) {
         let leaf = Leaf {
             instance: self.instance,
             first,
@@ -214,7 +214,7 @@ impl BundleRays {
         reason = "the remainder is kept or within the slack"
     )]
     #[inline(always)]
-    fn new(mesh_from_world: DAffine3, state: &mut State<'_>, bounds: &Bounds) -> Option<Self> {
+    fn new(mesh_from_world: DAffine3, state: &mut TraversalState<'_>, bounds: &Bounds) -> Option<Self> {
         let origin = mesh_from_world.transform_point3(state.rays.origin);
         let [mut low, mut high] = [DVec3::INFINITY, DVec3::NEG_INFINITY];
         for ray in bits(state.open) {
@@ -295,7 +295,7 @@ impl BundleRays {
 
     /// Tests the open rays against the triangles of a leaf, as [`single`](super::single) does.
     #[inline(always)]
-    fn leaf<L: Lanes>(&self, mesh: &Mesh, tree: &MeshTree, leaf: &Leaf, state: &mut State<'_>) {
+    fn leaf<L: Lanes>(&self, mesh: &Mesh, tree: &MeshTree, leaf: &Leaf, state: &mut TraversalState<'_>) {
         let triangles = &tree.triangles[leaf.first as usize..][..leaf.count as usize];
         let scale = L::splat(self.scale);
         let (coarse, fine) = (Vector::splat(self.coarse), Vector::splat(self.fine));
@@ -365,7 +365,7 @@ impl BundleRays {
         mut candidates: u32,
         ray: usize,
         leaf: &Leaf,
-        state: &mut State<'_>,
+        state: &mut TraversalState<'_>,
     ) {
         let direction = state.directions[ray];
         while candidates != 0 {
@@ -390,7 +390,7 @@ impl BundleRays {
     }
 }
 
-impl State<'_> {
+impl TraversalState<'_> {
     #[inline]
     fn shows(&self, hit: Hit, ray: usize) -> bool {
         let (origin, direction) = (self.rays.origin, self.rays.directions[ray]);
@@ -414,7 +414,7 @@ pub(crate) fn bits(mut set: u64) -> impl Iterator<Item = usize> {
 fn walk<L: Lanes>(
     nodes: &[Node],
     frame: &BundleRays,
-    state: &mut State<'_>,
+    state: &mut TraversalState<'_>,
     stack: &mut Entries,
     visit: &impl Visit,
 ) {

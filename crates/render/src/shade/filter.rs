@@ -60,7 +60,7 @@ impl LaneKernel for TextureFilter<'_> {
             return out;
         };
         let zero = L::splat(0.0);
-        let shape = Shape::<L>::new(self.footprints, base);
+        let shape = FootprintShape::<L>::new(self.footprints, base);
         let used = self.used & shape.is_sane.signs();
         let (fine, coarse, parts, mixed) = self.levels_of(shape.lod);
         let part = L::load(&parts);
@@ -101,7 +101,7 @@ impl LaneKernel for TextureFilter<'_> {
 }
 
 /// Footprints in pixels of the full image.
-struct Shape<L: Lanes> {
+struct FootprintShape<L: Lanes> {
     at: [L; 2],
     /// The longer axis of the parallelogram, in texture coordinates.
     major: [L; 2],
@@ -112,7 +112,7 @@ struct Shape<L: Lanes> {
     is_sane: L::I32,
 }
 
-impl<L: Lanes> Shape<L> {
+impl<L: Lanes> FootprintShape<L> {
     #[inline(always)]
     fn new(footprints: &Footprints, base: &Image<[u8; 4]>) -> Self {
         let (one, max) = (L::splat(1.0), L::splat(f32::MAX));

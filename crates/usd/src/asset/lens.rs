@@ -9,11 +9,11 @@ use crate::text::{PrimSpec, SpecValue};
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct LensSchema {
     intrinsics: Intrinsics,
-    kind: Kind,
+    kind: LensKind,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-enum Kind {
+enum LensKind {
     /// The coefficients k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4.
     Pinhole([f64; 12]),
     /// The coefficients k1 k2 k3 k4.
@@ -38,10 +38,10 @@ pub(super) fn of_camera(twin: &Twin, camera: &TwinCamera, options: &AssetOptions
         OpenCvLens::Pinhole(all) => {
             let mut coefficients = [0.0; 12];
             coefficients.copy_from_slice(&all[..12]);
-            Kind::Pinhole(coefficients)
+            LensKind::Pinhole(coefficients)
         }
         // All coefficients are written, because the schema's fallback value of k1 is not 0.
-        OpenCvLens::Fisheye(k) => Kind::Fisheye(k),
+        OpenCvLens::Fisheye(k) => LensKind::Fisheye(k),
     };
     Some(LensSchema {
         intrinsics: optics.intrinsics,
@@ -54,7 +54,7 @@ pub(super) fn of_camera(twin: &Twin, camera: &TwinCamera, options: &AssetOptions
 pub(super) fn of_depth_camera(twin: &Twin, camera: &TwinCamera) -> Option<LensSchema> {
     matches!(twin.origin, Origin::Calibration { .. }).then_some(LensSchema {
         intrinsics: camera.intrinsics,
-        kind: Kind::Pinhole([0.0; 12]),
+        kind: LensKind::Pinhole([0.0; 12]),
     })
 }
 
@@ -62,13 +62,13 @@ impl LensSchema {
     /// Applies the schema and writes all of its attributes.
     pub(super) fn author(&self, prim: &mut PrimSpec, model: &str) -> Result<(), AssetError> {
         let (schema, token, names, coefficients): (_, _, &[&str], &[f64]) = match &self.kind {
-            Kind::Pinhole(k) => (
+            LensKind::Pinhole(k) => (
                 "OmniLensDistortionOpenCvPinholeAPI",
                 "opencvPinhole",
                 &PINHOLE_NAMES,
                 k,
             ),
-            Kind::Fisheye(k) => (
+            LensKind::Fisheye(k) => (
                 "OmniLensDistortionOpenCvFisheyeAPI",
                 "opencvFisheye",
                 &FISHEYE_NAMES,
@@ -97,8 +97,8 @@ impl LensSchema {
     /// Returns the lens model's name for the prim's documentation.
     pub(super) fn description(&self) -> &'static str {
         match &self.kind {
-            Kind::Pinhole(_) => "OpenCV's rational and thin-prism model",
-            Kind::Fisheye(_) => "OpenCV's fisheye model",
+            LensKind::Pinhole(_) => "OpenCV's rational and thin-prism model",
+            LensKind::Fisheye(_) => "OpenCV's fisheye model",
         }
     }
 }

@@ -15,13 +15,13 @@ const MAX: f64 = 4000.0;
 
 /// The parameters of the sensor that affect its systematic error.
 #[derive(Clone, Debug)]
-pub(super) struct Shape {
+pub(super) struct ErrorModel {
     pub(super) p: Parameters,
     pub(super) rays: Vec<f64>,
     pub(super) is_absolute: bool,
 }
 
-impl Shape {
+impl ErrorModel {
     /// Returns the error as a share of depth for a bias in metres and an amplitude of wiggling.
     pub(super) fn error(&self, parameters: &[f64], depth_m: f64) -> f64 {
         let [bias_m, wiggling] = [parameters[0], parameters[1]];
@@ -85,7 +85,7 @@ impl Shape {
 }
 
 struct Errors<'a> {
-    shape: &'a Shape,
+    shape: &'a ErrorModel,
     points: &'a [Point],
 }
 
@@ -104,7 +104,7 @@ impl Problem for Errors<'_> {
 /// The solution: bias in metres, and the amplitude of wiggling.
 #[derive(Clone, Debug)]
 pub(super) struct WigglingFit {
-    shape: Shape,
+    shape: ErrorModel,
     pub(super) solution: Solution,
     pub(super) is_known: bool,
     /// The parameters of an equally good solution.

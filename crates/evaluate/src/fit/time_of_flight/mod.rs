@@ -17,7 +17,7 @@ use super::report::Parameter;
 use super::state::FitState;
 use super::target::Observation;
 use super::{FitError, FitOptions};
-use errors::{Shape, WigglingFit};
+use errors::{ErrorModel, WigglingFit};
 use light::Noise;
 use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 
@@ -278,7 +278,7 @@ impl Method for Tof {
     }
 
     fn systematic(&self, used: &[Point], state: &mut FitState<'_>) -> Option<Box<dyn Fitted>> {
-        let shape = Shape {
+        let shape = ErrorModel {
             p: self.p,
             rays: self.rays.clone(),
             is_absolute: state.report.is_absolute,

@@ -13,6 +13,6 @@ mod triangles;
 
 pub(crate) use rays::{PACKETS, PerRay, SIDE, TileRays, place};
 pub(crate) use solve::Solve;
-pub(crate) use state::State;
+pub(crate) use state::TileState;
 pub(crate) use table::{RayTable, RayTables, ray_through};
 pub(crate) use trace::{Origin, Trace};

@@ -3,7 +3,7 @@ use oaktwin_scene::Mesh;
 use oaktwin_simd::{LaneKernel, Lanes};
 
 use super::rays::TileRays;
-use super::state::{Leaf, State};
+use super::state::{Leaf, TileState};
 use super::transform::TileTransform;
 use super::triangles::Triangles;
 use crate::Clip;
@@ -29,7 +29,7 @@ pub(crate) struct Trace<'a> {
     pub(crate) origin: &'a Origin,
     pub(crate) rays: &'a TileRays,
     pub(crate) clip: Clip,
-    pub(crate) state: &'a mut State,
+    pub(crate) state: &'a mut TileState,
     pub(crate) stack: &'a mut Entries,
 }
 
@@ -73,7 +73,7 @@ impl LaneKernel for Trace<'_> {
 
 /// The handling of leaves.
 trait Visit {
-    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, stack: &mut Entries);
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut TileState, stack: &mut Entries);
 
     #[inline(always)]
     fn prefetch_early<L: Lanes>(&self, _first: u32) {}
@@ -90,7 +90,7 @@ struct VisitInstances<'a> {
 
 impl Visit for VisitInstances<'_> {
     #[inline(always)]
-    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, stack: &mut Entries) {
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut TileState, stack: &mut Entries) {
         for &instance in &self.scene.instances.order[first as usize..][..count as usize] {
             let Some((mesh, tree, mesh_from_world)) = self.scene.instance(instance) else {
                 continue;
@@ -140,7 +140,7 @@ impl Visit for VisitTriangles<'_> {
     }
 
     #[inline(always)]
-    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, _: &mut Entries) {
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut TileState, _: &mut Entries) {
         let triangles = &self.tree.triangles[first as usize..][..count as usize];
         let corners = corners::<L>(&self.mesh.positions, triangles);
         self.ready
@@ -172,7 +172,7 @@ impl Visit for VisitTriangles<'_> {
 fn walk<L: Lanes>(
     nodes: &[Node],
     frame: &TileTransform,
-    state: &mut State,
+    state: &mut TileState,
     stack: &mut Entries,
     visit: &mut impl Visit,
 ) {

@@ -77,12 +77,12 @@ impl LaneKernel for Between<'_> {
 }
 
 /// The first or the second column, or row, of the samples around eight pixels, and the mask of the pixels that have it.
-type Line = ([u32; 8], [i32; 8]);
+type SampleLine = ([u32; 8], [i32; 8]);
 
 impl Between<'_> {
     /// Returns the columns and the rows of the samples around the pixels.
     #[inline(always)]
-    fn places(&self) -> ([Line; 2], [Line; 2]) {
+    fn places(&self) -> ([SampleLine; 2], [SampleLine; 2]) {
         let mut lines = [[([0; 8], [-1; 8]); 2]; 2];
         for lane in 0..8 {
             let place = self.found.place(lane);
