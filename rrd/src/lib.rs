@@ -139,7 +139,7 @@ impl<W: Write> Recorder for Rrd<W> {
     }
 
     fn record(&mut self, camera: CameraId, moment: &Moment<'_>) -> Result<(), RecordingError> {
-        let station = self.cameras.get_mut(camera.0).ok_or(RecordingError::NoCamera)?;
+        let station = self.cameras.get_mut(camera.index()).ok_or(RecordingError::NoCamera)?;
         moment.check(&station.camera)?;
         let stream = &self.stream;
         // The time belongs to the calling thread, which may differ between calls.
