@@ -75,3 +75,13 @@ pub(super) fn fitted(
     let read = ParameterFile::read(&file).unwrap();
     Ok((fit.report().clone(), findings, read))
 }
+
+/// Whether the interval of a fitted parameter contains its true value.
+pub(super) fn has(report: &FitReport, name: &str, truth: f64) -> bool {
+    let [low, high] = report.parameter(name).unwrap().interval_95.unwrap();
+    (low..=high).contains(&truth)
+}
+
+pub(super) fn codes(findings: &[Finding]) -> Vec<&str> {
+    findings.iter().map(|finding| finding.code).collect()
+}

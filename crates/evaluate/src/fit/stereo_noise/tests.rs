@@ -10,7 +10,8 @@ use oaktwin_depth::random::Stream;
 use oaktwin_depth::stereo_noise::{Parameters, StereoNoise};
 
 use crate::accuracy::MeasuredOptics;
-use crate::fit::{FitOptions, FitReport, TABLE, fixture};
+use crate::fit::fixture::{self, codes, has};
+use crate::fit::{FitOptions, FitReport, TABLE};
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::{ImageSize, StereoGeometry};
 use oaktwin_image::{Image, npy};
@@ -83,15 +84,6 @@ impl Recorded<'_> {
 fn fitted(paths: &[&Path], options: &FitOptions) -> Result<(FitReport, Vec<Finding>), String> {
     let (report, findings, _) = fixture::fitted(MODEL, paths, options)?;
     Ok((report, findings))
-}
-
-fn has(report: &FitReport, name: &str, truth: f64) -> bool {
-    let [low, high] = report.parameter(name).unwrap().interval_95.unwrap();
-    (low..=high).contains(&truth)
-}
-
-fn codes(findings: &[Finding]) -> Vec<&str> {
-    findings.iter().map(|finding| finding.code).collect()
 }
 
 /// Many small recordings of different devices: the true value is inside the intervals about as often as they claim.

@@ -7,7 +7,8 @@ use std::path::Path;
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::time_of_flight::{Parameters, TimeOfFlight};
 
-use crate::fit::{FitOptions, FitReport, fixture};
+use crate::fit::fixture::{self, codes, has};
+use crate::fit::{FitOptions, FitReport};
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::ImageSize;
 use oaktwin_pipeline::sensor::{SensorOptions, TIME_OF_FLIGHT, time_of_flight_parameters};
@@ -79,15 +80,6 @@ fn with(options: FitOptions, parameter: (&str, &str)) -> FitOptions {
     let (name, value) = parameter;
     options.engine.parameters.push((name.to_owned(), value.into()));
     options
-}
-
-fn has(report: &FitReport, name: &str, truth: f64) -> bool {
-    let [low, high] = report.parameter(name).unwrap().interval_95.unwrap();
-    (low..=high).contains(&truth)
-}
-
-fn codes(findings: &[Finding]) -> Vec<&str> {
-    findings.iter().map(|finding| finding.code).collect()
 }
 
 fn missing(report: &FitReport) -> Vec<&str> {
