@@ -42,12 +42,12 @@ pub struct Rrd<W: Write> {
     said: MemorySinkStorage,
     encoder: Encoder<W>,
     names: BTreeSet<String>,
-    cameras: Vec<Station>,
+    cameras: Vec<LoggedCamera>,
     /// The names of entities in use.
     bodies: Vec<(String, String)>,
 }
 
-struct Station {
+struct LoggedCamera {
     camera: RecordedCamera,
     entity: String,
     /// The entity that moves.
@@ -128,7 +128,7 @@ impl<W: Write> Recorder for Rrd<W> {
         } else {
             entity.clone()
         };
-        self.cameras.push(Station {
+        self.cameras.push(LoggedCamera {
             camera: camera.clone(),
             entity,
             mount,
@@ -139,7 +139,7 @@ impl<W: Write> Recorder for Rrd<W> {
     }
 
     fn record(&mut self, camera: CameraId, moment: &Moment<'_>) -> Result<(), RecordingError> {
-        let station = self.cameras.get_mut(camera.0).ok_or(RecordingError::NoCamera)?;
+        let station = self.cameras.get_mut(camera.index()).ok_or(RecordingError::NoCamera)?;
         moment.check(&station.camera)?;
         let stream = &self.stream;
         // The time belongs to the calling thread, which may differ between calls.
@@ -290,7 +290,7 @@ fn not_written(error: EncodeError) -> RecordingError {
 mod tests {
     use super::*;
     use oaktwin::camera::{ImageSize, Intrinsics, LensModel};
-    use oaktwin::dataset::recording::{Body, Time};
+    use oaktwin::dataset::recording::{MovingBody, Time};
 
     fn recorded<W: Write>(output: W) -> Result<W, RecordingError> {
         let mut recorder = Rrd::new(output, true)?;
@@ -302,7 +302,7 @@ mod tests {
                 LensModel::Pinhole,
             ),
             measured: None,
-            body: Some(Body {
+            body: Some(MovingBody {
                 name: "OAK".to_owned(),
                 body_from_camera: RigidTransform::IDENTITY,
             }),

@@ -38,7 +38,7 @@ pub(crate) struct Args {
     target_dir: Option<PathBuf>,
 }
 
-struct Target {
+struct FuzzTarget {
     name: String,
     max_len: String,
     about: String,
@@ -88,12 +88,12 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
 }
 
 /// Builds the program that lists the targets and writes their seeds.
-fn targets(seeds: &Path) -> Result<Vec<Target>, String> {
+fn targets(seeds: &Path) -> Result<Vec<FuzzTarget>, String> {
     let program = workspace::build_program("fuzz-targets", &["--workspace", "--quiet"])?;
     let listed = output(Command::new(program).arg(seeds))?;
     let target = |line: &str| {
         let mut fields = line.splitn(3, '\t').map(str::to_owned);
-        Some(Target {
+        Some(FuzzTarget {
             name: fields.next()?,
             max_len: fields.next()?,
             about: fields.next()?,
@@ -102,7 +102,7 @@ fn targets(seeds: &Path) -> Result<Vec<Target>, String> {
     Ok(listed.lines().filter_map(target).collect())
 }
 
-fn choose<'a>(targets: &'a [Target], names: &[String]) -> Result<Vec<&'a Target>, String> {
+fn choose<'a>(targets: &'a [FuzzTarget], names: &[String]) -> Result<Vec<&'a FuzzTarget>, String> {
     if names.is_empty() {
         return Ok(targets.iter().collect());
     }
@@ -150,7 +150,7 @@ fn fuzzer(task: &str, build: &Path) -> Command {
 }
 
 /// The folders with inputs: the first receives new ones.
-fn corpora(target: &Target, work: &Path) -> Result<Vec<PathBuf>, String> {
+fn corpora(target: &FuzzTarget, work: &Path) -> Result<Vec<PathBuf>, String> {
     let growing = work.join("corpus").join(&target.name);
     fs::create_dir_all(&growing).map_err(|error| format!("{}: {error}", growing.display()))?;
     let kept = ["corpus", "regressions"].map(|folder| root().join("fuzz").join(folder).join(&target.name));
@@ -160,7 +160,7 @@ fn corpora(target: &Target, work: &Path) -> Result<Vec<PathBuf>, String> {
     Ok(all.filter(|folder| folder.is_dir()).collect())
 }
 
-fn fuzz(target: &Target, seconds: f64, work: &Path, build: &Path) -> Result<Outcome, String> {
+fn fuzz(target: &FuzzTarget, seconds: f64, work: &Path, build: &Path) -> Result<Outcome, String> {
     let artifacts = work.join("artifacts").join(&target.name);
     fs::create_dir_all(&artifacts).map_err(|error| format!("{}: {error}", artifacts.display()))?;
     let corpora = corpora(target, work)?;
@@ -188,7 +188,7 @@ fn fuzz(target: &Target, seconds: f64, work: &Path, build: &Path) -> Result<Outc
 }
 
 /// Returns the program that cargo-fuzz built.
-fn program(target: &Target, build: &Path) -> Result<PathBuf, String> {
+fn program(target: &FuzzTarget, build: &Path) -> Result<PathBuf, String> {
     let folders = fs::read_dir(build).map_err(|error| format!("{}: {error}", build.display()))?;
     let mut programs = folders
         .flatten()
@@ -221,7 +221,7 @@ fn parse(log: &str) -> Outcome {
 }
 
 /// Copies the input of a crash to the regressions. Returns what was found, and the path of the copy.
-fn keep(target: &Target, log: &str) -> Result<String, String> {
+fn keep(target: &FuzzTarget, log: &str) -> Result<String, String> {
     let what = problem(log);
     let Some(artifact) = log
         .lines()
@@ -269,7 +269,7 @@ fn slug(message: &str) -> String {
 }
 
 /// Replaces the corpus in the repository by the smallest one with the same coverage.
-fn minimize(target: &Target, work: &Path, build: &Path) -> Result<(), String> {
+fn minimize(target: &FuzzTarget, work: &Path, build: &Path) -> Result<(), String> {
     let merged = work.join("merged").join(&target.name);
     let _ = fs::remove_dir_all(&merged);
     fs::create_dir_all(&merged).map_err(|error| format!("{}: {error}", merged.display()))?;
@@ -304,7 +304,7 @@ fn minimize(target: &Target, work: &Path, build: &Path) -> Result<(), String> {
     clippy::cast_sign_loss,
     reason = "for reading"
 )]
-fn report(rows: &[(&Target, Outcome)], seconds: f64, work: &Path) -> Result<(), String> {
+fn report(rows: &[(&FuzzTarget, Outcome)], seconds: f64, work: &Path) -> Result<(), String> {
     println!(
         "\n{:<14} {:>12} {:>9} {:>7} {:>7}  findings",
         "target", "executions", "per s", "edges", "corpus"

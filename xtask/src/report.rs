@@ -28,12 +28,12 @@ struct Time {
 
 /// The steps so far.
 #[derive(Default)]
-pub(crate) struct Report {
+pub(crate) struct TestReport {
     steps: Vec<Step>,
     counts: Counts,
 }
 
-impl Report {
+impl TestReport {
     /// Runs a step and returns its result, or `None` if it failed, which counts as a failed test.
     pub(crate) fn step<T>(&mut self, name: &str, work: impl FnOnce() -> Result<T, String>) -> Option<T> {
         let result = self.timed(name, work);

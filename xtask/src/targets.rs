@@ -2,30 +2,30 @@
 
 use std::process::Command;
 
-use crate::report::Report;
+use crate::report::TestReport;
 use crate::workspace;
 
 /// A target, and the C compiler that the crate `zstd-sys` needs for it.
-struct Target {
+struct Triple {
     name: &'static str,
     compiler: &'static str,
 }
 
 /// One for each system and processor with code of its own.
-const TARGETS: [Target; 4] = [
-    Target {
+const TARGETS: [Triple; 4] = [
+    Triple {
         name: "x86_64-unknown-linux-gnu",
         compiler: "x86_64-linux-gnu-gcc",
     },
-    Target {
+    Triple {
         name: "aarch64-unknown-linux-gnu",
         compiler: "aarch64-linux-gnu-gcc",
     },
-    Target {
+    Triple {
         name: "x86_64-pc-windows-gnu",
         compiler: "x86_64-w64-mingw32-gcc",
     },
-    Target {
+    Triple {
         name: "aarch64-apple-darwin",
         // With the headers of macOS, which only macOS has; elsewhere CC_aarch64_apple_darwin names one.
         compiler: "xcrun",
@@ -33,7 +33,7 @@ const TARGETS: [Target; 4] = [
 ];
 
 /// Checks the workspace for each target that can be built for here, except this machine's own.
-pub(crate) fn steps(report: &mut Report) {
+pub(crate) fn steps(report: &mut TestReport) {
     for target in TARGETS {
         let name = format!("check for {}", target.name);
         match obstacle(&target) {
@@ -50,7 +50,7 @@ pub(crate) fn steps(report: &mut Report) {
 }
 
 /// Why a target cannot be checked.
-fn obstacle(target: &Target) -> Option<String> {
+fn obstacle(target: &Triple) -> Option<String> {
     let print = |arguments: &[&str]| workspace::output(Command::new("rustc").arg("--print").args(arguments));
     match print(&["host-tuple"]) {
         Ok(host) if host.trim() == target.name => return Some("tested already".into()),

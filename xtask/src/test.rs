@@ -9,7 +9,7 @@ use crate::docs;
 use crate::python::{
     self, BARE, BLENDER, ENVIRONMENTS, Environment, Interpreter, PACKAGE, PEERS, RENDER, Readiness, TORCH,
 };
-use crate::report::Report;
+use crate::report::TestReport;
 use crate::{targets, web, workflows, workspace};
 
 /// The variable that names the folder of the public test data.
@@ -46,7 +46,7 @@ struct Built {
 
 /// Runs the steps; the last line it prints is `N passed, N failed, N skipped`.
 pub(crate) fn run(args: &Args) -> ExitCode {
-    let mut report = Report::default();
+    let mut report = TestReport::default();
     let skip_python = args.skip_python || args.fast;
     // Downloads take most of the time, so this runs beside the Rust steps.
     let wanted = wanted(args);
@@ -75,7 +75,7 @@ pub(crate) fn run(args: &Args) -> ExitCode {
 }
 
 /// Returns what the other steps run, if it was built.
-fn rust_steps(report: &mut Report, args: &Args) -> Option<Built> {
+fn rust_steps(report: &mut TestReport, args: &Args) -> Option<Built> {
     let no_tests: fn(&str) -> Option<Counts> = |_| None;
     report.command(
         "format",
@@ -158,7 +158,7 @@ fn prepare_environments(wanted: &[&'static Environment]) -> Vec<(&'static Enviro
 }
 
 fn python_steps(
-    report: &mut Report,
+    report: &mut TestReport,
     args: &Args,
     built: Option<&Built>,
     environments: Vec<(&'static Environment, Readiness)>,
@@ -208,7 +208,7 @@ fn python_steps(
 
 /// Installs the package in an environment, and returns whether that succeeded.
 fn install(
-    report: &mut Report,
+    report: &mut TestReport,
     environment: &Environment,
     python: &Path,
     module: &Path,

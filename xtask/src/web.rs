@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 
 use crate::counts;
-use crate::report::Report;
+use crate::report::TestReport;
 use crate::workspace::{self, output};
 
 /// The files of the bundle.
@@ -51,7 +51,7 @@ pub(crate) fn run(args: &Args) -> Result<(), String> {
 }
 
 /// Checks that the committed bundle is what the sources build, and tests the page in a browser.
-pub(crate) fn steps(report: &mut Report, program: Option<&Path>) {
+pub(crate) fn steps(report: &mut TestReport, program: Option<&Path>) {
     if Command::new("npm").arg("--version").output().is_err() {
         return report.skip("page", "npm is not installed");
     }

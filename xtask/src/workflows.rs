@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::report::Report;
+use crate::report::TestReport;
 use crate::web;
 use crate::workspace::{self, output};
 
@@ -12,7 +12,7 @@ use crate::workspace::{self, output};
 const PINS: [&str; 2] = ["package.json", "package-lock.json"];
 
 /// Checks the workflows, unless the checker can neither be found nor installed.
-pub(crate) fn steps(report: &mut Report) {
+pub(crate) fn steps(report: &mut TestReport) {
     let name = "workflows";
     match checker() {
         Err(reason) => report.skip(name, format!("actionlint cannot be installed: {reason}")),

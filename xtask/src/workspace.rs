@@ -90,18 +90,18 @@ pub(crate) fn output(command: &mut Command) -> Result<String, String> {
     ))
 }
 
-/// Runs a command, passes on its standard output, and calls `see` with each line.
-pub(crate) fn watch(command: &mut Command, mut see: impl FnMut(&str)) -> Result<ExitStatus, String> {
+/// Runs a command, passes on its standard output, and calls `handle` with each line.
+pub(crate) fn watch(command: &mut Command, mut handle: impl FnMut(&str)) -> Result<ExitStatus, String> {
     each_line(command, |line| {
         let mut console = std::io::stdout().lock();
         // A closed console must not stop the tests.
         let _ = console.write_all(line).and_then(|()| console.flush());
-        see(String::from_utf8_lossy(line).trim_end());
+        handle(String::from_utf8_lossy(line).trim_end());
     })
 }
 
-/// Runs a command, and calls `see` with each line of its standard output.
-fn each_line(command: &mut Command, mut see: impl FnMut(&[u8])) -> Result<ExitStatus, String> {
+/// Runs a command, and calls `handle` with each line of its standard output.
+fn each_line(command: &mut Command, mut handle: impl FnMut(&[u8])) -> Result<ExitStatus, String> {
     let mut child = command
         .stdout(Stdio::piped())
         .spawn()
@@ -111,7 +111,7 @@ fn each_line(command: &mut Command, mut see: impl FnMut(&[u8])) -> Result<ExitSt
         let mut line = Vec::new();
         // Bytes and not `lines()`: a test may print what is not UTF-8.
         while lines.read_until(b'\n', &mut line).is_ok_and(|read| read > 0) {
-            see(&line);
+            handle(&line);
             line.clear();
         }
     }

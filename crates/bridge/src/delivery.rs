@@ -5,7 +5,7 @@ use std::fmt::Display;
 use std::time::{Duration, Instant};
 
 use oaktwin::catalog::Latency;
-use oaktwin::depth::random::{Numbers, Stage, Stream};
+use oaktwin::depth::random::{NoiseStage, Numbers, Stream};
 use oaktwin::diagnostic::{message, opt};
 
 use crate::BridgeError;
@@ -92,7 +92,7 @@ impl Delivery {
     fn numbers(&self, frame: u64, purpose: u32) -> Numbers {
         // A plane knows 32 bits of the frame's number.
         let upper = (frame >> 32) as u32;
-        let plane = Stream::new(self.seed, NAME).plane(Stage::Delivery, frame, upper ^ purpose);
+        let plane = Stream::new(self.seed, NAME).plane(NoiseStage::Delivery, frame, upper ^ purpose);
         Numbers::new(plane)
     }
 }

@@ -17,7 +17,7 @@ use crate::message::{Header, PointCloud2};
 
 /// A twin's depth sensor on a stream of images. It is created again when the camera of the images or the options change.
 #[derive(Debug)]
-pub struct Filter {
+pub struct DepthFilter {
     twin: Twin,
     options: SenseOptions,
     current: Option<Current>,
@@ -69,7 +69,7 @@ impl FilterOutput<'_> {
     }
 }
 
-impl Filter {
+impl DepthFilter {
     /// Creates a filter and checks its options on images of the model's own camera. Of the options, those about outputs and
     /// files have no effect.
     ///

@@ -1,7 +1,7 @@
 //! A live filter between topics of ROS 2: a simulator publishes exact depth, and the bridge publishes what an OAK would report.
 //!
 //! * [`message`] has the messages, [`convert`] turns them into images and back, without a network;
-//! * [`Filter`] measures a frame with the engines, presets and filters of `oaktwin sense`;
+//! * [`DepthFilter`] measures a frame with the engines, presets and filters of `oaktwin sense`;
 //! * [`run`] connects both to topics, and reports what is missing, late or wrong.
 //!
 //! Messages are published best-effort by default, as sensor data: a subscription that requires reliable delivery does not match, which is
@@ -34,7 +34,7 @@ pub use delivery::Delivery;
 pub use environment::Network;
 pub use error::BridgeError;
 pub use event::{Event, Started, Status};
-pub use filter::{Filter, FilterInput, FilterOutput};
+pub use filter::{DepthFilter, FilterInput, FilterOutput};
 pub use options::{BridgeOptions, Topics};
 pub use run::run;
 pub use statistics::Percentiles;

@@ -11,11 +11,11 @@ use rustdds::{DomainParticipantBuilder, Duration, QosPolicies, QosPolicyBuilder,
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::filter::{Filter, check};
+use crate::filter::{DepthFilter, check};
 use crate::graph::{Endpoint, Graph};
 use crate::message::{CameraInfo, Image};
 use crate::options::{BridgeOptions, Topics};
-use crate::output::Output;
+use crate::output::TopicPublisher;
 use crate::publishers::Publishers;
 use crate::{BridgeError, Network, buffers, parameters};
 
@@ -43,7 +43,7 @@ impl RosNode {
     pub(crate) fn new(
         options: &BridgeOptions,
         network: &Network,
-        filter: &Filter,
+        filter: &DepthFilter,
         wanted: &Wanted,
     ) -> Result<Self, BridgeError> {
         let mut participant = DomainParticipantBuilder::new(network.domain)
@@ -136,11 +136,11 @@ impl RosNode {
         name: &str,
         message: RosType,
         qos: &QosPolicies,
-    ) -> Result<Output<M>, BridgeError> {
+    ) -> Result<TopicPublisher<M>, BridgeError> {
         let topic = self.topic(name, message, qos)?;
         let publisher = self.node.create_publisher(&topic, None);
         let publisher = publisher.map_err(|error| failed(&error))?;
-        let output = Output::new(name, dds_type(message), qos.clone(), publisher);
+        let output = TopicPublisher::new(name, dds_type(message), qos.clone(), publisher);
         output.map_err(|error| failed(&error))
     }
 
@@ -149,7 +149,7 @@ impl RosNode {
         name: Option<&String>,
         message: RosType,
         qos: &QosPolicies,
-    ) -> Result<Option<Output<M>>, BridgeError> {
+    ) -> Result<Option<TopicPublisher<M>>, BridgeError> {
         name.map(|name| self.publisher(name, message, qos)).transpose()
     }
 
@@ -231,7 +231,7 @@ pub(crate) fn dds_type((package, name): RosType) -> String {
 }
 
 /// Declares the sensor's options as parameters. A value is checked before it is set.
-fn node_options(filter: &Filter, wanted: &Wanted) -> NodeOptions {
+fn node_options(filter: &DepthFilter, wanted: &Wanted) -> NodeOptions {
     let mut node = NodeOptions::new().enable_rosout(false);
     for option in parameters::offered() {
         node = node.declare_parameter(option.name, parameters::value(option, &filter.options().sensor));

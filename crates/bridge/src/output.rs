@@ -10,7 +10,7 @@ use crate::graph::{Endpoint, Graph};
 use crate::unicast::UnicastSender;
 
 /// The publisher of a topic and its subscribers.
-pub(crate) struct Output<M: Serialize> {
+pub(crate) struct TopicPublisher<M: Serialize> {
     endpoint: Endpoint,
     publisher: Publisher<M>,
     /// The sender of best-effort messages; reliable ones are sent by the DDS library, which repeats what was lost.
@@ -18,7 +18,7 @@ pub(crate) struct Output<M: Serialize> {
     subscribers: usize,
 }
 
-impl<M: Serialize> Output<M> {
+impl<M: Serialize> TopicPublisher<M> {
     pub(crate) fn new(
         topic: &str,
         kind: String,
@@ -49,7 +49,7 @@ impl<M: Serialize> Output<M> {
     }
 
     /// Finds the subscribers.
-    pub(crate) fn look(&mut self, graph: &Graph) {
+    pub(crate) fn find_subscribers(&mut self, graph: &Graph) {
         let readers: Vec<_> = graph.subscribers(&self.endpoint).collect();
         self.subscribers = readers.len();
         if let Some(sender) = &mut self.sender {

@@ -7,7 +7,7 @@ use oaktwin::diagnostic::{Finding, Level};
 
 use crate::buffers;
 use crate::convert::{self, Encoding, Frames, MessageError};
-use crate::filter::{Filter, FilterInput};
+use crate::filter::{DepthFilter, FilterInput};
 use crate::mailbox::Arrived;
 use crate::message::{CameraInfo, CompressedImage, Header, Image, PointCloud2};
 use crate::options::{BridgeOptions, Topics};
@@ -35,7 +35,7 @@ pub(crate) struct Processor {
     topics: Topics,
     encoding: Encoding,
     points_step: NonZeroU32,
-    filter: Filter,
+    filter: DepthFilter,
     frames: Frames,
     /// The newest camera info, and what it says.
     info: Option<CameraInfo>,
@@ -44,7 +44,7 @@ pub(crate) struct Processor {
 }
 
 impl Processor {
-    pub(crate) fn new(filter: Filter, options: &BridgeOptions, topics: Topics) -> Self {
+    pub(crate) fn new(filter: DepthFilter, options: &BridgeOptions, topics: Topics) -> Self {
         Self {
             topics,
             encoding: options.encoding,
@@ -57,7 +57,7 @@ impl Processor {
         }
     }
 
-    pub(crate) fn filter(&mut self) -> &mut Filter {
+    pub(crate) fn filter(&mut self) -> &mut DepthFilter {
         &mut self.filter
     }
 

@@ -4,43 +4,43 @@ use oaktwin::diagnostic::{Finding, Level};
 
 use crate::graph::{Endpoint, Graph};
 use crate::message::{CameraInfo, CompressedImage, Image, PointCloud2, TfMessage};
-use crate::output::Output;
+use crate::output::TopicPublisher;
 use crate::process::{Outgoing, Requests};
 
 /// The publishers.
 pub(crate) struct Publishers {
-    pub(crate) image: Output<Image>,
-    pub(crate) info: Output<CameraInfo>,
-    pub(crate) compressed: Option<Output<CompressedImage>>,
-    pub(crate) points: Option<Output<PointCloud2>>,
-    pub(crate) rgb: Option<Output<Image>>,
-    pub(crate) rgb_info: Option<Output<CameraInfo>>,
-    pub(crate) transforms: Option<Output<TfMessage>>,
+    pub(crate) image: TopicPublisher<Image>,
+    pub(crate) info: TopicPublisher<CameraInfo>,
+    pub(crate) compressed: Option<TopicPublisher<CompressedImage>>,
+    pub(crate) points: Option<TopicPublisher<PointCloud2>>,
+    pub(crate) rgb: Option<TopicPublisher<Image>>,
+    pub(crate) rgb_info: Option<TopicPublisher<CameraInfo>>,
+    pub(crate) transforms: Option<TopicPublisher<TfMessage>>,
 }
 
 impl Publishers {
     /// What other nodes see of them.
     pub(crate) fn endpoints(&self) -> Vec<&Endpoint> {
         let optional = [
-            self.compressed.as_ref().map(Output::endpoint),
-            self.points.as_ref().map(Output::endpoint),
-            self.rgb.as_ref().map(Output::endpoint),
-            self.rgb_info.as_ref().map(Output::endpoint),
-            self.transforms.as_ref().map(Output::endpoint),
+            self.compressed.as_ref().map(TopicPublisher::endpoint),
+            self.points.as_ref().map(TopicPublisher::endpoint),
+            self.rgb.as_ref().map(TopicPublisher::endpoint),
+            self.rgb_info.as_ref().map(TopicPublisher::endpoint),
+            self.transforms.as_ref().map(TopicPublisher::endpoint),
         ];
         let always = [self.image.endpoint(), self.info.endpoint()];
         always.into_iter().chain(optional.into_iter().flatten()).collect()
     }
 
     /// Finds the subscribers.
-    pub(crate) fn look(&mut self, graph: &Graph) {
-        self.image.look(graph);
-        self.info.look(graph);
-        look(&mut self.compressed, graph);
-        look(&mut self.points, graph);
-        look(&mut self.rgb, graph);
-        look(&mut self.rgb_info, graph);
-        look(&mut self.transforms, graph);
+    pub(crate) fn find_subscribers(&mut self, graph: &Graph) {
+        self.image.find_subscribers(graph);
+        self.info.find_subscribers(graph);
+        find_optional_subscribers(&mut self.compressed, graph);
+        find_optional_subscribers(&mut self.points, graph);
+        find_optional_subscribers(&mut self.rgb, graph);
+        find_optional_subscribers(&mut self.rgb_info, graph);
+        find_optional_subscribers(&mut self.transforms, graph);
     }
 
     /// The outputs that somebody subscribes to.
@@ -70,18 +70,18 @@ impl Publishers {
     }
 }
 
-fn look<M: serde::Serialize>(output: &mut Option<Output<M>>, graph: &Graph) {
+fn find_optional_subscribers<M: serde::Serialize>(output: &mut Option<TopicPublisher<M>>, graph: &Graph) {
     if let Some(output) = output {
-        output.look(graph);
+        output.find_subscribers(graph);
     }
 }
 
-fn has_subscribers<M: serde::Serialize>(output: &Option<Output<M>>) -> bool {
+fn has_subscribers<M: serde::Serialize>(output: &Option<TopicPublisher<M>>) -> bool {
     output.as_ref().is_some_and(|output| output.subscribers() > 0)
 }
 
 fn publish_optional<M: serde::Serialize>(
-    output: &mut Option<Output<M>>,
+    output: &mut Option<TopicPublisher<M>>,
     message: Option<M>,
 ) -> Result<(), Finding> {
     match (output, message) {
@@ -90,7 +90,7 @@ fn publish_optional<M: serde::Serialize>(
     }
 }
 
-fn publish<M: serde::Serialize>(output: &mut Output<M>, message: M) -> Result<(), Finding> {
+fn publish<M: serde::Serialize>(output: &mut TopicPublisher<M>, message: M) -> Result<(), Finding> {
     output.publish(message).map_err(|error| {
         Finding::new(
             "not-published",

@@ -9,7 +9,7 @@ use oaktwin::diagnostic::{Finding, Level};
 
 use crate::delivery::Underway;
 use crate::event::{Event, Started, Status};
-use crate::filter::Filter;
+use crate::filter::DepthFilter;
 use crate::graph::{Endpoint, Reports};
 use crate::mailbox::{Arrived, Mailbox};
 use crate::message::Header;
@@ -40,7 +40,7 @@ const MAX_KINDS: usize = 256;
 /// # Errors
 /// Returns an error if a topic or an option is invalid, or the node cannot be created.
 pub fn run(
-    filter: Filter,
+    filter: DepthFilter,
     options: &BridgeOptions,
     network: &Network,
     lines: &Receiver<String>,
@@ -104,7 +104,7 @@ pub fn run(
             let now = Instant::now();
             if now.duration_since(looked) >= LOOK {
                 looked = now;
-                bridge.look(now, &mut reporter);
+                bridge.inspect_graph(now, &mut reporter);
             }
             if now.duration_since(reported) >= STATUS {
                 reported = now;
@@ -251,10 +251,10 @@ impl Bridge<'_> {
         }
     }
 
-    /// Looks at the graph: who publishes, who subscribes, what is missing.
-    fn look(&mut self, now: Instant, reporter: &mut Reporter<impl FnMut(Event)>) {
+    /// Inspects the graph: who publishes, who subscribes, what is missing.
+    fn inspect_graph(&mut self, now: Instant, reporter: &mut Reporter<impl FnMut(Event)>) {
         let graph = self.node.graph();
-        self.publishers.look(&graph);
+        self.publishers.find_subscribers(&graph);
         let inputs: Vec<_> = self.inputs.iter().collect();
         reporter.findings(self.reports.check(&graph, &self.publishers.endpoints(), &inputs));
         let last_depth = self.mailbox.last();

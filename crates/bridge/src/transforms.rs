@@ -2,7 +2,7 @@
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DQuat;
-use oaktwin::robot::Frame;
+use oaktwin::robot::DeviceFrame;
 
 use crate::message::{Header, Quaternion, TfMessage, Time, Transform, TransformStamped, Vector3};
 
@@ -12,7 +12,7 @@ pub struct DeviceFrames {
     /// The name of the body frame.
     pub device: String,
     /// The frames that it carries, directly or by another one before them.
-    pub frames: Vec<Frame>,
+    pub frames: Vec<DeviceFrame>,
     /// The pose of the depth sensor's optical frame in the body frame.
     pub body_from_depth: RigidTransform,
 }

@@ -15,7 +15,7 @@ use oaktwin::robot::{Attachment, Description};
 use oaktwin::sense::SenseOptions;
 use oaktwin_bridge::convert::{Encoding, nanoseconds};
 use oaktwin_bridge::message::{CameraInfo, CompressedImage, Header, Image, PointCloud2, TfMessage, Time};
-use oaktwin_bridge::{BridgeOptions, Delivery, DeviceFrames, Event, Filter, Network, run};
+use oaktwin_bridge::{BridgeOptions, Delivery, DepthFilter, DeviceFrames, Event, Network, run};
 use ros2_client::{Context, MessageTypeName, Node, NodeName, NodeOptions, Publisher, Subscription};
 use rustdds::policy::{Durability, History, Reliability};
 use rustdds::{DomainParticipant, DomainParticipantBuilder, QosPolicies, QosPolicyBuilder, Topic, TopicKind};
@@ -108,7 +108,7 @@ const COMPRESSED: (&str, &str) = ("sensor_msgs", "CompressedImage");
 const POINTS: (&str, &str) = ("sensor_msgs", "PointCloud2");
 const TRANSFORMS: (&str, &str) = ("tf2_msgs", "TFMessage");
 
-fn filter() -> (Filter, DeviceFrames) {
+fn filter() -> (DepthFilter, DeviceFrames) {
     let catalog = Catalog::builtin();
     let twin = catalog.nominal(catalog.device("OAK-D Pro PoE").unwrap());
     let description = Description::new(catalog, &twin, &Attachment::default()).unwrap();
@@ -117,7 +117,7 @@ fn filter() -> (Filter, DeviceFrames) {
         frames: description.frames(),
         body_from_depth: description.depth_sensors[0].camera.body_from_optical,
     };
-    (Filter::new(twin, SenseOptions::default()).unwrap(), frames)
+    (DepthFilter::new(twin, SenseOptions::default()).unwrap(), frames)
 }
 
 fn options(frames: DeviceFrames) -> BridgeOptions {
@@ -160,7 +160,7 @@ impl Drop for End<'_> {
 /// Runs a bridge while `test` publishes, listens and reads the events.
 fn with_bridge(
     options: &BridgeOptions,
-    filter: Filter,
+    filter: DepthFilter,
     network: &Network,
     test: impl FnOnce(&Receiver<Event>),
 ) {

@@ -4,7 +4,7 @@ use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 use oaktwin_camera::{LensModel, OpenCv, PixelPoint, RigidTransform};
 
 use crate::CalibrationError;
-use crate::model::{Calibration, CameraCalibration, Link};
+use crate::model::{Calibration, CameraCalibration, ExtrinsicLink};
 use crate::reader::Reader;
 use crate::rectify::rectifying_rotations;
 
@@ -163,7 +163,7 @@ pub(crate) fn links(reader: &mut Reader, calibration: &Calibration) {
 fn cycle_through(calibration: &Calibration, start: &CameraCalibration) -> Option<Vec<crate::Socket>> {
     let mut seen = vec![start.socket];
     let mut link = start.extrinsics.as_ref();
-    while let Some(Link { to, .. }) = link {
+    while let Some(ExtrinsicLink { to, .. }) = link {
         if *to == start.socket {
             return Some(seen);
         }

@@ -1,6 +1,6 @@
 use oaktwin_camera::RigidTransform;
 
-use crate::model::{Calibration, Link};
+use crate::model::{Calibration, ExtrinsicLink};
 use crate::{CalibrationError, Socket};
 
 impl Calibration {
@@ -65,7 +65,7 @@ impl Calibration {
     fn camera_from_link(
         &self,
         camera: Socket,
-        link: Option<&Link>,
+        link: Option<&ExtrinsicLink>,
         place: &'static str,
         use_spec: bool,
     ) -> Result<RigidTransform, CalibrationError> {

@@ -26,7 +26,7 @@ mod twin;
 pub use against::check_against;
 pub use check::force;
 pub use error::CalibrationError;
-pub use model::{Board, Calibration, CameraCalibration, CameraKind, Link, StereoRectification};
+pub use model::{Board, Calibration, CameraCalibration, CameraKind, ExtrinsicLink, StereoRectification};
 pub use nominal::{calibration_of, nominal_calibration};
 pub use raw::Raw;
 pub use rectify::StereoPair;

@@ -19,13 +19,13 @@ pub struct Calibration {
     pub cameras: BTreeMap<Socket, CameraCalibration>,
     /// The extrinsics of cameras without intrinsics; `None` at the root of a chain. These cameras count as missing, but others may
     /// refer to them.
-    pub uncalibrated: BTreeMap<Socket, Option<Link>>,
+    pub uncalibrated: BTreeMap<Socket, Option<ExtrinsicLink>>,
     /// The stereo pair in the file.
     pub stereo: Option<StereoRectification>,
     /// The extrinsics of the inertial unit.
-    pub imu: Option<Link>,
+    pub imu: Option<ExtrinsicLink>,
     /// The extrinsics of the housing.
-    pub housing: Option<Link>,
+    pub housing: Option<ExtrinsicLink>,
     /// `stereoUseSpecTranslation`: whether the device converts disparity to depth with the baseline of the board's design, by default
     /// true.
     pub use_spec_translation: bool,
@@ -75,7 +75,7 @@ pub struct CameraCalibration {
     /// The position of the focus motor, 0 to 255; 0 for a fixed focus.
     pub lens_position: u8,
     /// The extrinsics to another camera; `None` at the root of a chain.
-    pub extrinsics: Option<Link>,
+    pub extrinsics: Option<ExtrinsicLink>,
 }
 
 /// `cameraType`.
@@ -89,7 +89,7 @@ pub enum CameraKind {
 
 /// The extrinsics of a part of the device, relative to a camera.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Link {
+pub struct ExtrinsicLink {
     /// The path in the file for findings, such as `cameraData[1].extrinsics`.
     pub place: String,
     /// The camera.
@@ -127,7 +127,7 @@ impl CameraCalibration {
     }
 }
 
-impl Link {
+impl ExtrinsicLink {
     /// Returns [`Self::camera_from_self`], with `use_spec` with the translation of the board's design.
     pub(crate) fn transform(&self, file: &str, use_spec: bool) -> Result<RigidTransform, CalibrationError> {
         if !use_spec {
@@ -163,7 +163,7 @@ impl Calibration {
         clippy::option_option,
         reason = "no camera, a root, and extrinsics are three things"
     )]
-    pub(crate) fn link(&self, socket: Socket) -> Option<Option<&Link>> {
+    pub(crate) fn link(&self, socket: Socket) -> Option<Option<&ExtrinsicLink>> {
         let calibrated = self.cameras.get(&socket).map(|camera| camera.extrinsics.as_ref());
         calibrated.or_else(|| self.uncalibrated.get(&socket).map(Option::as_ref))
     }

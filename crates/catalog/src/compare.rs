@@ -5,7 +5,7 @@ use crate::{AccuracyBand, Catalog, DepthKind, Device, Role, Sensor, Twin, TwinCa
 
 /// A table of text. Each row has as many cells as the header.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Table {
+pub struct TextTable {
     /// The title.
     pub title: String,
     /// The columns.
@@ -14,7 +14,7 @@ pub struct Table {
     pub rows: Vec<Vec<String>>,
 }
 
-impl Table {
+impl TextTable {
     fn new(title: &str, header: impl IntoIterator<Item = String>) -> Self {
         Self {
             title: title.to_owned(),
@@ -37,9 +37,9 @@ impl Table {
 /// # Panics
 /// Panics if the catalog does not contain a sensor of a device; it contains the sensors of its own devices.
 #[must_use]
-pub fn compare(catalog: &Catalog, devices: &[&Device]) -> Vec<Table> {
+pub fn compare(catalog: &Catalog, devices: &[&Device]) -> Vec<TextTable> {
     let twins: Vec<Twin> = devices.iter().map(|device| catalog.nominal(device)).collect();
-    let mut tables: Vec<Table> = twins.iter().map(cameras).collect();
+    let mut tables: Vec<TextTable> = twins.iter().map(cameras).collect();
     tables.push(depth_sensors(&twins));
     tables.push(accuracy(devices));
     tables.push(features(catalog, devices));
@@ -48,7 +48,7 @@ pub fn compare(catalog: &Catalog, devices: &[&Device]) -> Vec<Table> {
 }
 
 /// Returns the USD camera parameters of one device, mm.
-fn cameras(twin: &Twin) -> Table {
+fn cameras(twin: &Twin) -> TextTable {
     let header = [
         "Camera",
         "focalLength",
@@ -58,7 +58,7 @@ fn cameras(twin: &Twin) -> Table {
         "vOffset",
     ];
     let title = format!("{} ({})", twin.device.name, twin.device.generation);
-    let mut table = Table::new(&title, header.map(str::to_owned));
+    let mut table = TextTable::new(&title, header.map(str::to_owned));
     let symmetric = match (twin.camera(Role::Left), twin.camera(Role::Right)) {
         (Some(left), Some(right)) => optics(left) == optics(right) && left.spec.sensor == right.spec.sensor,
         _ => false,
@@ -104,7 +104,7 @@ fn optics_row(label: String, camera: &TwinCamera) -> Vec<String> {
     ]
 }
 
-fn depth_sensors(twins: &[Twin]) -> Table {
+fn depth_sensors(twins: &[Twin]) -> TextTable {
     let sensors: Vec<_> = twins
         .iter()
         .flat_map(|twin| twin.depth_sensors.iter().map(move |sensor| (twin, sensor)))
@@ -115,7 +115,7 @@ fn depth_sensors(twins: &[Twin]) -> Table {
             1 => twin.device.name.clone(),
             _ => format!("{} ({})", twin.device.name, kind_name(sensor.spec.kind)),
         });
-    let mut table = Table::new(
+    let mut table = TextTable::new(
         "Depth sensors",
         std::iter::once("Parameter".to_owned()).chain(names),
     );
@@ -127,14 +127,14 @@ fn depth_sensors(twins: &[Twin]) -> Table {
 }
 
 /// Returns the accuracy by range: the first table of each device, which is the sheet's.
-fn accuracy(devices: &[&Device]) -> Table {
+fn accuracy(devices: &[&Device]) -> TextTable {
     let names = devices.iter().map(|device| match device.accuracy.first() {
         Some(table) if device.depth_sensors.len() > 1 => {
             format!("{} ({})", device.name, kind_name(table.sensor))
         }
         _ => format!("{} ({})", device.name, device.generation),
     });
-    let mut table = Table::new(
+    let mut table = TextTable::new(
         "Accuracy by range",
         std::iter::once("Range".to_owned()).chain(names),
     );
@@ -180,11 +180,11 @@ fn band_cell(band: &AccuracyBand) -> String {
     with_remark(figure, band.condition.as_deref())
 }
 
-fn features(catalog: &Catalog, devices: &[&Device]) -> Table {
+fn features(catalog: &Catalog, devices: &[&Device]) -> TextTable {
     let names = devices
         .iter()
         .map(|device| format!("{} ({})", device.name, device.generation));
-    let mut table = Table::new("Features", std::iter::once("Feature".to_owned()).chain(names));
+    let mut table = TextTable::new("Features", std::iter::once("Feature".to_owned()).chain(names));
     let sensor = |device: &Device, role: Role, cell: fn(&Sensor) -> String| {
         let Some(camera) = device.camera(role) else {
             return "None".to_owned();

@@ -101,12 +101,12 @@ pub struct LatencyStage {
 struct File {
     connections: BTreeMap<String, Vec<String>>,
     #[serde(rename = "stage")]
-    rows: Vec<Row>,
+    rows: Vec<LatencyRow>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Row {
+struct LatencyRow {
     stage: String,
     generation: Option<String>,
     connection: Option<String>,
@@ -160,7 +160,7 @@ impl Device {
             DepthKind::Stereo => mode.name(),
         };
         let generation = fold_name(&self.generation);
-        let matches = |row: &&Row| {
+        let matches = |row: &&LatencyRow| {
             let same =
                 |wanted: &Option<String>, own: &str| wanted.as_deref().is_none_or(|wanted| wanted == own);
             row.generation
@@ -172,8 +172,8 @@ impl Device {
         };
         let row = |stage: &str| FILE.rows.iter().filter(|row| row.stage == stage).find(matches);
         let rows = STAGES.iter().map(|stage| Some((*stage, row(stage)?)));
-        let rows: Vec<(&'static str, &'static Row)> = rows.collect::<Option<_>>()?;
-        let sum = |of: &dyn Fn(&Row) -> f64| rows.iter().map(|(_, row)| of(row)).sum::<f64>();
+        let rows: Vec<(&'static str, &'static LatencyRow)> = rows.collect::<Option<_>>()?;
+        let sum = |of: &dyn Fn(&LatencyRow) -> f64| rows.iter().map(|(_, row)| of(row)).sum::<f64>();
         Some(Latency {
             connection: connection.name(),
             mode: name,

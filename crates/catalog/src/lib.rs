@@ -37,7 +37,7 @@ mod twin;
 
 pub use catalog::Catalog;
 pub use choose::{DepthFilter, UnknownMaker};
-pub use compare::{Table, compare};
+pub use compare::{TextTable, compare};
 pub use document::Document;
 pub use error::{CatalogError, UnknownModel};
 pub use imu_frame::{ImuFrame, nearest_directions};

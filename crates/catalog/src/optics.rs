@@ -20,11 +20,11 @@ impl Twin {
     /// keeps its own lens. Cameras without distortion and cameras that are missing in the calibration are pinholes.
     #[must_use]
     pub fn optics(&self, camera: &TwinCamera, lens: LensChoice) -> Optics {
-        let own = Optics::new(camera.intrinsics, camera.lens);
+        let native_optics = Optics::new(camera.intrinsics, camera.lens);
         if self.origin == Origin::Nominal && lens == LensChoice::Fisheye {
-            camera.nominal_fisheye().unwrap_or(own)
+            camera.nominal_fisheye().unwrap_or(native_optics)
         } else {
-            own
+            native_optics
         }
     }
 }
@@ -60,7 +60,7 @@ mod tests {
         twin.optics(twin.camera(role).unwrap(), lens)
     }
 
-    fn own(twin: &Twin, role: Role) -> Optics {
+    fn native_optics(twin: &Twin, role: Role) -> Optics {
         let camera = twin.camera(role).unwrap();
         Optics::new(camera.intrinsics, camera.lens)
     }
@@ -71,7 +71,10 @@ mod tests {
         for role in [Role::Left, Role::Right] {
             let fisheye = twin.camera(role).unwrap().nominal_fisheye().unwrap();
             assert_eq!(optics(&twin, role, LensChoice::Fisheye), fisheye);
-            assert_eq!(optics(&twin, role, LensChoice::Pinhole), own(&twin, role));
+            assert_eq!(
+                optics(&twin, role, LensChoice::Pinhole),
+                native_optics(&twin, role)
+            );
         }
     }
 
@@ -79,7 +82,7 @@ mod tests {
     fn nominal_cameras_without_a_fisheye_are_pinholes() {
         let twin = nominal("oak4_d");
         let left = optics(&twin, Role::Left, LensChoice::Fisheye);
-        assert_eq!(left, own(&twin, Role::Left));
+        assert_eq!(left, native_optics(&twin, Role::Left));
         assert_eq!(left.lens, LensModel::Pinhole);
     }
 
@@ -93,7 +96,7 @@ mod tests {
             let twin = calibrated(lens);
             for choice in [LensChoice::Pinhole, LensChoice::Fisheye] {
                 let left = optics(&twin, Role::Left, choice);
-                assert_eq!(left, own(&twin, Role::Left));
+                assert_eq!(left, native_optics(&twin, Role::Left));
                 assert_eq!(left.lens, lens);
             }
         }
@@ -103,7 +106,7 @@ mod tests {
     fn cameras_missing_in_the_calibration_are_pinholes() {
         let twin = calibrated(LensModel::OpenCvFisheye(OpenCvFisheye { k: [0.1; 4] }));
         let right = optics(&twin, Role::Right, LensChoice::Fisheye);
-        assert_eq!(right, own(&nominal("oak4_d_wide"), Role::Right));
+        assert_eq!(right, native_optics(&nominal("oak4_d_wide"), Role::Right));
         assert_eq!(right.lens, LensModel::Pinhole);
     }
 }

@@ -17,17 +17,17 @@ pub fn models_page() -> String {
             "\n## {maker}\n\n| model | platform | cameras | depth | baseline | published accuracy to | body, mm | mass | IMU |\n\
              |---|---|---|---|---|---|---|---|---|\n"
         );
-        let own = || {
+        let devices = || {
             catalog
                 .devices()
                 .iter()
                 .filter(|device| device.manufacturer == maker)
         };
-        for device in own() {
+        for device in devices() {
             page.push_str(&row(device));
         }
         page.push_str("\n### What is not known\n\n");
-        for device in own() {
+        for device in devices() {
             gaps(&mut page, device);
         }
     }

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use comfy_table::{CellAlignment, ContentArrangement, ContentLineStyle, LineStyle, TableStyle, presets};
-use oaktwin::catalog::Table;
+use oaktwin::catalog::TextTable;
 use oaktwin::diagnostic::{self, Finding, Opt};
 use serde::Serialize;
 
@@ -71,7 +71,7 @@ const PLAIN: TableStyle = TableStyle::new()
     .content_lines(ContentLineStyle::none().junction(' '));
 
 /// Formats a table, wrapped to the terminal's width if there is one.
-pub(crate) fn text_table(table: &Table) -> String {
+pub(crate) fn text_table(table: &TextTable) -> String {
     let mut drawn = comfy_table::Table::new();
     drawn
         .load_style(PLAIN)
@@ -82,7 +82,7 @@ pub(crate) fn text_table(table: &Table) -> String {
 }
 
 /// Formats a table of numbers: all columns except the last are right-aligned.
-pub(crate) fn number_table(table: &Table) -> String {
+pub(crate) fn number_table(table: &TextTable) -> String {
     let mut drawn = comfy_table::Table::new();
     drawn.load_style(PLAIN).set_header(&table.header);
     drawn.add_rows(&table.rows);
@@ -94,7 +94,7 @@ pub(crate) fn number_table(table: &Table) -> String {
     format!("{}\n{}\n", table.title, drawn.trim_fmt())
 }
 
-pub(crate) fn markdown_table(table: &Table) -> String {
+pub(crate) fn markdown_table(table: &TextTable) -> String {
     let escaped = |cells: &[String]| {
         cells
             .iter()

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::file::write_all;
 use crate::listing::list;
-use crate::{Format, Options, Records, Shot, WriteError, json};
+use crate::{Format, Records, Shot, WriteError, WriterOptions, json};
 
 /// The file that describes the whole data set.
 const METADATA: &str = "metadata.txt";
@@ -41,14 +41,14 @@ const METADATA: &str = "metadata.txt";
 /// | `depth_sensor_point_cloud_0000.ply` | an extra: the measured points, with their colours if those are rendered |
 #[derive(Clone, Debug, Default)]
 pub struct BasicWriter {
-    options: Options,
+    options: WriterOptions,
     has_metadata: OnceLock<()>,
 }
 
 impl BasicWriter {
     /// Creates a writer.
     #[must_use]
-    pub fn new(options: Options) -> Self {
+    pub fn new(options: WriterOptions) -> Self {
         Self {
             options,
             has_metadata: OnceLock::new(),
@@ -190,7 +190,7 @@ mod tests {
     }
 
     /// The paths and bytes of a shot's files, without `metadata.txt`.
-    fn written(options: Options, shot: &Shot) -> Vec<(String, Vec<u8>)> {
+    fn written(options: WriterOptions, shot: &Shot) -> Vec<(String, Vec<u8>)> {
         let folder = tempfile::tempdir().unwrap();
         let mut output = OutputFiles::in_folder(folder.path()).unwrap();
         BasicWriter::new(options).frame(shot, &mut output).unwrap();
@@ -200,7 +200,7 @@ mod tests {
         files.filter(|(name, _)| name != "metadata.txt").collect()
     }
 
-    fn paths(options: Options, render_product: Option<&str>, frame: Frame) -> Vec<String> {
+    fn paths(options: WriterOptions, render_product: Option<&str>, frame: Frame) -> Vec<String> {
         let shot = Shot {
             render_product: render_product.map(str::to_owned),
             ..Shot::new(frame, 12)
@@ -212,7 +212,7 @@ mod tests {
     #[test]
     fn a_single_camera_has_no_folder() {
         assert_eq!(
-            paths(Options::default(), None, frame()),
+            paths(WriterOptions::default(), None, frame()),
             [
                 "rgb_0012.png",
                 "distance_to_image_plane_0012.npy",
@@ -243,14 +243,14 @@ mod tests {
                 "depth_sensor_confidence_0012.png",
             ]
         );
-        assert_eq!(paths(Options::default(), None, Frame::default()), [""; 0]);
+        assert_eq!(paths(WriterOptions::default(), None, Frame::default()), [""; 0]);
     }
 
     #[test]
     fn several_cameras_have_folders() {
-        let options = Options {
+        let options = WriterOptions {
             frame_padding: 1,
-            ..Options::default()
+            ..WriterOptions::default()
         };
         let only_boxes = Frame {
             bounding_box_2d_tight: frame().bounding_box_2d_tight,
@@ -268,17 +268,17 @@ mod tests {
 
     #[test]
     fn extras_have_their_own_names() {
-        let options = Options {
+        let options = WriterOptions {
             extras: Extras {
                 millimetres: true,
                 exr: true,
                 preview: true,
                 ply: true,
             },
-            ..Options::default()
+            ..WriterOptions::default()
         };
         let frame = frame();
-        let plain = paths(Options::default(), None, frame.clone());
+        let plain = paths(WriterOptions::default(), None, frame.clone());
         let extra: Vec<String> = paths(options, None, frame.clone())
             .into_iter()
             .filter(|path| !plain.contains(path))
@@ -307,7 +307,7 @@ mod tests {
 
     #[test]
     fn encodes_labels_and_arrays() {
-        let files = written(Options::default(), &Shot::new(frame(), 0));
+        let files = written(WriterOptions::default(), &Shot::new(frame(), 0));
         let bytes = |path: &str| files.iter().find(|(name, _)| name == path).unwrap().1.clone();
         let text = |path: &str| String::from_utf8(bytes(path)).unwrap();
         assert_eq!(
@@ -364,12 +364,12 @@ mod tests {
 
     #[test]
     fn clouds_contain_the_measured_points() {
-        let options = Options {
+        let options = WriterOptions {
             extras: Extras {
                 ply: true,
                 ..Extras::default()
             },
-            ..Options::default()
+            ..WriterOptions::default()
         };
         let files = written(options, &Shot::new(frame(), 0));
         let cloud = files
@@ -385,9 +385,9 @@ mod tests {
 
     #[test]
     fn rejects_ids_above_16_bits() {
-        let options = Options {
+        let options = WriterOptions {
             colorize_instance_id_segmentation: false,
-            ..Options::default()
+            ..WriterOptions::default()
         };
         let folder = tempfile::tempdir().unwrap();
         let mut output = OutputFiles::in_folder(folder.path()).unwrap();

@@ -5,7 +5,7 @@ use crate::matrices::{projection, view_transform};
 
 /// The camera of a rendered frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct View {
+pub struct FrameCamera {
     /// The attributes of the camera prim.
     pub optics: UsdOptics,
     /// The rendering camera: resolution, lens and, for a pinhole, focal lengths and principal point.
@@ -114,7 +114,7 @@ pub struct CameraParams {
 impl CameraParams {
     /// Creates the parameters of a view.
     #[must_use]
-    pub fn new(view: &View) -> Self {
+    pub fn new(view: &FrameCamera) -> Self {
         let optics = &view.optics;
         let size = view.camera.intrinsics.size;
         let mut params = Self {

@@ -28,9 +28,9 @@ pub const fn stamp(time_ns: u64) -> u64 {
 
 /// The line of a sample, with its end. Numbers have as many digits as their values need.
 #[derive(Clone, Copy, Debug)]
-pub struct Line<'a>(pub &'a ImuSample);
+pub struct EurocLine<'a>(pub &'a ImuSample);
 
-impl fmt::Display for Line<'_> {
+impl fmt::Display for EurocLine<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.0.time.nanoseconds())?;
         for vector in [self.0.angular_velocity, self.0.linear_acceleration] {
@@ -105,7 +105,7 @@ mod tests {
             angular_velocity: DVec3::new(0.1, -0.25, 0.0),
             linear_acceleration: DVec3::new(1e-7, 9.806_65, -3.0),
         };
-        let line = Line(&sample).to_string();
+        let line = EurocLine(&sample).to_string();
         assert_eq!(line, "1500000000,0.1,-0.25,0,0.0000001,9.80665,-3\n");
         let own = 1_403_636_579_763_555_584;
         assert_eq!([stamp(0), stamp(own)], [1_500_000_000_000_000_000, own]);

@@ -3,7 +3,7 @@ use std::path::{Path, PathBuf};
 
 use oaktwin_base::diagnostic::Message;
 use oaktwin_files::{FileError, OutputFiles};
-use oaktwin_image::npy::{self, Element};
+use oaktwin_image::npy::{self, NpyElement};
 use oaktwin_image::{CodecError, Image};
 
 use crate::WriteError;
@@ -100,18 +100,18 @@ pub(crate) struct Array<'a> {
 
 impl<'a> Array<'a> {
     /// An array of shape `(H, W)`.
-    pub(crate) fn of_image<T: Element + Sync>(image: &'a Image<T>) -> Self {
+    pub(crate) fn of_image<T: NpyElement + Sync>(image: &'a Image<T>) -> Self {
         let shape = vec![image.height() as usize, image.width() as usize];
         Self::new(shape, image.pixels())
     }
 
     /// An array of shape `(H, W, 4)`.
-    pub(crate) fn of_vectors<T: Element + Sync>(image: &'a Image<[T; 4]>) -> Self {
+    pub(crate) fn of_vectors<T: NpyElement + Sync>(image: &'a Image<[T; 4]>) -> Self {
         let shape = vec![image.height() as usize, image.width() as usize, 4];
         Self::new(shape, image.pixels().as_flattened())
     }
 
-    fn new<T: Element + Sync>(shape: Vec<usize>, values: &'a [T]) -> Self {
+    fn new<T: NpyElement + Sync>(shape: Vec<usize>, values: &'a [T]) -> Self {
         Self {
             begin: npy::begin::<T>,
             shape,

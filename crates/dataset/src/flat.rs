@@ -5,13 +5,13 @@ use oaktwin_files::{AtomicFile, OutputFiles};
 
 use crate::file::{Content, write_all};
 use crate::listing::{SENSOR_PARAMS, list};
-use crate::{Options, Shot, WriteError, Writer};
+use crate::{Shot, WriteError, Writer, WriterOptions};
 
 /// Names files after the [input](crate::InputName) that a frame was made from. The arrays of a batch become one file with a
 /// leading axis, and its other files get the index of the image.
 #[derive(Debug, Default)]
 pub struct FlatWriter {
-    options: Options,
+    options: WriterOptions,
     /// The arrays of a batch, which grow until the batch is complete.
     arrays: BTreeMap<PathBuf, AtomicFile>,
 }
@@ -19,7 +19,7 @@ pub struct FlatWriter {
 impl FlatWriter {
     /// Creates a writer.
     #[must_use]
-    pub fn new(options: Options) -> Self {
+    pub fn new(options: WriterOptions) -> Self {
         Self {
             options,
             arrays: BTreeMap::new(),
@@ -75,7 +75,7 @@ mod tests {
     use oaktwin_image::{Image, ZDepth, npy};
 
     use super::*;
-    use crate::{CloudAxes, Extras, InputName, Layer, LayerData};
+    use crate::{CloudAxes, Extras, InputName, LayerData, ShotLayer};
 
     fn shot(batch: Option<usize>, item: usize) -> Shot {
         let depth = Image::filled(2, 1, 1.0 + item as f32);
@@ -89,7 +89,7 @@ mod tests {
             axes: CloudAxes::Ros,
         };
         Shot {
-            layers: vec![Layer {
+            layers: vec![ShotLayer {
                 folder: "cloud",
                 name: "cloud".to_owned(),
                 data: cloud,
@@ -111,9 +111,9 @@ mod tests {
             millimetres: true,
             ..Extras::default()
         };
-        let mut writer = FlatWriter::new(Options {
+        let mut writer = FlatWriter::new(WriterOptions {
             extras,
-            ..Options::default()
+            ..WriterOptions::default()
         });
         for shot in shots {
             writer.write(shot, &mut output).unwrap();

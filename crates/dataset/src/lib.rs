@@ -4,7 +4,7 @@
 //! writes frames in any order; to add one, implement the trait and add a row to [`FORMATS`].
 //!
 //! ```
-//! use oaktwin_dataset::{BasicWriter, FormatWriter, Options, Shot, Writer};
+//! use oaktwin_dataset::{BasicWriter, FormatWriter, WriterOptions, Shot, Writer};
 //! use oaktwin_files::OutputFiles;
 //! use oaktwin_image::{Image, ZDepth, annotation::Frame};
 //!
@@ -15,7 +15,7 @@
 //!     ..Frame::default()
 //! };
 //! let mut output = OutputFiles::in_folder(folder)?;
-//! let mut writer = FormatWriter::new(Box::new(BasicWriter::new(Options::default())));
+//! let mut writer = FormatWriter::new(Box::new(BasicWriter::new(WriterOptions::default())));
 //! writer.write(&Shot::new(frame, 7), &mut output)?;
 //! writer.finish(&mut output)?;
 //! assert!(folder.join("distance_to_image_plane_0007.npy").exists());
@@ -43,12 +43,12 @@ mod shot;
 mod writer;
 
 pub use basic_writer::BasicWriter;
-pub use camera_params::{CameraParams, View};
+pub use camera_params::{CameraParams, FrameCamera};
 pub use file::DatasetError;
 pub use flat::FlatWriter;
 pub use formats::{FORMATS, FormatKind, Needs};
 pub use imu::ImuSample;
-pub use object::{Extent, Mask, Model, Object, Paint, StereoImages};
-pub use options::{Extras, Options, SHARD_FRAMES};
-pub use shot::{CloudAxes, InputName, Layer, LayerData, Shot};
+pub use object::{Extent, Model, Object, ObjectMask, Paint, StereoImages};
+pub use options::{Extras, SHARD_FRAMES, WriterOptions};
+pub use shot::{CloudAxes, InputName, LayerData, Shot, ShotLayer};
 pub use writer::{Format, FormatWriter, Records, WriteError, Writer};

@@ -4,20 +4,20 @@ use oaktwin_image::annotation::{
     AnnotationRef, Annotator, Boxes2d, Frame, PointCloud, ReasonLabel, Reasons, Segmentation,
     SemanticSegmentation,
 };
-use oaktwin_image::npy::Element;
+use oaktwin_image::npy::NpyElement;
 use oaktwin_image::{Image, exr, millimetres, ply, png, preview};
 use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::file::{Array, Content, DatasetFile, Fault};
-use crate::segmentation::{self, Kind};
-use crate::{Extras, LayerData, Options, Shot, boxes, cloud, json, normals};
+use crate::segmentation::{self, IdKind};
+use crate::{Extras, LayerData, Shot, WriterOptions, boxes, cloud, json, normals};
 
 /// The name of the parameters of the depth sensor's camera.
 pub(crate) const SENSOR_PARAMS: &str = "depth_sensor_camera_params";
 
 /// The files of a shot, in any layout.
-pub(crate) fn list<'a>(shot: &'a Shot, options: &Options) -> Vec<DatasetFile<'a>> {
+pub(crate) fn list<'a>(shot: &'a Shot, options: &WriterOptions) -> Vec<DatasetFile<'a>> {
     let mut files = Files {
         extras: options.extras,
         list: Vec::new(),
@@ -83,11 +83,11 @@ impl<'a> Files<'a> {
         });
     }
 
-    fn push_image<T: Element + Sync>(&mut self, folder: &'static str, name: &str, image: &'a Image<T>) {
+    fn push_image<T: NpyElement + Sync>(&mut self, folder: &'static str, name: &str, image: &'a Image<T>) {
         self.push_content(folder, name, "npy", Content::Array(Array::of_image(image)));
     }
 
-    fn push_vectors<T: Element + Sync>(&mut self, name: &'static str, image: &'a Image<[T; 4]>) {
+    fn push_vectors<T: NpyElement + Sync>(&mut self, name: &'static str, image: &'a Image<[T; 4]>) {
         self.push_content(name, name, "npy", Content::Array(Array::of_vectors(image)));
     }
 
@@ -105,13 +105,13 @@ impl<'a> Files<'a> {
         }
         if extras.preview {
             self.push(folder, &format!("{name}_preview"), "png", move || {
-                let picture = preview::depth(metres, &preview::Options::default());
+                let picture = preview::depth(metres, &preview::PreviewOptions::default());
                 Ok(png::encode(&picture)?)
             });
         }
     }
 
-    fn push_annotations(&mut self, frame: &'a Frame, options: &Options) {
+    fn push_annotations(&mut self, frame: &'a Frame, options: &WriterOptions) {
         for (annotator, data) in frame.annotations() {
             let name = annotator.name();
             match data {
@@ -126,12 +126,12 @@ impl<'a> Files<'a> {
                 AnnotationRef::InstanceIds(Segmentation { ids, prim_paths }) => {
                     let legend = &format!("{name}_mapping");
                     let colorized = options.colorize_instance_id_segmentation;
-                    self.push_ids(name, legend, Kind::InstanceId, ids, prim_paths, colorized);
+                    self.push_ids(name, legend, IdKind::InstanceId, ids, prim_paths, colorized);
                 }
                 AnnotationRef::SemanticIds(SemanticSegmentation { ids, labels }) => {
                     let legend = &format!("{name}_labels");
                     let colorized = options.colorize_semantic_segmentation;
-                    self.push_ids(name, legend, Kind::Semantic, ids, labels, colorized);
+                    self.push_ids(name, legend, IdKind::Semantic, ids, labels, colorized);
                 }
                 AnnotationRef::Boxes(boxes) => self.push_boxes(name, boxes),
                 AnnotationRef::Points(cloud) => self.push_cloud(name, cloud),
@@ -161,7 +161,7 @@ impl<'a> Files<'a> {
         &mut self,
         name: &'static str,
         legend: &str,
-        kind: Kind,
+        kind: IdKind,
         ids: &'a Image<u32>,
         names: &'a BTreeMap<u32, T>,
         colorized: bool,

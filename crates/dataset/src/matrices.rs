@@ -3,10 +3,10 @@
 use oaktwin_camera::math::DMat4;
 use oaktwin_camera::{Axes, LensModel, Usd};
 
-use crate::View;
+use crate::FrameCamera;
 
 /// Returns the matrix from camera to clip space.
-pub(crate) fn projection(view: &View) -> [f64; 16] {
+pub(crate) fn projection(view: &FrameCamera) -> [f64; 16] {
     let size = view.camera.intrinsics.size;
     let (width, height) = (f64::from(size.width), f64::from(size.height));
     let intrinsics = match view.camera.lens {
@@ -33,7 +33,7 @@ pub(crate) fn projection(view: &View) -> [f64; 16] {
 }
 
 /// Returns the matrix from world to camera, scene units.
-pub(crate) fn view_transform(view: &View) -> [f64; 16] {
+pub(crate) fn view_transform(view: &FrameCamera) -> [f64; 16] {
     let usd_from_opencv = Axes::Usd.rotation_from(Axes::OpenCv);
     let camera_from_world = view.world_from_camera.inverse();
     let m = DMat4::from_mat3_translation(
@@ -53,7 +53,7 @@ pub(crate) mod tests {
     use proptest::prelude::*;
 
     /// The camera in the tests of Isaac Sim's pose writer.
-    pub(crate) fn view(eye: DVec3, right: DVec3, up: DVec3, clipping_range: [f64; 2]) -> View {
+    pub(crate) fn view(eye: DVec3, right: DVec3, up: DVec3, clipping_range: [f64; 2]) -> FrameCamera {
         let optics = UsdOptics {
             focal_length_mm: 24.0,
             horizontal_aperture_mm: 20.955,
@@ -62,7 +62,7 @@ pub(crate) mod tests {
             vertical_aperture_offset_mm: 0.0,
         };
         let intrinsics = optics.isaac_intrinsics(ImageSize::new(512, 512));
-        View {
+        FrameCamera {
             optics,
             camera: Camera::new(intrinsics, LensModel::Pinhole),
             world_from_camera: RigidTransform::new(DMat3::from_cols(right, -up, up.cross(right)), eye),

@@ -13,11 +13,11 @@ pub struct Object {
     /// Its pose in the world, metres.
     pub world_from_model: RigidTransform,
     /// The pixels that it covers, regardless of occlusion.
-    pub silhouette: Mask,
+    pub silhouette: ObjectMask,
     /// The area that it covers in the image and around it.
     pub extent: Extent,
     /// The pixels in which it is visible.
-    pub visible: Mask,
+    pub visible: ObjectMask,
 }
 
 /// The area that an object covers, regardless of occlusion, in an image that is extended by its own size on all sides.
@@ -83,7 +83,7 @@ pub struct StereoImages {
 
 /// A set of pixels within a rectangle of an image.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Mask {
+pub struct ObjectMask {
     /// The first column and row.
     pub origin: [u32; 2],
     /// The width and height.
@@ -92,7 +92,7 @@ pub struct Mask {
     pub pixels: Vec<bool>,
 }
 
-impl Mask {
+impl ObjectMask {
     /// Creates the set of some pixels, in any order and possibly repeated.
     #[must_use]
     pub fn from_places(places: &[[u32; 2]]) -> Self {
@@ -179,7 +179,7 @@ mod tests {
 
     #[test]
     fn masks_know_their_pixels() {
-        let mask = Mask::of(9, 7, |x, y| (2..5).contains(&x) && y == 3 || (x, y) == (4, 5));
+        let mask = ObjectMask::of(9, 7, |x, y| (2..5).contains(&x) && y == 3 || (x, y) == (4, 5));
         assert_eq!((mask.origin, mask.size, mask.count()), ([2, 3], [3, 3], 4));
         assert_eq!(mask.bounding_box(), Some([2, 3, 3, 3]));
         assert!(mask.contains(4, 5) && !mask.contains(3, 5) && !mask.contains(0, 0) && !mask.contains(8, 6));
@@ -191,7 +191,7 @@ mod tests {
                 .count(),
             4
         );
-        let empty = Mask::of(9, 7, |_, _| false);
+        let empty = ObjectMask::of(9, 7, |_, _| false);
         assert_eq!((empty.count(), empty.bounding_box()), (0, None));
     }
 }

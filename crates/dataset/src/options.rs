@@ -2,7 +2,7 @@ use std::num::NonZeroU64;
 
 /// The options of the writers of files. All but the extras and the shards exist in Replicator's `BasicWriter`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
+pub struct WriterOptions {
     /// The minimum number of digits of a frame number.
     pub frame_padding: usize,
     /// Whether semantic segmentation is written as colours, or as 16-bit ids.
@@ -21,7 +21,7 @@ pub struct Options {
 /// The number of consecutive frames in a shard, unless it is chosen.
 pub const SHARD_FRAMES: NonZeroU64 = NonZeroU64::new(100).unwrap();
 
-impl Default for Options {
+impl Default for WriterOptions {
     /// `BasicWriter`'s defaults, and no extras.
     fn default() -> Self {
         Self {

@@ -19,14 +19,14 @@ const UNLABELLED: &str = "UNLABELLED";
 
 /// The kind of ids.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum IdKind {
     /// Ids of prims; 0 is the background.
     InstanceId,
     /// Ids of sets of labels; 0 is the background, 1 means unlabelled.
     Semantic,
 }
 
-impl Kind {
+impl IdKind {
     /// Returns the colour of an id, which is the same in all images.
     fn color(self, id: u32) -> [u8; 4] {
         match (self, id) {
@@ -46,7 +46,7 @@ impl Kind {
 }
 
 /// Converts ids to RGBA.
-pub(crate) fn colorize(kind: Kind, ids: &Image<u32>) -> Image<[u8; 4]> {
+pub(crate) fn colorize(kind: IdKind, ids: &Image<u32>) -> Image<[u8; 4]> {
     let mut last = (0, kind.color(0));
     ids.map(|&id| {
         if id != last.0 {
@@ -68,7 +68,7 @@ pub(crate) fn grey(ids: &Image<u32>) -> Result<Image<u16>, Fault> {
 
 /// Returns the legend of the image's values. As in Replicator, it always contains the background and, if colorized, the
 /// unlabelled value.
-pub(crate) fn legend<T: Serialize>(kind: Kind, names: &BTreeMap<u32, T>, colorized: bool) -> Value {
+pub(crate) fn legend<T: Serialize>(kind: IdKind, names: &BTreeMap<u32, T>, colorized: bool) -> Value {
     let key = |id: u32| {
         if colorized {
             let [r, g, b, a] = kind.color(id);
@@ -99,14 +99,14 @@ mod tests {
     #[test]
     fn legends_name_colors() {
         let ids = Image::new(3, 1, vec![0, 3, 2]).unwrap();
-        let picture = colorize(Kind::Semantic, &ids);
+        let picture = colorize(IdKind::Semantic, &ids);
         assert_eq!(picture.pixels()[0], [0; 4]);
         assert_eq!(picture.pixels()[2], [255, 25, 25, 255]);
         let labels = |class: &str| BTreeMap::from([("class".to_owned(), class.to_owned())]);
         let names = BTreeMap::from([(2, labels("cup")), (3, labels("table"))]);
         let [r, g, b, a] = picture.pixels()[1];
         assert_eq!(
-            legend(Kind::Semantic, &names, true),
+            legend(IdKind::Semantic, &names, true),
             json!({
                 "(0, 0, 0, 0)": {"class": "BACKGROUND"},
                 "(0, 0, 0, 255)": {"class": "UNLABELLED"},
@@ -115,7 +115,7 @@ mod tests {
             })
         );
         assert_eq!(
-            legend(Kind::Semantic, &names, false).to_string(),
+            legend(IdKind::Semantic, &names, false).to_string(),
             r#"{"0":{"class":"BACKGROUND"},"1":{"class":"UNLABELLED"},"2":{"class":"cup"},"3":{"class":"table"}}"#
         );
     }
@@ -124,11 +124,11 @@ mod tests {
     fn legends_of_prims_contain_paths() {
         let names = BTreeMap::from([(1, "/World/Cup".to_owned())]);
         assert_eq!(
-            legend(Kind::InstanceId, &names, true).to_string(),
+            legend(IdKind::InstanceId, &names, true).to_string(),
             r#"{"(0, 0, 0, 0)":"BACKGROUND","(0, 0, 0, 255)":"UNLABELLED","(255, 25, 25, 255)":"/World/Cup"}"#
         );
         assert_eq!(
-            legend(Kind::InstanceId, &names, false).to_string(),
+            legend(IdKind::InstanceId, &names, false).to_string(),
             r#"{"0":"BACKGROUND","1":"/World/Cup"}"#
         );
     }

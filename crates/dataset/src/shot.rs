@@ -7,7 +7,7 @@ use oaktwin_camera::math::DVec3;
 use oaktwin_image::annotation::Frame;
 use oaktwin_image::{CodecError, Image};
 
-use crate::{CameraParams, Object, StereoImages, View};
+use crate::{CameraParams, FrameCamera, Object, StereoImages};
 
 /// One camera's frame on its way to the writers.
 #[derive(Debug)]
@@ -15,15 +15,15 @@ pub struct Shot {
     /// The annotations to write.
     pub frame: Frame,
     /// Images beside the annotations.
-    pub layers: Vec<Layer>,
+    pub layers: Vec<ShotLayer>,
     /// The camera's parameters, if they are to be written.
     pub camera_params: Option<CameraParams>,
     /// The parameters of the camera that the depth sensor's outputs are images of, if they are to be written.
     pub sensor_params: Option<CameraParams>,
     /// The camera and its pose, for layouts that describe them.
-    pub view: Option<View>,
+    pub view: Option<FrameCamera>,
     /// The camera that the depth sensor's outputs are images of, and its pose.
-    pub sensor_view: Option<View>,
+    pub sensor_view: Option<FrameCamera>,
     /// The objects whose poses layouts describe.
     pub objects: Vec<Object>,
     /// The stereo pair, for layouts that have one.
@@ -119,7 +119,7 @@ impl InputName {
 
 /// An image beside a frame's annotations.
 #[derive(Debug)]
-pub struct Layer {
+pub struct ShotLayer {
     /// The folder, where annotators have folders.
     pub folder: &'static str,
     /// The name of its files.
@@ -128,7 +128,7 @@ pub struct Layer {
     pub data: LayerData,
 }
 
-/// The image of a [`Layer`], which also determines the file format.
+/// The image of a [`ShotLayer`], which also determines the file format.
 pub enum LayerData {
     /// Depth in metres, 0 where nothing was measured: NPY and the [extras](crate::Extras) of depth.
     Depth(Image<f32>),

@@ -1,7 +1,7 @@
 use oaktwin_image::ImageView;
 use rayon::prelude::*;
 
-use crate::{BatchError, Shot};
+use crate::{BatchError, DepthShot};
 
 /// Images of one frame in one array, for instance of a simulator's environments.
 #[derive(Clone, Copy, Debug)]
@@ -67,10 +67,10 @@ impl<'a> Batch<'a> {
     }
 
     /// Returns one of the images.
-    pub(crate) fn shot(&self, index: usize) -> Option<Shot<'a>> {
+    pub(crate) fn shot(&self, index: usize) -> Option<DepthShot<'a>> {
         let [columns, rows] = self.size()?;
         let place = index * self.pixels()..(index + 1) * self.pixels();
-        let mut shot = Shot::new(ImageView::new(columns, rows, self.depth.get(place.clone())?)?);
+        let mut shot = DepthShot::new(ImageView::new(columns, rows, self.depth.get(place.clone())?)?);
         #[expect(clippy::cast_possible_truncation, reason = "items are numbered modulo 2³²")]
         let number = index as u32;
         (shot.frame, shot.item) = (self.frame, self.first_item.wrapping_add(number));
@@ -87,8 +87,8 @@ impl<'a> Batch<'a> {
     pub(crate) fn sense<S: Default>(
         &self,
         out: &mut [f32],
-        on_all_threads: impl Fn(&Shot<'a>, &mut [f32]),
-        on_one_thread: impl Fn(&mut S, &Shot<'a>, &mut [f32]) + Sync,
+        on_all_threads: impl Fn(&DepthShot<'a>, &mut [f32]),
+        on_one_thread: impl Fn(&mut S, &DepthShot<'a>, &mut [f32]) + Sync,
     ) -> Result<(), BatchError> {
         check_length("result", self.shape, out.len())?;
         let pixels = self.pixels().max(1);

@@ -14,12 +14,12 @@ pub struct Capture {
     /// The distance before filters of depth, if some ran.
     pub unfiltered: Option<ZDepth>,
     /// The requested outputs that the engine could make of the input.
-    pub extras: Vec<(Annotator, Layer)>,
+    pub extras: Vec<(Annotator, CaptureLayer)>,
 }
 
 /// An output besides the distance.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Layer {
+pub enum CaptureLayer {
     /// One byte per pixel, such as a matcher's confidence.
     Bytes(Image<u8>),
     /// One whole number per pixel, such as an engine's confidence.
@@ -63,67 +63,69 @@ impl Capture {
     #[must_use]
     pub fn extra<T>(&self, annotator: Annotator) -> Option<&T>
     where
-        for<'a> &'a T: TryFrom<&'a Layer>,
+        for<'a> &'a T: TryFrom<&'a CaptureLayer>,
     {
         let layer = self.extras.iter().find(|(own, _)| *own == annotator);
         layer.and_then(|(_, layer)| layer.try_into().ok())
     }
 
     /// Removes and returns an extra output, or returns `None` if it was not made or has another type.
-    pub fn take<T: TryFrom<Layer>>(&mut self, annotator: Annotator) -> Option<T> {
+    pub fn take<T: TryFrom<CaptureLayer>>(&mut self, annotator: Annotator) -> Option<T> {
         let place = self.extras.iter().position(|(own, _)| *own == annotator)?;
         self.extras.swap_remove(place).1.try_into().ok()
     }
 
     /// Brings the extra outputs to the size of the filtered distance.
     pub(crate) fn follow(&mut self, filters: &Chain) {
-        let is_points = |(_, layer): &(Annotator, Layer)| matches!(layer, Layer::Points(_));
+        let is_points = |(_, layer): &(Annotator, CaptureLayer)| matches!(layer, CaptureLayer::Points(_));
         if self.extras.iter().any(is_points) && self.is_filtered() {
             self.extras.retain(|extra| !is_points(extra));
         }
         for (_, layer) in &mut self.extras {
-            *layer = match std::mem::replace(layer, Layer::Bytes(Image::filled(0, 0, 0))) {
-                Layer::Bytes(image) => Layer::Bytes(filters.companion(image)),
-                Layer::Levels(image) => Layer::Levels(filters.companion(image)),
-                Layer::Floats(image) => Layer::Floats(filters.companion(image)),
-                Layer::Colors(image) => Layer::Colors(filters.companion(image)),
+            *layer = match std::mem::replace(layer, CaptureLayer::Bytes(Image::filled(0, 0, 0))) {
+                CaptureLayer::Bytes(image) => CaptureLayer::Bytes(filters.companion(image)),
+                CaptureLayer::Levels(image) => CaptureLayer::Levels(filters.companion(image)),
+                CaptureLayer::Floats(image) => CaptureLayer::Floats(filters.companion(image)),
+                CaptureLayer::Colors(image) => CaptureLayer::Colors(filters.companion(image)),
                 // Disparity is filtered itself, and filters are among the reasons.
-                layer @ (Layer::Points(_) | Layer::Disparity(_) | Layer::Reasons(_)) => layer,
+                layer @ (CaptureLayer::Points(_) | CaptureLayer::Disparity(_) | CaptureLayer::Reasons(_)) => {
+                    layer
+                }
             };
         }
     }
 
     /// Adds an extra output if there is one.
-    pub fn add(&mut self, annotator: Annotator, layer: Option<impl Into<Layer>>) {
+    pub fn add(&mut self, annotator: Annotator, layer: Option<impl Into<CaptureLayer>>) {
         self.extras.extend(layer.map(|layer| (annotator, layer.into())));
     }
 }
 
 macro_rules! layers {
     ($($variant:ident($image:ty);)+) => {$(
-        impl From<$image> for Layer {
+        impl From<$image> for CaptureLayer {
             fn from(image: $image) -> Self {
                 Self::$variant(image)
             }
         }
 
-        impl TryFrom<Layer> for $image {
+        impl TryFrom<CaptureLayer> for $image {
             type Error = ();
 
-            fn try_from(layer: Layer) -> Result<Self, ()> {
+            fn try_from(layer: CaptureLayer) -> Result<Self, ()> {
                 match layer {
-                    Layer::$variant(image) => Ok(image),
+                    CaptureLayer::$variant(image) => Ok(image),
                     _ => Err(()),
                 }
             }
         }
 
-        impl<'a> TryFrom<&'a Layer> for &'a $image {
+        impl<'a> TryFrom<&'a CaptureLayer> for &'a $image {
             type Error = ();
 
-            fn try_from(layer: &'a Layer) -> Result<Self, ()> {
+            fn try_from(layer: &'a CaptureLayer) -> Result<Self, ()> {
                 match layer {
-                    Layer::$variant(image) => Ok(image),
+                    CaptureLayer::$variant(image) => Ok(image),
                     _ => Err(()),
                 }
             }

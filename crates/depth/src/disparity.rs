@@ -1,6 +1,6 @@
 //! Fixed-point disparities and their conversion to depth.
 
-use oaktwin_base::parameter::{Kind, Value, View, choice};
+use oaktwin_base::parameter::{FieldText, Kind, Value, choice};
 use oaktwin_camera::StereoGeometry;
 use oaktwin_simd::{self as simd, Kernel};
 
@@ -40,7 +40,7 @@ impl Subpixel {
 /// The fractional bits of a disparity as a number.
 pub(crate) struct FractionalBits;
 
-impl View<Subpixel> for FractionalBits {
+impl FieldText<Subpixel> for FractionalBits {
     const KIND: Kind = Kind::Text("0, 3, 4 or 5");
 
     fn set(field: &mut Subpixel, text: &str) -> Option<()> {
@@ -57,7 +57,7 @@ impl View<Subpixel> for FractionalBits {
 /// Whether a disparity has fractional bits. Switching them on keeps their number, or takes the default.
 pub(crate) struct SubpixelSwitch;
 
-impl View<Subpixel> for SubpixelSwitch {
+impl FieldText<Subpixel> for SubpixelSwitch {
     const KIND: Kind = Kind::Flag;
 
     fn set(field: &mut Subpixel, text: &str) -> Option<()> {

@@ -1,6 +1,6 @@
 //! The pattern of a dot projector: its luminance in each direction, independent of any scene.
 
-use crate::random::{Plane, Stage, Stream};
+use crate::random::{NoiseStage, RandomPlane, Stream};
 
 /// The number of grid cells across a dot: more cells leave more of them without dots, which are known to be dark.
 const CELLS: f64 = 2.0;
@@ -13,7 +13,7 @@ const APART: f64 = 0.7;
 
 /// A dot projector, as its manufacturer specifies it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Projector {
+pub struct DotProjector {
     /// The model; all projectors of a model have the same pattern.
     pub model: String,
     /// The number of dots.
@@ -119,7 +119,7 @@ impl Dots {
     /// Creates the pattern of a projector.
     #[must_use]
     #[expect(clippy::cast_possible_truncation, reason = "light is float32")]
-    pub fn new(projector: &Projector) -> Self {
+    pub fn new(projector: &DotProjector) -> Self {
         let border = [0, 1].map(|axis: usize| (projector.field_rad[axis] / 2.0).tan());
         let radius = projector.dot_width_rad / 2.0 / HALF_AT;
         let places = places(projector, border);
@@ -241,9 +241,9 @@ impl Dots {
 }
 
 /// Returns random points in the field with a minimum distance between them, which shrinks if there is no room left.
-fn places(projector: &Projector, border: [f64; 2]) -> Vec<[f64; 2]> {
+fn places(projector: &DotProjector, border: [f64; 2]) -> Vec<[f64; 2]> {
     let wanted = projector.dots as usize;
-    let random = Stream::new(0, &projector.model).plane(Stage::Dots, 0, 0);
+    let random = Stream::new(0, &projector.model).plane(NoiseStage::Dots, 0, 0);
     let own_square = (4.0 * border[0] * border[1] / f64::from(projector.dots.max(1))).sqrt();
     let mut apart = APART * own_square;
     // The cell size limits the number of dots in a cell and in its neighbours to a few.
@@ -281,7 +281,7 @@ fn places(projector: &Projector, border: [f64; 2]) -> Vec<[f64; 2]> {
     found
 }
 
-fn place(random: &Plane, index: u32, border: [f64; 2]) -> [f64; 2] {
+fn place(random: &RandomPlane, index: u32, border: [f64; 2]) -> [f64; 2] {
     let [a, b, ..] = random.words(index, 0);
     let uniform = |word: u32| (f64::from(word) + 0.5) / 2_147_483_648.0 - 1.0;
     [uniform(a) * border[0], uniform(b) * border[1]]
@@ -291,8 +291,8 @@ fn place(random: &Plane, index: u32, border: [f64; 2]) -> [f64; 2] {
 mod tests {
     use super::*;
 
-    fn belago() -> Projector {
-        Projector {
+    fn belago() -> DotProjector {
+        DotProjector {
             model: "ams Belago 1.1".to_owned(),
             dots: 4700,
             field_rad: [78f64, 61.0].map(f64::to_radians),

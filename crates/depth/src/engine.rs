@@ -9,8 +9,8 @@ use oaktwin_image::annotation::Annotator;
 use crate::disparity::Subpixel;
 use crate::filter::Chain;
 use crate::random::Stream;
-use crate::stereo_matching::Pair;
-use crate::{BatchError, Capture, EngineInput, EngineKind, ParameterError, Shot};
+use crate::stereo_matching::RectifiedPair;
+use crate::{BatchError, Capture, DepthShot, EngineInput, EngineKind, ParameterError};
 
 /// A model of a depth sensor: it turns ground truth, or the images of a stereo pair, into measured depth.
 ///
@@ -180,25 +180,25 @@ impl<T: Any + PartialEq> Comparable for T {
 #[derive(Clone, Copy, Debug)]
 pub enum Input<'a> {
     /// A depth image and its companions.
-    Depth(Shot<'a>),
+    Depth(DepthShot<'a>),
     /// A rectified stereo pair.
-    Pair(Pair<'a>),
+    Pair(RectifiedPair<'a>),
 }
 
-impl<'a> From<Shot<'a>> for Input<'a> {
-    fn from(shot: Shot<'a>) -> Self {
+impl<'a> From<DepthShot<'a>> for Input<'a> {
+    fn from(shot: DepthShot<'a>) -> Self {
         Self::Depth(shot)
     }
 }
 
-impl<'a> From<&Shot<'a>> for Input<'a> {
-    fn from(shot: &Shot<'a>) -> Self {
+impl<'a> From<&DepthShot<'a>> for Input<'a> {
+    fn from(shot: &DepthShot<'a>) -> Self {
         Self::Depth(*shot)
     }
 }
 
-impl<'a> From<Pair<'a>> for Input<'a> {
-    fn from(pair: Pair<'a>) -> Self {
+impl<'a> From<RectifiedPair<'a>> for Input<'a> {
+    fn from(pair: RectifiedPair<'a>) -> Self {
         Self::Pair(pair)
     }
 }
@@ -208,7 +208,7 @@ impl<'a> Input<'a> {
     ///
     /// # Errors
     /// Returns an error that names the engine if the input is a pair.
-    pub fn shot(&self, engine: &EngineKind) -> Result<&Shot<'a>, ParameterError> {
+    pub fn shot(&self, engine: &EngineKind) -> Result<&DepthShot<'a>, ParameterError> {
         match self {
             Self::Depth(shot) => Ok(shot),
             Self::Pair(_) => Err(wrong_input(engine)),
@@ -219,7 +219,7 @@ impl<'a> Input<'a> {
     ///
     /// # Errors
     /// Returns an error that names the engine if the input is a depth image.
-    pub fn pair(&self, engine: &EngineKind) -> Result<&Pair<'a>, ParameterError> {
+    pub fn pair(&self, engine: &EngineKind) -> Result<&RectifiedPair<'a>, ParameterError> {
         match self {
             Self::Depth(_) => Err(wrong_input(engine)),
             Self::Pair(pair) => Ok(pair),

@@ -2,7 +2,7 @@
 
 use oaktwin_image::Image;
 
-use crate::Shot;
+use crate::DepthShot;
 use crate::random::Stream;
 
 /// The noise of a camera.
@@ -11,8 +11,8 @@ pub(crate) fn random() -> Stream {
 }
 
 /// A shot of `depth`, number `frame`.
-pub(crate) fn shot(depth: &Image<f32>, frame: u64) -> Shot<'_> {
-    let mut shot = Shot::new(depth.into());
+pub(crate) fn shot(depth: &Image<f32>, frame: u64) -> DepthShot<'_> {
+    let mut shot = DepthShot::new(depth.into());
     shot.frame = frame;
     shot
 }

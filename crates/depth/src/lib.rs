@@ -1,6 +1,6 @@
 //! Depth sensors: images in, images out; this crate knows no scenes.
 //!
-//! An [`Engine`] turns an [`Input`] into measured depth: ground truth from any renderer ([`Shot`]), or a rectified stereo
+//! An [`Engine`] turns an [`Input`] into measured depth: ground truth from any renderer ([`DepthShot`]), or a rectified stereo
 //! pair. [`engines::ENGINES`] lists the engines: [`single_view`] is Isaac Sim's `DepthSensorDistance`, [`stereo_noise`] a
 //! parametric error model of an OAK's stereo, [`stereo_matching`] matches the images of the pair as the device does, and
 //! [`time_of_flight`] models a time-of-flight camera. A [`Sensor`] is an engine with its filters, which may remember
@@ -37,11 +37,11 @@ pub mod stereo_noise;
 pub mod time_of_flight;
 mod turns;
 
-pub use capture::{Capture, FixedDisparity, Layer};
+pub use capture::{Capture, CaptureLayer, FixedDisparity};
 pub use engine::{BatchEngine, Comparable, Engine, Input};
 pub use error::{BatchError, ParameterError, ShotError};
 pub use kind::{Create, EngineInput, EngineKind, EngineRef, Factory, Technology};
 pub use reason::{Reason, ReasonCodes};
 pub use sensor::{DriftedPair, OutputCamera, Sensor};
 pub use setup::{PresetConfig, Setup};
-pub use shot::Shot;
+pub use shot::DepthShot;

@@ -2,7 +2,7 @@
 
 use oaktwin_base::diagnostic::suggest;
 pub use oaktwin_base::parameter::{
-    About, Choice, Group, Kind, Listing, ParameterError, Platform, Scalar, Source, choice, choose,
+    About, Choice, DefaultSource, Group, Kind, Listing, ParameterError, Platform, Scalar, choice, choose,
 };
 
 use crate::{filter, imager, single_view, stereo_matching, stereo_noise, time_of_flight};

@@ -5,7 +5,7 @@ use crate::ShotError;
 
 /// A ground-truth depth image and the images that belong to it, all of one size.
 #[derive(Clone, Copy, Debug)]
-pub struct Shot<'a> {
+pub struct DepthShot<'a> {
     depth: ImageView<'a, f32>,
     rgb: Option<ImageView<'a, [u8; 4]>>,
     positions: Option<ImageView<'a, [f32; 4]>>,
@@ -19,7 +19,7 @@ pub struct Shot<'a> {
     pub color_step: u32,
 }
 
-impl<'a> Shot<'a> {
+impl<'a> DepthShot<'a> {
     /// Creates a shot of a depth image in metres along the optical axis: frame 0, item 0.
     #[must_use]
     pub fn new(depth: ImageView<'a, f32>) -> Self {
@@ -36,7 +36,7 @@ impl<'a> Shot<'a> {
     }
 
     /// Replaces the depth by one of the same size.
-    pub(crate) fn with_depth<'b>(self, depth: ImageView<'b, f32>) -> Shot<'b>
+    pub(crate) fn with_depth<'b>(self, depth: ImageView<'b, f32>) -> DepthShot<'b>
     where
         'a: 'b,
     {
@@ -44,7 +44,7 @@ impl<'a> Shot<'a> {
             (depth.width(), depth.height()),
             (self.depth.width(), self.depth.height())
         );
-        Shot { depth, ..self }
+        DepthShot { depth, ..self }
     }
 
     /// Adds the colour image of the same camera, sRGB; alpha is ignored.

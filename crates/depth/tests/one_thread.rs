@@ -5,7 +5,7 @@
 use oaktwin_depth::engines::{STEREO_NOISE, TIME_OF_FLIGHT};
 use oaktwin_depth::filter::Chain;
 use oaktwin_depth::random::Stream;
-use oaktwin_depth::{EngineKind, Sensor, Setup, Shot};
+use oaktwin_depth::{DepthShot, EngineKind, Sensor, Setup};
 use oaktwin_image::{Image, ImageView};
 use rayon::ThreadPoolBuilder;
 
@@ -25,7 +25,7 @@ fn small_images_need_no_thread_pool() {
     noise
         .sense_batch(depth.pixels(), None, [1, 60, 106], 3, 0, &mut measured)
         .unwrap();
-    let mut shot = Shot::new(ImageView::from(&depth));
+    let mut shot = DepthShot::new(ImageView::from(&depth));
     shot.frame = 3;
     let alone = noise.capture(shot, &[]).unwrap();
     assert_eq!(alone.distance.0.pixels(), measured);

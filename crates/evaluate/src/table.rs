@@ -9,19 +9,19 @@ const MAX_ROWS: usize = 10_000;
 
 /// A problem of a table and its remedy.
 #[derive(Debug)]
-pub(crate) struct Wrong {
+pub(crate) struct TableProblem {
     pub(crate) what: String,
     pub(crate) remedy: String,
 }
 
-pub(crate) fn wrong(what: impl Into<String>, remedy: impl Into<String>) -> Wrong {
-    Wrong {
+pub(crate) fn wrong(what: impl Into<String>, remedy: impl Into<String>) -> TableProblem {
+    TableProblem {
         what: what.into(),
         remedy: remedy.into(),
     }
 }
 
-impl Wrong {
+impl TableProblem {
     /// Returns the error for the file at `path`.
     pub(crate) fn of(self, path: &Path) -> FileError {
         FileError::new(path, self.what, self.remedy)
@@ -37,16 +37,16 @@ pub(crate) fn text(path: &Path, what: &str) -> Result<String, FileError> {
 
 /// The requested fields of a row in the order of the request; empty if the row is too short.
 #[derive(Clone, Debug)]
-pub(crate) struct Row<const N: usize> {
+pub(crate) struct CsvRow<const N: usize> {
     /// The line number in the file, starting at 1.
     pub(crate) line: usize,
     pub(crate) fields: [String; N],
     names: [&'static str; N],
 }
 
-impl<const N: usize> Row<N> {
+impl<const N: usize> CsvRow<N> {
     /// Parses a field as a finite number.
-    pub(crate) fn number(&self, at: usize) -> Result<f64, Wrong> {
+    pub(crate) fn number(&self, at: usize) -> Result<f64, TableProblem> {
         let (field, name) = (&self.fields[at], self.names[at]);
         let value = field.parse::<f64>().ok().filter(|value| value.is_finite());
         value.ok_or_else(|| {
@@ -57,7 +57,10 @@ impl<const N: usize> Row<N> {
 }
 
 /// Reads the named columns of a table. The columns may be in any order, and others are ignored.
-pub(crate) fn rows<const N: usize>(text: &str, names: [&'static str; N]) -> Result<Vec<Row<N>>, Wrong> {
+pub(crate) fn rows<const N: usize>(
+    text: &str,
+    names: [&'static str; N],
+) -> Result<Vec<CsvRow<N>>, TableProblem> {
     let text = text.trim_start_matches('\u{feff}');
     let mut records = records(text);
     let wanted = names.join(",");
@@ -71,7 +74,7 @@ pub(crate) fn rows<const N: usize>(text: &str, names: [&'static str; N]) -> Resu
     let mut rows = Vec::new();
     for record in records {
         let (line, record) = record?;
-        rows.push(Row {
+        rows.push(CsvRow {
             line,
             fields: places.map(|at| record.get(at).map(plain).unwrap_or_default().to_owned()),
             names,
@@ -95,7 +98,7 @@ pub(crate) fn has_column(text: &str, name: &str) -> bool {
     header.is_some_and(|header| header.is_ok_and(|(_, header)| position(&header, name).is_some()))
 }
 
-fn missing(header: &StringRecord, name: &str, wanted: &str) -> Wrong {
+fn missing(header: &StringRecord, name: &str, wanted: &str) -> TableProblem {
     let separator = [';', '\t']
         .into_iter()
         .find(|c| header.iter().any(|field| field.contains(*c)));
@@ -112,7 +115,7 @@ fn missing(header: &StringRecord, name: &str, wanted: &str) -> Wrong {
 }
 
 /// Returns the records that are not blank, each with the number of its first line.
-fn records(text: &str) -> impl Iterator<Item = Result<(usize, StringRecord), Wrong>> {
+fn records(text: &str) -> impl Iterator<Item = Result<(usize, StringRecord), TableProblem>> {
     let reader = ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)

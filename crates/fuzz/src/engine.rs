@@ -6,9 +6,9 @@ use oaktwin_depth::engines::{ENGINES, STEREO_MATCHING};
 use oaktwin_depth::filter::{Chain, parse};
 use oaktwin_depth::parameters::{Platform, Scalar};
 use oaktwin_depth::random::Stream;
-use oaktwin_depth::stereo_matching::Pair;
+use oaktwin_depth::stereo_matching::RectifiedPair;
 use oaktwin_depth::{
-    Capture, Engine, EngineInput, EngineKind, Input, Layer, ReasonCodes, Sensor, Setup, Shot,
+    Capture, CaptureLayer, DepthShot, Engine, EngineInput, EngineKind, Input, ReasonCodes, Sensor, Setup,
 };
 use oaktwin_image::annotation::Annotator;
 use oaktwin_image::{Image, ImageView};
@@ -31,7 +31,7 @@ pub(crate) fn depth(bytes: &[u8]) {
     let has_colors = random.up_to(1) == 1;
     let colors = random.image(width, height, |random| [random.byte(), 90, 30, 255]);
     let depth = random.image(width, height, Random::depth);
-    let mut shot = Shot::new((&depth).into());
+    let mut shot = DepthShot::new((&depth).into());
     if has_colors {
         shot = shot
             .with_rgb((&colors).into())
@@ -62,9 +62,9 @@ pub(crate) fn stereo(bytes: &[u8]) {
     let narrow = |image: &Image<u16>| image.map(|&value| u8::try_from(value).unwrap_or(u8::MAX));
     let (left8, right8) = (narrow(&left), narrow(&right));
     let pair = if is_deep {
-        Pair::new(ImageView::from(&left), ImageView::from(&right))
+        RectifiedPair::new(ImageView::from(&left), ImageView::from(&right))
     } else {
-        Pair::new(ImageView::from(&left8), ImageView::from(&right8))
+        RectifiedPair::new(ImageView::from(&left8), ImageView::from(&right8))
     };
     measure(
         &engine,
@@ -152,15 +152,17 @@ fn bits(capture: &Capture) -> Vec<u32> {
     let mut bits: Vec<u32> = capture.distance.0.pixels().iter().map(|z| z.to_bits()).collect();
     for (_, layer) in &capture.extras {
         match layer {
-            Layer::Bytes(image) => bits.extend(image.pixels().iter().map(|&byte| u32::from(byte))),
-            Layer::Levels(image) => bits.extend(image.pixels().iter().map(|&level| u32::from(level))),
-            Layer::Floats(image) => bits.extend(image.pixels().iter().map(|value| value.to_bits())),
-            Layer::Colors(image) => {
+            CaptureLayer::Bytes(image) => bits.extend(image.pixels().iter().map(|&byte| u32::from(byte))),
+            CaptureLayer::Levels(image) => bits.extend(image.pixels().iter().map(|&level| u32::from(level))),
+            CaptureLayer::Floats(image) => bits.extend(image.pixels().iter().map(|value| value.to_bits())),
+            CaptureLayer::Colors(image) => {
                 bits.extend(image.pixels().iter().map(|&color| u32::from_le_bytes(color)));
             }
-            Layer::Points(image) => bits.extend(image.pixels().iter().flatten().map(|value| value.to_bits())),
-            Layer::Reasons(codes) => bits.extend(codes.0.pixels().iter().map(|&code| u32::from(code))),
-            Layer::Disparity(disparity) => {
+            CaptureLayer::Points(image) => {
+                bits.extend(image.pixels().iter().flatten().map(|value| value.to_bits()));
+            }
+            CaptureLayer::Reasons(codes) => bits.extend(codes.0.pixels().iter().map(|&code| u32::from(code))),
+            CaptureLayer::Disparity(disparity) => {
                 bits.push(disparity.shift_px);
                 bits.extend(disparity.step_px.to_bits().to_le_bytes().map(u32::from));
                 bits.extend(disparity.fixed.pixels().iter().map(|&fixed| u32::from(fixed)));

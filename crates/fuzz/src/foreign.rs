@@ -1,7 +1,7 @@
 //! Calibrations of ROS, Kalibr and OpenCV.
 
 use oaktwin_calibration::export::{Format, export};
-use oaktwin_calibration::import::{ImportOptions, InputFile, LengthUnit, import};
+use oaktwin_calibration::import::{CalibrationImportOptions, InputFile, LengthUnit, import};
 use oaktwin_calibration::{Calibration, EXAMPLE, Raw};
 
 use crate::calibration::has_other_numbers;
@@ -14,14 +14,14 @@ pub(crate) fn check(bytes: &[u8]) {
     let Some((&first, rest)) = bytes.split_first() else {
         return;
     };
-    let options = ImportOptions {
+    let options = CalibrationImportOptions {
         unit: [
             LengthUnit::Metres,
             LengthUnit::Centimetres,
             LengthUnit::Millimetres,
         ][usize::from(first) % 3],
         is_fisheye: first & 64 != 0,
-        ..ImportOptions::default()
+        ..CalibrationImportOptions::default()
     };
     let Ok(imported) = import(&files(rest), &options, None) else {
         return;

@@ -75,7 +75,7 @@ pub mod check {
 
 /// A function to fuzz.
 #[derive(Clone, Copy, Debug)]
-pub struct Target {
+pub struct FuzzTarget {
     /// The name of the target, its binary and its corpus.
     pub name: &'static str,
     /// What it checks, in one line.
@@ -89,197 +89,197 @@ pub struct Target {
 }
 
 /// All targets, in the order in which they run.
-pub const TARGETS: &[Target] = &[
-    Target {
+pub const TARGETS: &[FuzzTarget] = &[
+    FuzzTarget {
         name: "calibration",
         about: "reads a calibration; the document round-trips, exports and twins are finite",
         max_len: 16384,
         check: check::calibration,
         seeds: calibration::seeds,
     },
-    Target {
+    FuzzTarget {
         name: "foreign-calibration",
         about: "imports calibrations of ROS, Kalibr and OpenCV; the document is finite and round-trips",
         max_len: 16384,
         check: check::foreign_calibration,
         seeds: foreign::seeds,
     },
-    Target {
+    FuzzTarget {
         name: "trajectory",
         about: "reads a trajectory; poses are rotations at finite places",
         max_len: 4096,
         check: check::trajectory,
         seeds: list::trajectory_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "curve",
         about: "reads a measured curve of errors; numbers are in the ranges of the manual",
         max_len: 4096,
         check: check::curve,
         seeds: list::curve_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "track",
         about: "reads positions over time; numbers are finite, and times increase",
         max_len: 4096,
         check: check::track,
         seeds: list::track_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "filters",
         about: "runs chains of filters on two frames; sizes are as documented, the same bytes twice",
         max_len: 4096,
         check: check::filters,
         seeds: filter::seeds,
     },
-    Target {
+    FuzzTarget {
         name: "npy",
         about: "decodes an array; its shape fits its values, and it round-trips",
         max_len: 4096,
         check: check::npy,
         seeds: codec::npy_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "depth-image",
         about: "decodes PNG, EXR and PFM; images round-trip",
         max_len: 4096,
         check: check::depth_image,
         seeds: codec::depth_image_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "texture",
         about: "decodes textures of all formats; colours are as large as the image",
         max_len: 8192,
         check: check::texture,
         seeds: codec::texture_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "stl",
         about: "imports STL; every index and transform is valid",
         max_len: 4096,
         check: check::stl,
         seeds: import::stl_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "ply",
         about: "imports PLY, also with drawn headers; every index is valid",
         max_len: 4096,
         check: check::ply,
         seeds: import::ply_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "obj",
         about: "imports OBJ and MTL; every index is valid",
         max_len: 4096,
         check: check::obj,
         seeds: import::obj_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "dae",
         about: "imports Collada; every index and transform is valid",
         max_len: 8192,
         check: check::dae,
         seeds: import::dae_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "gltf",
         about: "imports glTF and GLB, also with changed documents; every index and transform is valid",
         max_len: 8192,
         check: check::gltf,
         seeds: import::gltf_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "parameters",
         about: "reads parameters, filters and drifts as text; filters and drifts round-trip",
         max_len: 1024,
         check: check::parameters,
         seeds: text::parameters_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "engines",
         about: "measures depth with every engine and drawn parameters; no NaN, the same bytes twice",
         max_len: 4096,
         check: check::engines,
         seeds: engine::depth_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "stereo",
         about: "matches drawn pairs with drawn parameters; no NaN, the same bytes twice",
         max_len: 4096,
         check: check::stereo,
         seeds: engine::stereo_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "renderers",
         about: "renders drawn triangles with both backends; both agree with the reference",
         max_len: 1024,
         check: check::renderers,
         seeds: renderer::seeds,
     },
-    Target {
+    FuzzTarget {
         name: "usda",
         about: "reads text stages, also drawn ones; every index and transform is valid",
         max_len: 4096,
         check: check::usda,
         seeds: usd::usda_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "usdc",
         about: "reads binary stages; every index and transform is valid",
         max_len: 8192,
         check: check::usdc,
         seeds: usd::usdc_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "usdz",
         about: "reads packages, also of drawn layers; every index and transform is valid",
         max_len: 8192,
         check: check::usdz,
         seeds: usd::usdz_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "materialx",
         about: "converts MaterialX documents to layers",
         max_len: 4096,
         check: check::materialx,
         seeds: usd::materialx_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "usd-emitter",
         about: "emits layers of drawn values; they read back the same",
         max_len: 1024,
         check: check::usd_emitter,
         seeds: usd::emitter_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "catalog",
         about: "adds a file to the catalog; nominal twins are finite",
         max_len: 16384,
         check: check::catalog,
         seeds: text::catalog_seeds,
     },
-    Target {
+    FuzzTarget {
         name: "recipe",
         about: "reads a recipe and draws a frame; it round-trips, the same numbers twice",
         max_len: 4096,
         check: check::recipe,
         seeds: recipe::seeds,
     },
-    Target {
+    FuzzTarget {
         name: "robot",
         about: "reads URDF and MJCF, and moves the joints; links stay at finite places",
         max_len: 8192,
         check: check::robot,
         seeds: robot::seeds,
     },
-    Target {
+    FuzzTarget {
         name: "messages",
         about: "reads images and camera info of ROS 2 and measures them; messages round-trip, sizes fit",
         max_len: 4096,
         check: check::messages,
         seeds: message::seeds,
     },
-    Target {
+    FuzzTarget {
         name: "page",
         about: "answers drawn requests of Studio's page, on its socket and over HTTP; none panics",
         max_len: 1024,

@@ -9,7 +9,7 @@ use oaktwin::catalog::{Catalog, Twin};
 use oaktwin::sense::SenseOptions;
 use oaktwin_bridge::convert::{Encoding, Frames, camera, camera_info, color, depth, depth_message};
 use oaktwin_bridge::message::{CameraInfo, Header, Image, Time};
-use oaktwin_bridge::{Filter, FilterInput};
+use oaktwin_bridge::{DepthFilter, FilterInput};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -188,7 +188,7 @@ fn focal_length(random: &mut Random<'_>) -> f64 {
 /// Measures a frame as the bridge does, unless the sensor rejects its camera.
 fn measure(input: FilterInput) {
     let options = SenseOptions::default();
-    let mut filter = Filter::new(TWIN.clone(), options).unwrap_or_else(|error| panic!("{error}"));
+    let mut filter = DepthFilter::new(TWIN.clone(), options).unwrap_or_else(|error| panic!("{error}"));
     let Ok(mut output) = filter.apply(input) else {
         return;
     };

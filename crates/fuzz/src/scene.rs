@@ -1,6 +1,6 @@
 //! The promises of every scene.
 
-use oaktwin_scene::{Attribute, Mesh, Scene};
+use oaktwin_scene::{Mesh, MeshAttribute, Scene};
 
 pub(crate) fn check(scene: &Scene) {
     for mesh in &scene.meshes {
@@ -65,7 +65,7 @@ fn check_mesh(mesh: &Mesh, materials: usize) {
 }
 
 /// Checks that there is a value for each corner.
-fn check_attribute<T: Copy>(attribute: Option<&Attribute<T>>, mesh: &Mesh, what: &str) {
+fn check_attribute<T: Copy>(attribute: Option<&MeshAttribute<T>>, mesh: &Mesh, what: &str) {
     let Some(attribute) = attribute else { return };
     for (number, triangle) in mesh.triangles.iter().enumerate() {
         assert!(

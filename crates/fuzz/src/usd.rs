@@ -4,7 +4,7 @@ use std::path::Path;
 
 use oaktwin_usd::check::CheckOptions;
 use oaktwin_usd::stage::{self, SceneLimit, SceneOptions};
-use oaktwin_usd::text::{Attribute, Layer, Prim, UpAxis, Value};
+use oaktwin_usd::text::{AttributeSpec, Layer, PrimSpec, SpecValue, UpAxis};
 use oaktwin_usd::{check, materialx, usdz};
 
 use crate::random::Random;
@@ -88,22 +88,22 @@ pub(crate) fn emitter(bytes: &[u8]) {
     let mut random = Random::new(bytes);
     let width = random.number();
     let text = random.text();
-    let mut camera = Prim::def("Camera", "Camera").documented(random.text());
-    camera.set("focalLength", Value::Float(positive(&mut random)));
-    camera.set("horizontalAperture", Value::Float(positive(&mut random)));
+    let mut camera = PrimSpec::def("Camera", "Camera").documented(random.text());
+    camera.set("focalLength", SpecValue::Float(positive(&mut random)));
+    camera.set("horizontalAperture", SpecValue::Float(positive(&mut random)));
     camera.set(
         "test:double",
-        Value::Double(if width.is_finite() { width } else { 1.0 }),
+        SpecValue::Double(if width.is_finite() { width } else { 1.0 }),
     );
-    camera.set("test:text", Value::string(text.clone()));
-    camera.set("test:asset", Value::Asset("a.png".to_owned()));
-    camera.add(Attribute::new("test:token", Value::token(random.text())));
+    camera.set("test:text", SpecValue::string(text.clone()));
+    camera.set("test:asset", SpecValue::Asset("a.png".to_owned()));
+    camera.add(AttributeSpec::new("test:token", SpecValue::token(random.text())));
     let layer = Layer {
         documentation: Some(random.text()),
         default_prim: Some("World".to_owned()),
         up_axis: Some(UpAxis::Z),
         meters_per_unit: Some(1.0),
-        prims: vec![Prim::def("Xform", "World").with_child(camera)],
+        prims: vec![PrimSpec::def("Xform", "World").with_child(camera)],
         ..Layer::default()
     };
     let emitted = layer.text();

@@ -6,7 +6,7 @@ use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
-use oaktwin_fuzz::{TARGETS, Target};
+use oaktwin_fuzz::{FuzzTarget, TARGETS};
 
 fn fuzz_folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz")
@@ -29,7 +29,7 @@ fn names(folder: &str) -> BTreeSet<String> {
 }
 
 /// Runs an input, and names it if it breaks a promise.
-fn replay(target: &Target, name: &str, bytes: &[u8], broken: &mut Vec<String>) {
+fn replay(target: &FuzzTarget, name: &str, bytes: &[u8], broken: &mut Vec<String>) {
     if catch_unwind(AssertUnwindSafe(|| (target.check)(bytes))).is_err() {
         broken.push(format!("{}: {name}", target.name));
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use oaktwin_camera::{Camera, ImageSize, Intrinsics, OpenCv, PixelPoint};
-use oaktwin_dataset::{Extent, Mask, Object};
+use oaktwin_dataset::{Extent, Object, ObjectMask};
 use oaktwin_image::annotation::Segmentation;
 use oaktwin_pipeline::render::View;
 
@@ -39,7 +39,7 @@ pub(crate) fn objects(
             });
             // Both have the same rules, but not the same rounding.
             let inside: Vec<[u32; 2]> = inside.chain(visible.places()).collect();
-            let whole = Mask::from_places(&silhouette);
+            let whole = ObjectMask::from_places(&silhouette);
             let [left, top, width, height] = whole.bounding_box().unwrap_or_default().map(i64::from);
             Object {
                 extent: Extent {
@@ -56,7 +56,7 @@ pub(crate) fn objects(
                 }),
                 path: object.path.clone(),
                 world_from_model: object.world_from_object,
-                silhouette: Mask::from_places(&inside),
+                silhouette: ObjectMask::from_places(&inside),
                 visible,
             }
         })
@@ -79,10 +79,10 @@ fn extended(view: &View) -> View {
 }
 
 /// Returns the visible pixels of each object.
-fn visible(objects: &[Placed], ids: Option<&Segmentation>) -> Vec<Mask> {
+fn visible(objects: &[Placed], ids: Option<&Segmentation>) -> Vec<ObjectMask> {
     let mut places: Vec<Vec<[u32; 2]>> = vec![Vec::new(); objects.len()];
     let Some(Segmentation { ids, prim_paths }) = ids else {
-        return vec![Mask::default(); objects.len()];
+        return vec![ObjectMask::default(); objects.len()];
     };
     let of_path: BTreeMap<&str, usize> = objects
         .iter()
@@ -106,5 +106,8 @@ fn visible(objects: &[Placed], ids: Option<&Segmentation>) -> Vec<Mask> {
             places[object].push([index % width, index / width]);
         }
     }
-    places.iter().map(|places| Mask::from_places(places)).collect()
+    places
+        .iter()
+        .map(|places| ObjectMask::from_places(places))
+        .collect()
 }

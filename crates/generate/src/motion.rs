@@ -30,10 +30,10 @@ pub(crate) struct Moving<'a> {
     renderer: &'a Renderer,
     /// The pose of its body at the time of the frame.
     world_from_body: RigidTransform,
-    way: Way<'a>,
+    way: MotionSource<'a>,
 }
 
-enum Way<'a> {
+enum MotionSource<'a> {
     /// A trajectory, and the time of the frame since its first pose, s.
     Along(&'a Motion, f64),
     /// A velocity in the world, m/s, and an angular velocity about the axes of the body, rad/s.
@@ -55,8 +55,8 @@ impl Moments for Moving<'_> {
         let pose = match &self.way {
             // Ground truth has exactly the pose of the frame.
             _ if offset_s == 0.0 => *now,
-            Way::Along(motion, since_first_s) => motion.at(since_first_s + offset_s).world_from_body,
-            Way::Twist(velocity, angular_velocity) => {
+            MotionSource::Along(motion, since_first_s) => motion.at(since_first_s + offset_s).world_from_body,
+            MotionSource::Twist(velocity, angular_velocity) => {
                 let axis = angular_velocity.try_normalize();
                 let turn = axis.map_or(DMat3::IDENTITY, |axis| {
                     rotation_around(axis, angular_velocity.length() * offset_s)
@@ -99,12 +99,12 @@ impl Context {
         let way = match &self.motion {
             Some(motion) => {
                 let poses = (self.trajectory.len() as u64).max(1);
-                Way::Along(motion, self.since_first_s(place % poses))
+                MotionSource::Along(motion, self.since_first_s(place % poses))
             }
             None => {
                 let [velocity, turn] = [drawn.velocity_m_s, drawn.angular_velocity_deg_s]
                     .map(|axes| DVec3::from(axes.unwrap_or_default()));
-                Way::Twist(world_from_body.rotation * velocity, turn.map(f64::to_radians))
+                MotionSource::Twist(world_from_body.rotation * velocity, turn.map(f64::to_radians))
             }
         };
         Moving {

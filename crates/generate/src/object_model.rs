@@ -7,7 +7,7 @@ use oaktwin_dataset::{Model, Paint};
 use oaktwin_image::Image;
 use oaktwin_image::srgb::{linear_from_srgb, srgb_from_linear};
 use oaktwin_pipeline::render::texture_pixels;
-use oaktwin_scene::{Attribute, Material, Mesh, Scene};
+use oaktwin_scene::{Material, Mesh, MeshAttribute, Scene};
 
 use crate::arrange::Placed;
 use crate::world::Triangles;
@@ -112,6 +112,6 @@ fn colored(scene: &Scene) -> Paint {
     Paint::Corners(colors)
 }
 
-fn corners_of<T: Copy>(attribute: Option<&Attribute<T>>, at: usize, corners: [u32; 3]) -> Option<[T; 3]> {
+fn corners_of<T: Copy>(attribute: Option<&MeshAttribute<T>>, at: usize, corners: [u32; 3]) -> Option<[T; 3]> {
     attribute?.corners(at, corners)
 }

@@ -2,7 +2,7 @@
 
 use oaktwin_camera::math::{DMat3, DVec3};
 pub(crate) use oaktwin_depth::random::Numbers;
-use oaktwin_depth::random::{Stage, Stream};
+use oaktwin_depth::random::{NoiseStage, Stream};
 
 /// The random numbers of a recipe.
 #[derive(Clone, Copy, Debug)]
@@ -17,7 +17,7 @@ impl Random {
 
     /// Returns the numbers of a quantity in a frame or scene of this number.
     pub(crate) fn numbers(self, name: &str, number: u64) -> Numbers {
-        Numbers::new(Stream::new(self.seed, name).plane(Stage::Recipe, number, 0))
+        Numbers::new(Stream::new(self.seed, name).plane(NoiseStage::Recipe, number, 0))
     }
 }
 

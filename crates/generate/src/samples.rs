@@ -154,7 +154,7 @@ fn write_samples(samples: ImuSimulation, path: &Path, output: &mut OutputFiles) 
     let mut text = euroc::HEADER.to_owned();
     for (index, sample) in samples.enumerate() {
         // Writing to a string cannot fail.
-        _ = write!(text, "{}", euroc::Line(&sample));
+        _ = write!(text, "{}", euroc::EurocLine(&sample));
         if index % BATCH == BATCH - 1 {
             file.append(text.as_bytes())?;
             text.clear();

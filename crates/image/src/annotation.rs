@@ -6,7 +6,7 @@ use crate::{Image, RangeDepth, ZDepth};
 
 /// The origin of an annotator's data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Source {
+pub enum AnnotationSource {
     /// Ground truth of a scene.
     Scene,
     /// A simulated depth sensor, as Isaac Sim 6 names its outputs.
@@ -105,9 +105,9 @@ macro_rules! annotators {
 
             /// Returns the origin of the data.
             #[must_use]
-            pub const fn source(self) -> Source {
+            pub const fn source(self) -> AnnotationSource {
                 match self {
-                    $(Self::$variant => Source::$source,)+
+                    $(Self::$variant => AnnotationSource::$source,)+
                 }
             }
 
@@ -238,14 +238,14 @@ annotators! {
 impl Annotator {
     /// Returns all annotators of Replicator and Isaac Sim.
     pub fn all() -> impl Iterator<Item = Self> {
-        let own = |one: &Self| one.source() != Source::StereoMatcher;
+        let own = |one: &Self| one.source() != AnnotationSource::StereoMatcher;
         Self::TABLE.iter().copied().filter(own)
     }
 
     /// Whether the annotator is an output of Isaac Sim's depth sensor rather than ground truth.
     #[must_use]
     pub const fn is_depth_sensor(self) -> bool {
-        matches!(self.source(), Source::DepthSensor)
+        matches!(self.source(), AnnotationSource::DepthSensor)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Contact sheets: a column of colour, depth and measured depth for each camera, or panels with titles.
 
 use crate::preview::{self, Marks};
-use crate::text::{self, Style};
+use crate::text::{self, TextStyle};
 use crate::{Image, ZDepth};
 
 /// The images of a camera.
@@ -29,7 +29,7 @@ const TITLE: u32 = 14;
 /// Draws all columns at half size, with a common depth range (minimum and maximum, metres).
 #[must_use]
 pub fn contact_sheet(columns: &[Column], range_m: (f32, f32)) -> Image<[u8; 3]> {
-    let options = preview::Options { range: Some(range_m) };
+    let options = preview::PreviewOptions { range: Some(range_m) };
     let cells: Vec<[Image<[u8; 3]>; 3]> = columns
         .iter()
         .map(|column| {
@@ -50,7 +50,7 @@ pub fn contact_sheet(columns: &[Column], range_m: (f32, f32)) -> Image<[u8; 3]> 
     let mut sheet = Image::filled(width, tops[2] + tallest(2) + GAP, PAPER);
     let mut left = GAP;
     for (column, cell) in columns.iter().zip(&cells) {
-        let style = Style {
+        let style = TextStyle {
             height: TITLE as f32,
             color: INK,
         };
@@ -104,7 +104,7 @@ pub fn panels(panels: &[(&str, Picture<'_>)], in_a_row: usize, range_m: (f32, f3
     let height = rows.iter().map(|row| down(row) + TITLE + 3 * GAP).sum::<u32>() + GAP;
     let legend = preview::legend(width.saturating_sub(2 * GAP), range_m, marks);
     let mut sheet = Image::filled(width, height + legend.height() + GAP, PAPER);
-    let style = Style {
+    let style = TextStyle {
         height: TITLE as f32,
         color: INK,
     };

@@ -12,7 +12,7 @@ static FONT: LazyLock<FontRef<'static>> =
 
 /// The size and colour of text.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Style {
+pub struct TextStyle {
     /// The height of a capital letter in pixels.
     pub height: f32,
     /// The colour in sRGB.
@@ -27,7 +27,7 @@ pub fn width(text: &str, height: f32) -> f32 {
 
 /// Draws a line of text whose capital letters have their upper left corner at (`x`, `y`) in pixels, and crops it to the
 /// image. Characters that the font lacks become boxes.
-pub fn draw(image: &mut Image<[u8; 3]>, text: &str, (x, y): (f32, f32), style: Style) {
+pub fn draw(image: &mut Image<[u8; 3]>, text: &str, (x, y): (f32, f32), style: TextStyle) {
     let (glyphs, _) = layout(text, style.height);
     for (glyph, left) in glyphs {
         draw_glyph(image, &glyph, (x + left, y + style.height), style.color);
@@ -92,7 +92,7 @@ fn draw_glyph(image: &mut Image<[u8; 3]>, glyph: &OutlinedGlyph, (x, y): (f32, f
 mod tests {
     use super::*;
 
-    const STYLE: Style = Style {
+    const STYLE: TextStyle = TextStyle {
         height: 12.0,
         color: [255; 3],
     };

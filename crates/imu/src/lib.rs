@@ -1,7 +1,7 @@
 //! Inertial sensors: what an accelerometer and a gyroscope report along a trajectory. Pure `f64` mathematics; no files, no
 //! random number generator.
 //!
-//! [`Motion`] interpolates poses, [`State::reading`] is what an ideal sensor at some place of the body measures, and a
+//! [`Motion`] interpolates poses, [`MotionState::reading`] is what an ideal sensor at some place of the body measures, and a
 //! [`Channel`] adds the errors of a part. [`allan_deviation`] finds these errors in a record again.
 //!
 //! # Conventions
@@ -35,4 +35,4 @@ mod trajectory;
 
 pub use allan::{AllanPoint, allan_deviation};
 pub use noise::{Channel, ChannelNoise, Draws};
-pub use trajectory::{Motion, MotionError, Reading, State};
+pub use trajectory::{ImuReading, Motion, MotionError, MotionState};

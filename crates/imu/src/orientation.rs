@@ -109,7 +109,7 @@ fn rates(times: &[f64], orientations: &[DQuat], turns: &[DVec3], h: &[f64]) -> V
             if k == last - 2 {
                 right -= above * rates[last];
             }
-            rows.push(Row {
+            rows.push(BlockRow {
                 below,
                 diagonal: DMat3::IDENTITY * (4.0 / h[k] + 4.0 / h[k + 1]),
                 above,
@@ -154,7 +154,7 @@ fn end_rate(indices: &[usize], times: &[f64], orientations: &[DQuat]) -> DVec3 {
     rate
 }
 
-struct Row {
+struct BlockRow {
     below: DMat3,
     diagonal: DMat3,
     above: DMat3,
@@ -162,7 +162,7 @@ struct Row {
 }
 
 /// Solves a block-tridiagonal system.
-fn solve(mut rows: Vec<Row>) -> Vec<DVec3> {
+fn solve(mut rows: Vec<BlockRow>) -> Vec<DVec3> {
     for i in 1..rows.len() {
         let (before, rest) = rows.split_at_mut(i);
         let (before, row) = (&before[i - 1], &mut rest[0]);

@@ -51,7 +51,7 @@ pub enum MotionError {
 
 /// The state of a moving frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State {
+pub struct MotionState {
     /// The pose, metres.
     pub world_from_body: RigidTransform,
     /// The velocity in the world, m/s.
@@ -66,7 +66,7 @@ pub struct State {
 
 /// What an ideal inertial sensor measures, in its own frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reading {
+pub struct ImuReading {
     /// The angular velocity, rad/s.
     pub angular_velocity: DVec3,
     /// The specific force, m/s²: acceleration minus gravity; +g upwards at rest.
@@ -135,14 +135,14 @@ impl Motion {
     /// Returns the state at a time in seconds since the first pose. Before it and after the last, the polynomials of the nearest
     /// poses continue.
     #[must_use]
-    pub fn at(&self, since_start_s: f64) -> State {
+    pub fn at(&self, since_start_s: f64) -> MotionState {
         let after = self.times.partition_point(|time| *time <= since_start_s);
         let segment = after.clamp(1, self.times.len() - 1) - 1;
         let h = self.times[segment + 1] - self.times[segment];
         let u = (since_start_s - self.times[segment]) / h;
         let [position, velocity, acceleration] = self.positions.at(segment, u, h);
         let (orientation, angular_velocity, angular_acceleration) = self.orientations.at(segment, u, h);
-        State {
+        MotionState {
             world_from_body: RigidTransform::new(DMat3::from_quat(orientation), position),
             velocity,
             acceleration,
@@ -152,18 +152,18 @@ impl Motion {
     }
 }
 
-impl State {
+impl MotionState {
     /// Returns what an ideal inertial sensor that is mounted on the body measures. `gravity` is the acceleration of free fall in
     /// the world, m/s².
     #[must_use]
-    pub fn reading(&self, body_from_imu: &RigidTransform, gravity: DVec3) -> Reading {
+    pub fn reading(&self, body_from_imu: &RigidTransform, gravity: DVec3) -> ImuReading {
         let imu_from_body = body_from_imu.rotation.transpose();
         let lever = body_from_imu.translation;
         let rate = self.angular_velocity;
         let of_lever = self.angular_acceleration.cross(lever) + rate.cross(rate.cross(lever));
         let body_from_world = self.world_from_body.rotation.transpose();
         let of_body = body_from_world * (self.acceleration - gravity);
-        Reading {
+        ImuReading {
             angular_velocity: imu_from_body * rate,
             specific_force: imu_from_body * (of_body + of_lever),
         }

@@ -44,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let start = Instant::now();
         let cameras = PairCameras::new(&twin, &options)?;
         let prepared = start.elapsed();
-        let pair = cameras.look(&renderer, &demo_room::world_from_body(), 0);
+        let pair = cameras.capture(&renderer, &demo_room::world_from_body(), 0);
         println!(
             "{name}: exposure {:.2}, gain {:.2}; prepared in {prepared:.0?}, rendered in {:.0?}",
             pair.exposure.time,

@@ -5,7 +5,7 @@ use crate::sensor::{OutputCamera, Sensor};
 use oaktwin_base::diagnostic::{Message, message, opt};
 use oaktwin_camera::{Camera, ImageSize, RigidTransform};
 use oaktwin_catalog::{LensChoice, Role, Twin, TwinDepthSensor};
-use oaktwin_dataset::{Layer, LayerData};
+use oaktwin_dataset::{LayerData, ShotLayer};
 use oaktwin_depth::align::{Align, AlignMode, AlignedZ, Fill};
 use oaktwin_image::annotation::Annotator;
 use oaktwin_image::{Image, ZDepth};
@@ -109,10 +109,10 @@ pub(crate) fn aligner(
 }
 
 /// The aligned depth of a sensor's output, which has the size that the alignment was made for.
-pub(crate) fn layer(align: &Align, to: &AlignTo, depth: &Image<f32>) -> Option<Layer> {
+pub(crate) fn layer(align: &Align, to: &AlignTo, depth: &Image<f32>) -> Option<ShotLayer> {
     let ZDepth(aligned) = align.align(depth.into()).ok()?;
     let name = Annotator::DepthSensorDistance.name();
-    Some(Layer {
+    Some(ShotLayer {
         folder: name,
         name: format!("{name}_aligned_{}", to.camera),
         data: LayerData::Depth(aligned),

@@ -17,7 +17,7 @@ use oaktwin_catalog::{Catalog, Device, InertialPart, Twin};
 pub use oaktwin_dataset::ImuSample;
 use oaktwin_dataset::euroc;
 use oaktwin_dataset::recording::{RecordedImu, RecordingError, Time};
-use oaktwin_depth::random::{Stage, Stream, standard_normal};
+use oaktwin_depth::random::{NoiseStage, Stream, standard_normal};
 use oaktwin_files::{AtomicFile, FileError, WrittenFile};
 use oaktwin_imu::{Channel, ChannelNoise, Draws};
 pub use oaktwin_imu::{Motion, MotionError};
@@ -240,7 +240,7 @@ const GYROSCOPE: u32 = 0;
 const ACCELEROMETER: u32 = 1;
 
 fn draws(stream: &Stream, sample: u64, item: u32) -> Draws {
-    let plane = stream.plane(Stage::Inertial, sample, item);
+    let plane = stream.plane(NoiseStage::Inertial, sample, item);
     let pairs = [0, 1].map(|block| {
         let [a, b, c, d] = plane.words(block, 0);
         [standard_normal(a, b), standard_normal(c, d)]
@@ -380,7 +380,7 @@ pub fn write_euroc(
         if done % BATCH == 0 && watch(Progress { done, total }).is_break() {
             return Ok(None);
         }
-        write!(output, "{}", euroc::Line(&sample)).map_err(failed)?;
+        write!(output, "{}", euroc::EurocLine(&sample)).map_err(failed)?;
     }
     let file = output.into_inner().map_err(|error| failed(error.into_error()))?;
     let (path, bytes) = file.finish()?;

@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 use oaktwin_dataset::ImuSample;
 pub use oaktwin_dataset::recording::ros_lens_loss;
 pub use oaktwin_dataset::recording::{
-    Body, CameraId, DepthView, MeasuredCamera, Moment, RecordedCamera, RecordedImu, RecordingError, Time,
+    CameraId, DepthView, MeasuredCamera, Moment, MovingBody, RecordedCamera, RecordedImu, RecordingError,
+    Time,
 };
 use oaktwin_dataset::recording::{Mcap, Recorder};
 use oaktwin_files::{AtomicFile, FileError};

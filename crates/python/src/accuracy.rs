@@ -1,7 +1,7 @@
 use std::path::PathBuf;
 
 use oaktwin::accuracy::{
-    AccuracyError, Bench, CAPTURES, MeasuredOptics, Options, REGION, measured, parse_distances,
+    AccuracyError, AccuracyOptions, Bench, CAPTURES, MeasuredOptics, REGION, measured, parse_distances,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -13,7 +13,7 @@ use crate::engine::{PythonEngine, serve_all};
 use crate::error::{error, reading, wrong};
 use crate::finding;
 use crate::json;
-use crate::progress::Report;
+use crate::progress::ProgressCallback;
 use crate::settings::{mistyped, sensor_options};
 
 /// The arguments besides the options of the sensor.
@@ -35,7 +35,7 @@ const ARGUMENTS: [&str; 11] = [
 #[pyfunction]
 #[pyo3(signature = (device, *, sensor = None, distances = None, devices = None, population = false, captures = CAPTURES,
     region = REGION, measured = None, measured_from = 0.0, focal_px = None, width_px = None,
-    progress = Report::default(), **options))]
+    progress = ProgressCallback::default(), **options))]
 #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub(crate) fn accuracy<'py>(
@@ -51,10 +51,10 @@ pub(crate) fn accuracy<'py>(
     measured_from: f64,
     focal_px: Option<f64>,
     #[pyo3(from_py_with = optional::width_px)] width_px: Option<u32>,
-    progress: Report,
+    progress: ProgressCallback,
     options: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let options = Options {
+    let options = AccuracyOptions {
         sensor,
         engine: sensor_options("accuracy", &ARGUMENTS, options, |_| true)?,
         distances_m: distances.map(Distances::metres).transpose()?,

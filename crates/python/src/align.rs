@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use crate::camera::Camera;
 use crate::choice::named;
 use crate::error::{error, wrong};
-use crate::images::{Depth, Out, Shape};
+use crate::images::{Depth, ImageShape, Out};
 use crate::pose::one_pose;
 use crate::threads;
 
@@ -15,7 +15,7 @@ pub(crate) fn aligned<'py>(
     py: Python<'py>,
     align: &Align,
     depth: &Depth<'py>,
-    shape: Shape,
+    shape: ImageShape,
     out: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let target = align.target().intrinsics.size;

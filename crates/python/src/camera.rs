@@ -16,7 +16,7 @@ use crate::finding::warn;
 use crate::pose::{Of, matrix};
 use crate::projection;
 pub(crate) use state::_camera;
-use state::State;
+use state::CameraState;
 
 /// A camera: intrinsics, lens, and its pose on a device.
 ///
@@ -398,7 +398,7 @@ impl Camera {
         adapter(slf.py(), "to_mujoco")?.call1((slf,))
     }
 
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, State)> {
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, CameraState)> {
         let restore = py.import("oaktwin._oaktwin")?.getattr("_camera")?;
         Ok((restore, self.state()?))
     }

@@ -8,7 +8,7 @@ use pyo3::types::PyTuple;
 use rayon::prelude::*;
 
 use crate::error::{error, wrong};
-use crate::images::{Numbers, NumbersSlice, Pictures, Shape, from_metres, part, put_metres, room};
+use crate::images::{ImageShape, Numbers, NumbersSlice, Pictures, from_metres, part, put_metres, room};
 use crate::settings::item_numbers;
 use crate::threads;
 
@@ -193,7 +193,7 @@ fn run<P: Pixel>(
     chains: &Mutex<Chains<P>>,
     values: &[P],
     rgb: Option<&[[u8; 4]]>,
-    shape: Shape,
+    shape: ImageShape,
     room: &mut [P],
 ) -> PyResult<()> {
     let ImageSize { width, height } = shape.size;

@@ -1,7 +1,7 @@
 use std::path::PathBuf;
 
 use oaktwin::accuracy::{MeasuredOptics, REGION};
-use oaktwin::fit::{self as fitting, FitError, Options, Recordings, TargetImages};
+use oaktwin::fit::{self as fitting, FitError, FitOptions, Recordings, TargetImages};
 use oaktwin::latency::{self, LONGEST_S, Track};
 use oaktwin::sensor::SensorOption;
 use pyo3::exceptions::PyFileNotFoundError;
@@ -13,7 +13,7 @@ use crate::device::{self, Device};
 use crate::error::{error, wrong};
 use crate::finding;
 use crate::json;
-use crate::progress::Report;
+use crate::progress::ProgressCallback;
 use crate::settings::sensor_options;
 use crate::threads;
 
@@ -37,7 +37,7 @@ const ARGUMENTS: [&str; 8] = [
 /// Wraps the report of `oaktwin fit --json` and its parameter file, for `oaktwin.fit`.
 #[pyfunction]
 #[pyo3(signature = (device, recordings, *, sensor = None, region = REGION, depth_scale = 0.001, measured_from = 0.0,
-    focal_px = None, width_px = None, fits_focal_length = false, progress = Report::default(), **options))]
+    focal_px = None, width_px = None, fits_focal_length = false, progress = ProgressCallback::default(), **options))]
 #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub(crate) fn fit<'py>(
@@ -51,11 +51,11 @@ pub(crate) fn fit<'py>(
     focal_px: Option<f64>,
     #[pyo3(from_py_with = optional::width_px)] width_px: Option<u32>,
     fits_focal_length: bool,
-    progress: Report,
+    progress: ProgressCallback,
     options: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<(Bound<'py, PyAny>, String)> {
     let (device, recordings) = (device.get(), recordings.read()?);
-    let options = Options {
+    let options = FitOptions {
         sensor,
         engine: sensor_options("fit", &ARGUMENTS, options, is_offered)?,
         optics: MeasuredOptics {

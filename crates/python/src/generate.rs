@@ -2,7 +2,7 @@ use std::path::{Path, PathBuf, absolute};
 use std::sync::Arc;
 
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
-use oaktwin::dataset::View;
+use oaktwin::dataset::FrameCamera;
 use oaktwin::generate::recipe::{RecipeFile, Texts};
 use oaktwin::generate::{GenerateError, GenerateOptions, Generated, Generator};
 use oaktwin::sensor::EngineRef;
@@ -17,7 +17,7 @@ use crate::error::{error, reading, wrong};
 use crate::layers::layers;
 use crate::models::Models;
 use crate::pose::{Of, rows};
-use crate::progress::Report;
+use crate::progress::ProgressCallback;
 use crate::settings::{self, mistyped};
 use crate::{finding, json, threads};
 
@@ -38,7 +38,7 @@ use crate::{finding, json, threads};
 #[pyclass(frozen, module = "oaktwin")]
 #[derive(Debug)]
 pub(crate) struct Recipe {
-    source: Source,
+    source: RecipeSource,
     formats: Option<Vec<String>>,
     seed: Option<u64>,
     save_scenes: bool,
@@ -49,13 +49,13 @@ pub(crate) struct Recipe {
 
 /// Where a recipe is from.
 #[derive(Debug)]
-enum Source {
+enum RecipeSource {
     File(PathBuf),
     /// A mapping, with the folder that its paths are relative to.
     Mapping(Py<PyAny>),
 }
 
-impl Source {
+impl RecipeSource {
     fn of(object: &Bound<'_, PyAny>) -> PyResult<Self> {
         if object.hasattr("items")? {
             return Ok(Self::Mapping(object.clone().unbind()));
@@ -98,11 +98,11 @@ impl Recipe {
         let engine = engine
             .map(|engine| settings::engine("engine", engine))
             .transpose()?;
-        let source = Source::of(source)?;
+        let source = RecipeSource::of(source)?;
         let file = match &source {
-            Source::File(path) => threads::run(py, || RecipeFile::read(path))?
+            RecipeSource::File(path) => threads::run(py, || RecipeFile::read(path))?
                 .map_err(|cause| reading(path, &GenerateError::from(cause)))?,
-            Source::Mapping(mapping) => {
+            RecipeSource::Mapping(mapping) => {
                 let values: serde_json::Value = json::from_python("source", mapping.bind(py))?;
                 let folder = std::env::current_dir()?;
                 RecipeFile::of_values(&folder, &values).map_err(error)?
@@ -122,8 +122,8 @@ impl Recipe {
             }
         })?;
         let generator = generator.map_err(|cause: GenerateError| match &source {
-            Source::File(_) => reading(&path, &cause),
-            Source::Mapping(_) => error(cause),
+            RecipeSource::File(_) => reading(&path, &cause),
+            RecipeSource::Mapping(_) => error(cause),
         })?;
         Ok(Self {
             source,
@@ -151,8 +151,8 @@ impl Recipe {
 
     fn __repr__(&self) -> String {
         let name = match &self.source {
-            Source::File(path) => path.display().to_string(),
-            Source::Mapping(_) => "of a mapping".to_owned(),
+            RecipeSource::File(path) => path.display().to_string(),
+            RecipeSource::Mapping(_) => "of a mapping".to_owned(),
         };
         format!("<oaktwin.Recipe {name} ({} frames)>", self.frames())
     }
@@ -233,12 +233,12 @@ impl Recipe {
     ///
     /// frames: the number of frames, at least 1.
     /// progress: as in `generate`.
-    #[pyo3(signature = (frames = 16, *, progress = Report::default()), text_signature = "($self, frames=16, *, progress=False)")]
+    #[pyo3(signature = (frames = 16, *, progress = ProgressCallback::default()), text_signature = "($self, frames=16, *, progress=False)")]
     fn preview<'py>(
         &self,
         py: Python<'py>,
         #[pyo3(from_py_with = frames)] frames: u64,
-        progress: Report,
+        progress: ProgressCallback,
     ) -> PyResult<Bound<'py, PyArray3<u8>>> {
         if frames == 0 {
             return Err(wrong("frames", "is 0", "pass at least 1"));
@@ -266,7 +266,7 @@ impl Recipe {
     ///     Not with Ray, which shows its own.
     #[pyo3(
         signature = (output, *, frames = None, resume = false, verify = false, workers = None, only_frames = false, ray = Ray::Switch(false),
-            progress = Report::default()),
+            progress = ProgressCallback::default()),
         text_signature = "($self, output, *, frames=None, resume=False, verify=False, workers=None, only_frames=False, ray=False, progress=False)"
     )]
     #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
@@ -281,7 +281,7 @@ impl Recipe {
         #[pyo3(from_py_with = optional::workers)] workers: Option<usize>,
         only_frames: bool,
         ray: Ray,
-        progress: Report,
+        progress: ProgressCallback,
     ) -> PyResult<Py<PyDict>> {
         if verify && !resume {
             return Err(wrong(
@@ -334,7 +334,7 @@ impl Recipe {
     /// A frame in memory.
     fn sample<'py>(&self, py: Python<'py>, frame: u64) -> PyResult<Bound<'py, PyAny>> {
         let engine = self.python();
-        let made = serve_all(py, engine.as_slice(), Report::default(), |_| {
+        let made = serve_all(py, engine.as_slice(), ProgressCallback::default(), |_| {
             self.generator.sample(frame)
         })?;
         let (shots, findings) = made.map_err(error)?;
@@ -350,7 +350,7 @@ impl Recipe {
                 .map_or_else(String::new, |name| format!("{name}/"));
             let Some(view) = shot.view else { continue };
             let mount_from_world = shot.world_from_mount.inverse();
-            let camera = |view: &View| {
+            let camera = |view: &FrameCamera| {
                 let body_from_camera = mount_from_world * view.world_from_camera;
                 Camera {
                     name: name.clone(),
@@ -385,7 +385,7 @@ impl Recipe {
         py: Python<'_>,
         output: &Path,
         options: &GenerateOptions,
-        progress: Report,
+        progress: ProgressCallback,
     ) -> PyResult<Generated> {
         let made = serve_all(py, self.python().as_slice(), progress, |task| {
             self.generator
@@ -413,8 +413,8 @@ impl Recipe {
         if generation.total() > 0 {
             let job = PyDict::new(py);
             let recipe = match &self.source {
-                Source::File(path) => absolute(path)?.into_pyobject(py)?.into_any(),
-                Source::Mapping(mapping) => mapping.bind(py).clone(),
+                RecipeSource::File(path) => absolute(path)?.into_pyobject(py)?.into_any(),
+                RecipeSource::Mapping(mapping) => mapping.bind(py).clone(),
             };
             job.set_item("recipe", recipe)?;
             job.set_item("engine", self.engine_object(py)?)?;

@@ -17,7 +17,7 @@ use crate::error::{error, wrong};
 
 /// The shape of an image, or of a batch of images.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Shape {
+pub(crate) struct ImageShape {
     /// The number of images; `None` for a single image.
     pub(crate) batch: Option<usize>,
     pub(crate) size: ImageSize,
@@ -25,7 +25,7 @@ pub(crate) struct Shape {
     pub(crate) has_channel: bool,
 }
 
-impl Shape {
+impl ImageShape {
     /// Parses (H, W), (H, W, 1), (N, H, W) or (N, H, W, 1).
     fn of(name: &str, shape: &[usize]) -> PyResult<Self> {
         let (batch, height, width, has_channel) = match *shape {
@@ -92,7 +92,7 @@ pub(crate) enum DepthSlice<'a> {
 
 impl<'py> Depth<'py> {
     /// Reads floating-point metres, or uint16 millimetres.
-    pub(crate) fn read(name: &str, object: &Bound<'py, PyAny>) -> PyResult<(Self, Shape)> {
+    pub(crate) fn read(name: &str, object: &Bound<'py, PyAny>) -> PyResult<(Self, ImageShape)> {
         let array = readable(name, object)?;
         let depth = if is_float(&array) {
             Self::Metres(contiguous(name, &array)?)
@@ -104,7 +104,7 @@ impl<'py> Depth<'py> {
                 array.dtype()
             )));
         };
-        Ok((depth, Shape::of(name, array.shape())?))
+        Ok((depth, ImageShape::of(name, array.shape())?))
     }
 
     pub(crate) fn slice(&self) -> PyResult<DepthSlice<'_>> {
@@ -183,7 +183,7 @@ pub(crate) enum NumbersSlice<'a> {
 }
 
 impl<'py> Numbers<'py> {
-    pub(crate) fn read(name: &str, object: &Bound<'py, PyAny>) -> PyResult<(Self, Shape)> {
+    pub(crate) fn read(name: &str, object: &Bound<'py, PyAny>) -> PyResult<(Self, ImageShape)> {
         let array = readable(name, object)?;
         let numbers = if is_like::<u16>(&array) {
             Self::U16(contiguous(name, &array)?)
@@ -197,7 +197,7 @@ impl<'py> Numbers<'py> {
                 array.dtype()
             )));
         };
-        Ok((numbers, Shape::of(name, array.shape())?))
+        Ok((numbers, ImageShape::of(name, array.shape())?))
     }
 
     pub(crate) fn slice(&self) -> PyResult<NumbersSlice<'_>> {
@@ -259,7 +259,7 @@ impl<'py> Out<'py> {
     pub(crate) fn of(
         py: Python<'py>,
         given: Option<Bound<'py, PyAny>>,
-        shape: Shape,
+        shape: ImageShape,
         depth: &Depth<'_>,
     ) -> PyResult<(Bound<'py, PyAny>, Self)> {
         let Some(given) = given else {
@@ -326,7 +326,7 @@ fn check_shape(out: &Bound<'_, PyUntypedArray>, dims: &[usize]) -> PyResult<()> 
 
 fn made<'py, T: Element>(
     py: Python<'py>,
-    shape: Shape,
+    shape: ImageShape,
     out: impl FnOnce(PyReadwriteArrayDyn<'py, T>) -> Out<'py>,
 ) -> PyResult<(Bound<'py, PyAny>, Out<'py>)> {
     let array: Bound<'py, PyArrayDyn<T>> = zeros(py, &shape.dims())?;
@@ -377,7 +377,7 @@ impl OutSlice<'_> {
 type Exact = (Option<ZDepth>, Option<Image<[u8; 4]>>);
 
 /// Returns one image of exact depth in metres, `None` without pixels, and the colour image of the same pixels.
-pub(crate) fn exact(depth: &Depth<'_>, rgb: Option<&Bound<'_, PyAny>>, shape: Shape) -> PyResult<Exact> {
+pub(crate) fn exact(depth: &Depth<'_>, rgb: Option<&Bound<'_, PyAny>>, shape: ImageShape) -> PyResult<Exact> {
     let ImageSize { width, height } = shape.size;
     let pictures = rgb.map(|rgb| Pictures::read(rgb, shape)).transpose()?;
     let rgba = pictures.as_ref().map(Pictures::rgba).transpose()?;
@@ -395,7 +395,7 @@ pub(crate) struct Pictures<'py> {
 }
 
 impl<'py> Pictures<'py> {
-    pub(crate) fn read(object: &Bound<'py, PyAny>, shape: Shape) -> PyResult<Self> {
+    pub(crate) fn read(object: &Bound<'py, PyAny>, shape: ImageShape) -> PyResult<Self> {
         let array: Bound<'py, PyUntypedArray> = readable("rgb", object)?;
         if !is_like::<u8>(&array) {
             return Err(PyTypeError::new_err(format!(

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use numpy::{PyArray1, PyArrayMethods, PyUntypedArrayMethods};
 use oaktwin::camera::math::DVec3;
 use oaktwin::image::{Image, srgb};
-use oaktwin::scene::{self, Attribute, ColorSpace, Material, Texture, TextureSource, TextureUse};
+use oaktwin::scene::{self, ColorSpace, Material, MeshAttribute, Texture, TextureSource, TextureUse};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -109,11 +109,11 @@ impl Mesh {
         mesh.normals = normals
             .map(normals_of)
             .transpose()?
-            .map(|normals| Attribute::Vertex(normals.into_iter().map(unit).collect()));
+            .map(|normals| MeshAttribute::Vertex(normals.into_iter().map(unit).collect()));
         mesh.uvs = uvs
             .map(|object| rows::<2>("uvs", object, count))
             .transpose()?
-            .map(Attribute::Vertex);
+            .map(MeshAttribute::Vertex);
         let mut material = Material {
             metallic,
             roughness,
@@ -122,7 +122,7 @@ impl Mesh {
         if let Some(color) = color {
             match Color::read(color, count)? {
                 Color::One(color) => material.base_color = Some(color),
-                Color::Each(colors) => mesh.colors = Some(Attribute::Vertex(colors)),
+                Color::Each(colors) => mesh.colors = Some(MeshAttribute::Vertex(colors)),
             }
         }
         if let Some(emissive) = emissive {

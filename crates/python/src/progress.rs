@@ -12,9 +12,9 @@ use crate::settings::mistyped;
 
 /// `progress`: a callable that gets the progress of a call, if there is one.
 #[derive(Default)]
-pub(crate) struct Report(Option<Py<PyAny>>);
+pub(crate) struct ProgressCallback(Option<Py<PyAny>>);
 
-impl FromPyObject<'_, '_> for Report {
+impl FromPyObject<'_, '_> for ProgressCallback {
     type Error = PyErr;
 
     fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
@@ -39,12 +39,12 @@ pub(crate) struct Task {
     stop: AtomicBool,
     done: AtomicU64,
     total: AtomicU64,
-    report: Report,
+    report: ProgressCallback,
     reported: AtomicU64,
 }
 
 impl Task {
-    pub(crate) fn new(report: Report) -> Self {
+    pub(crate) fn new(report: ProgressCallback) -> Self {
         Self {
             report,
             // No progress has this number.

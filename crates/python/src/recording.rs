@@ -15,7 +15,7 @@ use crate::arguments::FrameNumber;
 use crate::camera::Camera;
 use crate::error::{error, writing, wrong};
 use crate::finding;
-use crate::images::{Depth, DepthSlice, Pictures, Shape};
+use crate::images::{Depth, DepthSlice, ImageShape, Pictures};
 use crate::pose::Of;
 
 /// A recording of moving cameras: `with oaktwin.Recording("path.mcap") as recording: recording.log(...)`.
@@ -33,10 +33,10 @@ use crate::pose::Of;
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct Recording {
     path: PathBuf,
-    state: Mutex<Option<State>>,
+    state: Mutex<Option<OpenRecording>>,
 }
 
-struct State {
+struct OpenRecording {
     file: RecordingFile,
     /// The cameras by name.
     cameras: BTreeMap<String, (CameraId, Known)>,
@@ -56,7 +56,7 @@ impl Recording {
             .map_err(|error| writing(&path, &error))?;
         Ok(Self {
             path,
-            state: Mutex::new(Some(State {
+            state: Mutex::new(Some(OpenRecording {
                 file,
                 cameras: BTreeMap::new(),
                 moments: 0,
@@ -110,12 +110,12 @@ impl Recording {
         let measured = measured
             .map(|depth| image("measured", &depth, of_measured))
             .transpose()?;
-        let measured_shape = Shape {
+        let measured_shape = ImageShape {
             batch: None,
             size: of_measured.camera.intrinsics.size,
             has_channel: false,
         };
-        let shape = Shape {
+        let shape = ImageShape {
             batch: None,
             size: camera.camera.intrinsics.size,
             has_channel: false,
@@ -195,7 +195,7 @@ impl Recording {
 }
 
 impl Recording {
-    fn take(&self) -> Option<State> {
+    fn take(&self) -> Option<OpenRecording> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner).take()
     }
 
@@ -276,7 +276,7 @@ fn image<'py>(name: &str, object: &Bound<'py, PyAny>, camera: &Camera) -> PyResu
     Ok(depth)
 }
 
-fn view<'a>(depth: &'a Depth<'_>, shape: Shape) -> PyResult<DepthView<'a>> {
+fn view<'a>(depth: &'a Depth<'_>, shape: ImageShape) -> PyResult<DepthView<'a>> {
     let (width, height) = (shape.size.width, shape.size.height);
     let view = match depth.slice()? {
         DepthSlice::Metres(pixels) => ImageView::new(width, height, pixels).map(DepthView::Metres),

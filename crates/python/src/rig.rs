@@ -25,7 +25,7 @@ use crate::json::{from_python, to_python};
 use crate::layers::layers;
 use crate::parameters::by_name;
 use crate::pose::Of;
-use crate::progress::Report;
+use crate::progress::ProgressCallback;
 use crate::scene::Scene;
 use crate::settings::{assignments, fresh_seed, keywords, sensor_options, strings};
 use crate::shot::{OUTPUTS, shot};
@@ -212,17 +212,22 @@ impl Rig {
         let number = FrameNumber::or_next(frame, &self.next_frame);
         let stage = scene.read(py);
         let renderer = &stage.renderer;
-        let shots = serve_all(py, self.engine.as_slice(), Report::default(), |_| match twist {
-            Some(twist) => self.rig().expose(
-                &mut Passing {
-                    renderer,
-                    world_from_body,
-                    twist,
-                },
-                number,
-            ),
-            None => self.rig().shoot(renderer, Some(&world_from_body), number),
-        })?;
+        let shots = serve_all(
+            py,
+            self.engine.as_slice(),
+            ProgressCallback::default(),
+            |_| match twist {
+                Some(twist) => self.rig().expose(
+                    &mut Passing {
+                        renderer,
+                        world_from_body,
+                        twist,
+                    },
+                    number,
+                ),
+                None => self.rig().shoot(renderer, Some(&world_from_body), number),
+            },
+        )?;
         let (shots, findings) = shots.map_err(error)?;
         finding::warn(py, &findings)?;
         let by_camera = PyDict::new(py);
@@ -261,7 +266,7 @@ impl Rig {
         let (depth, rgb) = exact(&depth, rgb, shape)?;
         let depth = depth.ok_or_else(|| wrong("depth", "has no pixels", "pass an image (H, W)"))?;
         let number = FrameNumber::or_next(frame, &self.next_frame);
-        let measured = serve_all(py, self.engine.as_slice(), Report::default(), |_| {
+        let measured = serve_all(py, self.engine.as_slice(), ProgressCallback::default(), |_| {
             self.rig().measure(depth, rgb, number)
         })?;
         layers(py, measured.map_err(error)?, shape.size)

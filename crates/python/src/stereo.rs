@@ -6,12 +6,12 @@ use oaktwin::camera::{ImageSize, StereoGeometry};
 use oaktwin::depth::imager::Recorded;
 use oaktwin::depth::preset::Platform;
 use oaktwin::depth::rectify::Method;
-use oaktwin::depth::stereo_matching::Pair;
+use oaktwin::depth::stereo_matching::RectifiedPair;
 use oaktwin::image::Image;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::sense::{FieldOfView, check_hfov};
 use oaktwin::sensor::{Capture, EngineInput, FixedDisparity, SensorOptions};
-use oaktwin::stereo::{Matcher, Seen, StereoError};
+use oaktwin::stereo::{MatchedPair, Matcher, StereoError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -26,7 +26,7 @@ use crate::images::array;
 use crate::parameters::by_name;
 use crate::settings::{engine as of_argument, item_numbers, keywords, sensor_options};
 use crate::threads;
-use source::Source;
+use source::PairSource;
 
 #[doc = concat!(
     "StereoMatcher(device=None, *, sensor=None, raw=None, rectify=None, fx=None, hfov_deg=None, baseline=None, platform=None, engine=None, ",
@@ -74,7 +74,7 @@ use source::Source;
 /// calibration, but not the state of temporal filters.
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct StereoMatcher {
-    source: Source,
+    source: PairSource,
     platform: Option<Platform>,
     options: SensorOptions,
     /// The engine, if it is written in Python.
@@ -132,7 +132,8 @@ impl StereoMatcher {
             if some.is_empty() {
                 break;
             }
-            let seen: Vec<Seen> = self.with_matcher(py, size, |matcher| matcher.look_all(some, first))?;
+            let seen: Vec<MatchedPair> =
+                self.with_matcher(py, size, |matcher| matcher.match_pairs(some, first))?;
             for mut seen in seen {
                 depth.push(&seen.capture.distance.0);
                 disparity.push(&disparities(&mut seen.capture, stereo));
@@ -257,7 +258,7 @@ impl StereoMatcher {
                     remedy,
                 ));
             }
-            Some(device) => Source::device(&device, sensor, raw, rectify)?,
+            Some(device) => PairSource::device(&device, sensor, raw, rectify)?,
             None if raw == Some(true) || rectify.is_some() || sensor.is_some() => {
                 let is = "require a device";
                 return Err(wrong(
@@ -266,7 +267,7 @@ impl StereoMatcher {
                     "pass a device, or rectified images",
                 ));
             }
-            None => Source::rectified(fx, hfov_deg, baseline)?,
+            None => PairSource::rectified(fx, hfov_deg, baseline)?,
         };
         let platform = maybe_named("platform", platform)?;
         finding::warn(py, hfov_deg.and_then(check_hfov).as_slice())?;
@@ -284,7 +285,7 @@ impl StereoMatcher {
     fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<(Arguments<'_>, Bound<'py, PyDict>)> {
         let options = keywords(py, &self.options, |option| option.is_of_matcher)?;
         let device = match &self.source {
-            Source::Device {
+            PairSource::Device {
                 device,
                 sensor,
                 is_raw,
@@ -296,7 +297,7 @@ impl StereoMatcher {
                 options.set_item("rectify", rectify.map(Method::name))?;
                 Some(device)
             }
-            Source::Rectified {
+            PairSource::Rectified {
                 field_of_view,
                 baseline_m,
             } => {
@@ -341,11 +342,11 @@ impl StereoMatcher {
             }
         };
         // An invalid pair must not reset the matcher by its size.
-        Pair::new(&left, &right).map_err(error)?;
+        RectifiedPair::new(&left, &right).map_err(error)?;
         let size = ImageSize::new(left.width(), left.height());
         let (mut seen, stereo) = self.with_matcher(py, size, |matcher| {
             let stereo = geometry(matcher);
-            Ok((matcher.look(left, right)?, stereo))
+            Ok((matcher.match_pair(left, right)?, stereo))
         })?;
         let [left, right] = seen.rectified;
         let all = PyDict::new(py);
@@ -421,8 +422,8 @@ impl StereoMatcher {
 
     fn __repr__(&self, py: Python<'_>) -> String {
         let whose = match &self.source {
-            Source::Device { device, .. } => device.get().twin.device.name.clone(),
-            Source::Rectified { .. } => "any pair".to_owned(),
+            PairSource::Device { device, .. } => device.get().twin.device.name.clone(),
+            PairSource::Rectified { .. } => "any pair".to_owned(),
         };
         let camera = self.ask(py, |matcher| matcher.rectified_camera());
         let rectify = self.rectify(py).unwrap_or("rectified");

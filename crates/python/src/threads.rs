@@ -10,7 +10,7 @@ use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::progress::{Report, Task};
+use crate::progress::{ProgressCallback, Task};
 
 /// The maximum delay of Ctrl-C.
 pub(crate) const POLL: Duration = Duration::from_millis(50);
@@ -86,7 +86,7 @@ pub(crate) fn count() -> PyResult<usize> {
 /// cancelled and its result dropped.
 pub(crate) fn interruptible<T: Send>(
     py: Python<'_>,
-    report: Report,
+    report: ProgressCallback,
     work: impl FnOnce(&Task) -> T + Send,
 ) -> PyResult<T> {
     let pool = pool()?;

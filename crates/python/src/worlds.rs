@@ -16,7 +16,7 @@ use crate::error::{error, wrong};
 use crate::images::room;
 use crate::memory::check_free;
 use crate::pose::{Of, pose};
-use crate::progress::Report;
+use crate::progress::ProgressCallback;
 use crate::scene::{Scene, path, unknown_part};
 use crate::settings::{item_numbers, strings};
 use crate::threads;
@@ -179,7 +179,7 @@ impl Worlds {
         }
         let (result, mut images) = room::<f32>(py, out, &dims, &[])?;
         let images = images.as_slice_mut().map_err(error)?;
-        threads::interruptible(py, Report::default(), |task| {
+        threads::interruptible(py, ProgressCallback::default(), |task| {
             let worlds = self.worlds.read().unwrap_or_else(PoisonError::into_inner);
             worlds.depth(&chosen, &views, backend, images, &|| task.is_stopped());
         })?;

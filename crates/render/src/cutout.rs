@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::math::DVec3;
-use oaktwin_scene::{Mask, Opacity, Scene};
+use oaktwin_scene::{Opacity, Scene, TextureMask};
 
 use self::mask::MaskImage;
 pub use self::transparent::Transparent;
@@ -35,7 +35,7 @@ struct Cut {
     image: Option<Arc<MaskImage>>,
     /// The share of light that the solid parts transmit, which multiplies its mask if there is one.
     transmits: f32,
-    transmission: Option<(Mask, Arc<MaskImage>)>,
+    transmission: Option<(TextureMask, Arc<MaskImage>)>,
 }
 
 /// The share of transmitted light above which a surface is clear: it casts no shadow, and what lies behind it can be the ground truth.
@@ -59,7 +59,7 @@ impl Cutouts {
             if opacity.is_none() && transmission.is_none() {
                 return None;
             }
-            let mut image = |mask: Mask, otherwise| {
+            let mut image = |mask: TextureMask, otherwise| {
                 let key = (mask.texture.texture, mask.channel);
                 let texture = scene.textures.get(mask.texture.texture as usize)?;
                 let image = images
@@ -197,7 +197,7 @@ mod tests {
 
     use oaktwin_image::Image;
     use oaktwin_scene::{
-        Attribute, Mask, Material, MaterialSpan, Mesh, Texture, TextureSource, TextureUse, Wrap,
+        Material, MaterialSpan, Mesh, MeshAttribute, Texture, TextureMask, TextureSource, TextureUse, Wrap,
     };
 
     use super::*;
@@ -213,7 +213,7 @@ mod tests {
         ];
         for (x, z, material) in cards {
             let mesh = Mesh {
-                uvs: Some(Attribute::Vertex(vec![
+                uvs: Some(MeshAttribute::Vertex(vec![
                     [0.0, 0.0],
                     [0.0, 1.0],
                     [1.0, 1.0],
@@ -233,7 +233,7 @@ mod tests {
             wrap_s: Wrap::Clamp,
             ..TextureUse::new(0)
         };
-        let cut = Opacity::new(1.0, Some(Mask { texture, channel: 3 }), 0.5);
+        let cut = Opacity::new(1.0, Some(TextureMask { texture, channel: 3 }), 0.5);
         scene.materials = [cut, Opacity::new(0.0, None, 0.0)]
             .map(|opacity| Material {
                 opacity,

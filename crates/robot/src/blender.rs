@@ -8,15 +8,15 @@ use std::fmt::Write;
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::DMat3;
 
-use crate::Export;
+use crate::RobotFiles;
 use crate::description::{CameraFrame, Description};
 use crate::mjcf::OPTICAL_FROM_OPENGL;
 use crate::xml::number;
 
 const HEAD: &str = include_str!("blender.py");
 
-pub(crate) fn export(of: &Description) -> Export {
-    let mut export = Export::with_visuals(of);
+pub(crate) fn export(of: &Description) -> RobotFiles {
+    let mut export = RobotFiles::with_visuals(of);
     export.text(format!("{}_blender.py", of.name), script(of));
     export
 }

@@ -5,7 +5,7 @@ use oaktwin_catalog::{Catalog, InertialPart, Twin, TwinCamera};
 use oaktwin_imu::ChannelNoise;
 use oaktwin_usd::body;
 
-use crate::{Attachment, Mesh, RobotError};
+use crate::{Attachment, HousingMesh, RobotError};
 
 /// The axes of an optical frame (x right, y down, z forward) in a camera frame (x forward, y left, z up), as in REP-103.
 pub(crate) const CAMERA_FROM_OPTICAL: DMat3 = DMat3::from_cols(DVec3::NEG_Y, DVec3::NEG_Z, DVec3::X);
@@ -44,7 +44,7 @@ pub struct Housing {
     /// The visible meshes, one per material.
     pub visuals: Vec<Visual>,
     /// A convex mesh.
-    pub collider: Mesh,
+    pub collider: HousingMesh,
     /// The centre of the housing, which is used as its centre of mass.
     pub centre: DVec3,
     /// The outer dimensions along x, y and z.
@@ -67,7 +67,7 @@ pub struct Visual {
     /// Roughness, 0 to 1.
     pub roughness: f32,
     /// The mesh.
-    pub mesh: Mesh,
+    pub mesh: HousingMesh,
 }
 
 /// A camera: a pinhole with these intrinsics.
@@ -274,7 +274,7 @@ impl Housing {
         let squares = size * size;
         let model = body::body(twin);
         let visuals = model.materials.iter().map(|material| {
-            let mut mesh = Mesh::default();
+            let mut mesh = HousingMesh::default();
             for part in model.parts.iter().filter(|part| part.material == material.name) {
                 mesh.add(part);
             }
@@ -287,7 +287,7 @@ impl Housing {
             }
         });
         let visuals = visuals.collect();
-        let mut collider = Mesh::default();
+        let mut collider = HousingMesh::default();
         collider.add(&model.collider);
         Self {
             visuals,

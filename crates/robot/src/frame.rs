@@ -6,7 +6,7 @@ use crate::description::{CAMERA_FROM_OPTICAL, CameraFrame};
 
 /// A coordinate frame of a device.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Frame {
+pub struct DeviceFrame {
     /// The name.
     pub name: String,
     /// The name of the frame that carries it.
@@ -18,14 +18,14 @@ pub struct Frame {
 impl CameraFrame {
     /// Returns the frame of the camera and its optical frame. Their names begin with `device`.
     #[must_use]
-    pub fn frames(&self, device: &str) -> [Frame; 2] {
+    pub fn frames(&self, device: &str) -> [DeviceFrame; 2] {
         let camera = frame_names::camera(device, &self.role);
-        let optical = Frame {
+        let optical = DeviceFrame {
             name: frame_names::optical(&camera),
             parent: camera.clone(),
             parent_from_frame: RigidTransform::new(CAMERA_FROM_OPTICAL, DVec3::ZERO),
         };
-        let camera = Frame {
+        let camera = DeviceFrame {
             name: camera,
             parent: device.to_owned(),
             parent_from_frame: self.body_from_camera(),
@@ -36,8 +36,8 @@ impl CameraFrame {
 
 impl Description {
     /// Returns the frame of the inertial unit, if its pose is known.
-    pub(crate) fn imu_frame(&self, device: &str) -> Option<Frame> {
-        self.imu.as_ref().map(|imu| Frame {
+    pub(crate) fn imu_frame(&self, device: &str) -> Option<DeviceFrame> {
+        self.imu.as_ref().map(|imu| DeviceFrame {
             name: frame_names::imu(device),
             parent: device.to_owned(),
             parent_from_frame: imu.body_from_imu,
@@ -46,7 +46,7 @@ impl Description {
 
     /// Returns the frames of the cameras, the depth sensors and the inertial unit. Each follows the one that carries it.
     #[must_use]
-    pub fn frames(&self) -> Vec<Frame> {
+    pub fn frames(&self) -> Vec<DeviceFrame> {
         let device = &self.name;
         let cameras = self.all_cameras().flat_map(|camera| camera.frames(device));
         cameras.chain(self.imu_frame(device)).collect()

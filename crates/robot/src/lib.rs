@@ -27,8 +27,8 @@ use oaktwin_files::{self as files, FileError};
 
 pub use description::{CameraFrame, DepthFrame, Description, Housing, ImuFrame, Visual};
 pub use error::RobotError;
-pub use frame::Frame;
-pub use mesh::Mesh;
+pub use frame::DeviceFrame;
+pub use mesh::HousingMesh;
 pub use mount::{Attachment, Mount};
 pub use read::{
     Joint, JointKind, JointPositions, Link, LinkVisual, Mimic, PlacedRobot, Robot, RobotFileError, Shape,
@@ -54,14 +54,14 @@ choice! {
 
 /// Files and their findings.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Export {
+pub struct RobotFiles {
     /// The paths relative to the output folder, with `/`, and the contents.
     pub files: Vec<(String, Vec<u8>)>,
     /// The information that the format cannot represent.
     pub findings: Vec<Finding>,
 }
 
-impl Export {
+impl RobotFiles {
     /// Writes the files into a folder, which is created, and returns their paths.
     ///
     /// # Errors
@@ -124,7 +124,7 @@ pub fn export(
     twin: &Twin,
     attachment: &Attachment,
     format: Format,
-) -> Result<Export, RobotError> {
+) -> Result<RobotFiles, RobotError> {
     let description = Description::new(catalog, twin, attachment)?;
     let mut export = match format {
         Format::Urdf => urdf::export(&description),

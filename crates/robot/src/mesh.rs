@@ -6,7 +6,7 @@ use oaktwin_usd::body::BodyPart;
 
 /// Triangles with normals, in the body frame in metres.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Mesh {
+pub struct HousingMesh {
     /// The corners.
     pub points: Vec<[f32; 3]>,
     /// The unit normals of the triangles' corners.
@@ -15,7 +15,7 @@ pub struct Mesh {
     pub triangles: Vec<[[u32; 2]; 3]>,
 }
 
-impl Mesh {
+impl HousingMesh {
     /// Adds a part of a body; faces with four corners become two triangles.
     #[expect(clippy::cast_sign_loss, reason = "indices and counts are positive")]
     pub(crate) fn add(&mut self, part: &BodyPart) {

@@ -8,42 +8,42 @@ use oaktwin_camera::math::{DMat3, DQuat, DVec3};
 use oaktwin_imu::ChannelNoise;
 
 use crate::description::{CameraFrame, Description, IMU_RATE};
-use crate::xml::{Element, number, numbers};
-use crate::{Export, Housing};
+use crate::xml::{XmlElement, number, numbers};
+use crate::{Housing, RobotFiles};
 
 /// The axes of `MuJoCo`'s cameras (x right, y up, z backward) in an optical frame.
 pub(crate) const OPTICAL_FROM_OPENGL: DMat3 = DMat3::from_cols(DVec3::X, DVec3::NEG_Y, DVec3::NEG_Z);
 
-pub(crate) fn export(of: &Description) -> Export {
-    let mut export = Export::with_visuals(of).with_collider(of);
+pub(crate) fn export(of: &Description) -> RobotFiles {
+    let mut export = RobotFiles::with_visuals(of).with_collider(of);
     export.text(format!("{}.xml", of.name), model(of).document());
     export
 }
 
-fn model(of: &Description) -> Element {
-    let mut assets = Element::new("asset");
+fn model(of: &Description) -> XmlElement {
+    let mut assets = XmlElement::new("asset");
     for visual in &of.housing.visuals {
         let [r, g, b] = visual.color.map(f64::from);
         assets = assets
             .with(
-                Element::new("mesh")
+                XmlElement::new("mesh")
                     .set("name", format!("{}_{}", of.name, visual.name))
                     .set("file", of.visual_file(visual))
                     // The housing is a shell of closed parts that overlap.
                     .set("inertia", "shell"),
             )
             .with(
-                Element::new("material")
+                XmlElement::new("material")
                     .set("name", format!("{}_{}", of.name, visual.name))
                     .set("rgba", numbers([r, g, b, 1.0])),
             );
     }
     let assets = assets.with(
-        Element::new("mesh")
+        XmlElement::new("mesh")
             .set("name", format!("{}_collider", of.name))
             .set("file", of.collider_file()),
     );
-    let mut sensors = Element::new("sensor");
+    let mut sensors = XmlElement::new("sensor");
     let site = format!("{}_imu", of.name);
     if let Some(imu) = &of.imu {
         sensors = sensors
@@ -55,20 +55,20 @@ fn model(of: &Description) -> Element {
             ))
             .with(inertial_sensor("gyro", "gyro", &site, imu.gyroscope.as_ref()));
     }
-    let model = Element::new("mujoco")
+    let model = XmlElement::new("mujoco")
         .set("model", &of.name)
         .commented(format!(
             "{}, for MuJoCo 3.6 and newer: older versions read principalpixel with the opposite sign.",
             of.title
         ))
         .with(
-            Element::new("compiler")
+            XmlElement::new("compiler")
                 .set("meshdir", "meshes")
                 .set("angle", "radian"),
         )
         .with(offscreen(of))
         .with(assets)
-        .with(Element::new("worldbody").with(carried(of, body(of, &site))));
+        .with(XmlElement::new("worldbody").with(carried(of, body(of, &site))));
     if of.imu.is_some() {
         model.with(sensors)
     } else {
@@ -77,28 +77,28 @@ fn model(of: &Description) -> Element {
 }
 
 /// The buffer of `MuJoCo`'s renderer, as large as the largest image: by default it has 640 × 480 pixels.
-fn offscreen(of: &Description) -> Element {
+fn offscreen(of: &Description) -> XmlElement {
     let largest = of.all_cameras().fold([0.0_f64; 2], |[w, h], camera| {
         let (width, height) = camera.size();
         [w.max(width), h.max(height)]
     });
     let [width, height] = largest.map(number);
-    Element::new("visual").with(
-        Element::new("global")
+    XmlElement::new("visual").with(
+        XmlElement::new("global")
             .set("offwidth", width)
             .set("offheight", height),
     )
 }
 
 /// Returns the body below the link that carries it, if there is one.
-fn carried(of: &Description, body: Element) -> Element {
+fn carried(of: &Description, body: XmlElement) -> XmlElement {
     match &of.parent {
-        Some(parent) => Element::new("body").set("name", parent).with(body),
+        Some(parent) => XmlElement::new("body").set("name", parent).with(body),
         None => body,
     }
 }
 
-fn body(of: &Description, imu_site: &str) -> Element {
+fn body(of: &Description, imu_site: &str) -> XmlElement {
     let Housing {
         visuals,
         centre,
@@ -107,50 +107,53 @@ fn body(of: &Description, imu_site: &str) -> Element {
         ..
     } = &of.housing;
     let geom = |name: &str| {
-        Element::new("geom")
+        XmlElement::new("geom")
             .set("type", "mesh")
             .set("mesh", format!("{}_{name}", of.name))
     };
-    let body = placed(Element::new("body").set("name", &of.name), &of.parent_from_body)
-        .with(
-            Element::new("inertial")
-                .commented("A solid cuboid with the dimensions and the mass of the device.")
-                .set("pos", numbers(centre.to_array()))
-                .set("mass", number(*mass))
-                .set(
-                    "diaginertia",
-                    inertia.to_array().map(|x| format!("{x:e}")).join(" "),
-                ),
-        )
-        .with_all(visuals.iter().map(|visual| {
-            geom(visual.name)
-                .set("material", format!("{}_{}", of.name, visual.name))
-                .set("contype", "0")
-                .set("conaffinity", "0")
-                .set("group", "2")
-        }))
-        .with(
-            geom("collider")
-                .set("name", format!("{}_collider", of.name))
-                .set("group", "3"),
-        )
-        .with_all(of.all_cameras().map(|camera| self::camera(of, camera)));
+    let body = placed(
+        XmlElement::new("body").set("name", &of.name),
+        &of.parent_from_body,
+    )
+    .with(
+        XmlElement::new("inertial")
+            .commented("A solid cuboid with the dimensions and the mass of the device.")
+            .set("pos", numbers(centre.to_array()))
+            .set("mass", number(*mass))
+            .set(
+                "diaginertia",
+                inertia.to_array().map(|x| format!("{x:e}")).join(" "),
+            ),
+    )
+    .with_all(visuals.iter().map(|visual| {
+        geom(visual.name)
+            .set("material", format!("{}_{}", of.name, visual.name))
+            .set("contype", "0")
+            .set("conaffinity", "0")
+            .set("group", "2")
+    }))
+    .with(
+        geom("collider")
+            .set("name", format!("{}_collider", of.name))
+            .set("group", "3"),
+    )
+    .with_all(of.all_cameras().map(|camera| self::camera(of, camera)));
     match &of.imu {
         Some(imu) => body.with(placed(
-            Element::new("site").set("name", imu_site).set("size", "0.001"),
+            XmlElement::new("site").set("name", imu_site).set("size", "0.001"),
             &imu.body_from_imu,
         )),
         None => body,
     }
 }
 
-fn camera(of: &Description, camera: &CameraFrame) -> Element {
+fn camera(of: &Description, camera: &CameraFrame) -> XmlElement {
     let at = &camera.body_from_optical;
     let pose = RigidTransform::new(at.rotation * OPTICAL_FROM_OPENGL, at.translation);
     let (width, height) = camera.size();
     let (cx, cy) = camera.centre();
     placed(
-        Element::new("camera").set("name", format!("{}_{}", of.name, camera.role)),
+        XmlElement::new("camera").set("name", format!("{}_{}", of.name, camera.role)),
         &pose,
     )
     .set("resolution", numbers([width, height]))
@@ -165,8 +168,8 @@ fn camera(of: &Description, camera: &CameraFrame) -> Element {
     .set("principalpixel", numbers([width / 2.0 - cx, height / 2.0 - cy]))
 }
 
-fn inertial_sensor(kind: &'static str, name: &str, site: &str, noise: Option<&ChannelNoise>) -> Element {
-    let sensor = Element::new(kind)
+fn inertial_sensor(kind: &'static str, name: &str, site: &str, noise: Option<&ChannelNoise>) -> XmlElement {
+    let sensor = XmlElement::new(kind)
         .set("name", format!("{site}_{name}"))
         .set("site", site);
     match noise {
@@ -179,7 +182,7 @@ fn inertial_sensor(kind: &'static str, name: &str, site: &str, noise: Option<&Ch
     }
 }
 
-fn placed(element: Element, at: &RigidTransform) -> Element {
+fn placed(element: XmlElement, at: &RigidTransform) -> XmlElement {
     let turn = DQuat::from_mat3(&at.rotation);
     element
         .set("pos", numbers(at.translation.to_array()))

@@ -11,9 +11,9 @@ use oaktwin_camera::{RigidTransform, frame_names};
 use oaktwin_imu::ChannelNoise;
 
 use crate::description::{CameraFrame, DepthFrame, Description, IMU_RATE, ImuFrame, roll_pitch_yaw};
-use crate::frame::Frame;
-use crate::xml::{Element, number, numbers};
-use crate::{Export, Housing};
+use crate::frame::DeviceFrame;
+use crate::xml::{XmlElement, number, numbers};
+use crate::{Housing, RobotFiles};
 
 /// The rate of images, Hz.
 const FRAME_RATE: f64 = 30.0;
@@ -30,13 +30,13 @@ pub(crate) enum Reader {
 
 impl Reader {
     /// Returns the element that names the frame of a sensor's messages.
-    fn frame_id(self, frame: String) -> Option<Element> {
-        (self == Self::Gazebo).then(|| Element::text("gz_frame_id", frame))
+    fn frame_id(self, frame: String) -> Option<XmlElement> {
+        (self == Self::Gazebo).then(|| XmlElement::text("gz_frame_id", frame))
     }
 }
 
-pub(crate) fn export(of: &Description, reader: Reader) -> Export {
-    let mut export = Export::with_visuals(of).with_collider(of);
+pub(crate) fn export(of: &Description, reader: Reader) -> RobotFiles {
+    let mut export = RobotFiles::with_visuals(of).with_collider(of);
     export.without_parent(
         of,
         "SDF",
@@ -49,18 +49,18 @@ pub(crate) fn export(of: &Description, reader: Reader) -> Export {
     export
 }
 
-fn config(of: &Description) -> Element {
-    Element::new("model")
-        .with(Element::text("name", &of.title))
-        .with(Element::text("version", "1.0"))
-        .with(Element::text("sdf", "model.sdf").set("version", "1.9"))
-        .with(Element::text(
+fn config(of: &Description) -> XmlElement {
+    XmlElement::new("model")
+        .with(XmlElement::text("name", &of.title))
+        .with(XmlElement::text("version", "1.0"))
+        .with(XmlElement::text("sdf", "model.sdf").set("version", "1.9"))
+        .with(XmlElement::text(
             "description",
             format!("{}, written by oaktwin", of.title),
         ))
 }
 
-fn sdf(of: &Description, reader: Reader) -> Element {
+fn sdf(of: &Description, reader: Reader) -> XmlElement {
     let frames = of.frames();
     let frames = frames.iter().map(frame);
     let mut link = housing(of)
@@ -76,8 +76,8 @@ fn sdf(of: &Description, reader: Reader) -> Element {
     if let Some(imu) = &of.imu {
         link = link.with(imu_sensor(of, reader, imu));
     }
-    Element::new("sdf").set("version", "1.9").with(
-        Element::new("model")
+    XmlElement::new("sdf").set("version", "1.9").with(
+        XmlElement::new("model")
             .set("name", &of.name)
             .with(pose(&of.parent_from_body))
             .with(link)
@@ -85,14 +85,14 @@ fn sdf(of: &Description, reader: Reader) -> Element {
     )
 }
 
-fn frame(of: &Frame) -> Element {
-    Element::new("frame")
+fn frame(of: &DeviceFrame) -> XmlElement {
+    XmlElement::new("frame")
         .set("name", &of.name)
         .set("attached_to", &of.parent)
         .with(pose(&of.parent_from_frame))
 }
 
-fn housing(of: &Description) -> Element {
+fn housing(of: &Description) -> XmlElement {
     let Housing {
         visuals,
         centre,
@@ -101,37 +101,37 @@ fn housing(of: &Description) -> Element {
         ..
     } = &of.housing;
     let mesh = |file: String| {
-        let uri = Element::text("uri", format!("meshes/{file}"));
-        Element::new("geometry").with(Element::new("mesh").with(uri))
+        let uri = XmlElement::text("uri", format!("meshes/{file}"));
+        XmlElement::new("geometry").with(XmlElement::new("mesh").with(uri))
     };
-    let inertial = Element::new("inertial")
+    let inertial = XmlElement::new("inertial")
         .commented("A solid cuboid with the dimensions and the mass of the device.")
         .with(pose(&RigidTransform::new(DMat3::IDENTITY, *centre)))
-        .with(Element::text("mass", number(*mass)))
+        .with(XmlElement::text("mass", number(*mass)))
         .with(
-            Element::new("inertia")
-                .with(Element::text("ixx", format!("{:e}", inertia.x)))
-                .with(Element::text("ixy", "0"))
-                .with(Element::text("ixz", "0"))
-                .with(Element::text("iyy", format!("{:e}", inertia.y)))
-                .with(Element::text("iyz", "0"))
-                .with(Element::text("izz", format!("{:e}", inertia.z))),
+            XmlElement::new("inertia")
+                .with(XmlElement::text("ixx", format!("{:e}", inertia.x)))
+                .with(XmlElement::text("ixy", "0"))
+                .with(XmlElement::text("ixz", "0"))
+                .with(XmlElement::text("iyy", format!("{:e}", inertia.y)))
+                .with(XmlElement::text("iyz", "0"))
+                .with(XmlElement::text("izz", format!("{:e}", inertia.z))),
         );
     let visuals = visuals.iter().map(|visual| {
         let [r, g, b] = visual.color.map(f64::from);
-        Element::new("visual")
+        XmlElement::new("visual")
             .set("name", visual.name)
             .with(mesh(of.visual_file(visual)))
             .with(
-                Element::new("material")
-                    .with(Element::text("ambient", numbers([r, g, b, 1.0])))
-                    .with(Element::text("diffuse", numbers([r, g, b, 1.0]))),
+                XmlElement::new("material")
+                    .with(XmlElement::text("ambient", numbers([r, g, b, 1.0])))
+                    .with(XmlElement::text("diffuse", numbers([r, g, b, 1.0]))),
             )
     });
-    let collision = Element::new("collision")
+    let collision = XmlElement::new("collision")
         .set("name", "housing")
         .with(mesh(of.collider_file()));
-    Element::new("link")
+    XmlElement::new("link")
         .set("name", &of.name)
         .with(inertial)
         .with_all(visuals)
@@ -145,87 +145,87 @@ fn sensor(
     camera: &CameraFrame,
     kind: &str,
     range: Option<(f64, f64)>,
-) -> Element {
+) -> XmlElement {
     let name = format!("{}_{}", of.name, camera.role);
     let (width, height) = (camera.intrinsics.size.width, camera.intrinsics.size.height);
     let (cx, cy) = camera.centre();
     let clip = |(near, far): (f64, f64)| {
-        Element::new("clip")
-            .with(Element::text("near", number(near)))
-            .with(Element::text("far", number(far)))
+        XmlElement::new("clip")
+            .with(XmlElement::text("near", number(near)))
+            .with(XmlElement::text("far", number(far)))
     };
-    let intrinsics = Element::new("intrinsics")
-        .with(Element::text("fx", number(camera.intrinsics.fx)))
-        .with(Element::text("fy", number(camera.intrinsics.fy)))
-        .with(Element::text("cx", number(cx)))
-        .with(Element::text("cy", number(cy)))
-        .with(Element::text("s", "0"));
-    let mut optics = Element::new("camera")
-        .with(Element::text("horizontal_fov", number(camera.hfov())))
+    let intrinsics = XmlElement::new("intrinsics")
+        .with(XmlElement::text("fx", number(camera.intrinsics.fx)))
+        .with(XmlElement::text("fy", number(camera.intrinsics.fy)))
+        .with(XmlElement::text("cx", number(cx)))
+        .with(XmlElement::text("cy", number(cy)))
+        .with(XmlElement::text("s", "0"));
+    let mut optics = XmlElement::new("camera")
+        .with(XmlElement::text("horizontal_fov", number(camera.hfov())))
         .with(
-            Element::new("image")
-                .with(Element::text("width", width.to_string()))
-                .with(Element::text("height", height.to_string()))
-                .with(Element::text("format", "R8G8B8")),
+            XmlElement::new("image")
+                .with(XmlElement::text("width", width.to_string()))
+                .with(XmlElement::text("height", height.to_string()))
+                .with(XmlElement::text("format", "R8G8B8")),
         )
         .with(clip(camera.clip));
     if let Some(range) = range {
-        optics = optics.with(Element::new("depth_camera").with(clip(range)));
+        optics = optics.with(XmlElement::new("depth_camera").with(clip(range)));
     }
-    let optics = optics.with(Element::new("lens").with(intrinsics));
-    Element::new("sensor")
+    let optics = optics.with(XmlElement::new("lens").with(intrinsics));
+    XmlElement::new("sensor")
         .set("name", &name)
         .set("type", kind)
         .with(pose(&camera.body_from_camera()))
-        .with(Element::text("always_on", "true"))
-        .with(Element::text("update_rate", number(FRAME_RATE)))
-        .with(Element::text("topic", format!("{}/{}", of.name, camera.role)))
+        .with(XmlElement::text("always_on", "true"))
+        .with(XmlElement::text("update_rate", number(FRAME_RATE)))
+        .with(XmlElement::text("topic", format!("{}/{}", of.name, camera.role)))
         .with_all(reader.frame_id(frame_names::optical(&frame_names::camera(&of.name, &camera.role))))
         .with(optics)
 }
 
-fn imu_sensor(of: &Description, reader: Reader, imu: &ImuFrame) -> Element {
+fn imu_sensor(of: &Description, reader: Reader, imu: &ImuFrame) -> XmlElement {
     let axes = |name, noise: &Option<ChannelNoise>| {
         let axis = |axis, deviation: f64, walk: f64| {
-            let mut model = Element::new("noise")
+            let mut model = XmlElement::new("noise")
                 .set("type", "gaussian")
-                .with(Element::text("mean", "0"))
-                .with(Element::text("stddev", format!("{deviation:e}")));
+                .with(XmlElement::text("mean", "0"))
+                .with(XmlElement::text("stddev", format!("{deviation:e}")));
             if walk > 0.0 {
                 model = model
-                    .with(Element::text("dynamic_bias_stddev", format!("{walk:e}")))
-                    .with(Element::text(
+                    .with(XmlElement::text("dynamic_bias_stddev", format!("{walk:e}")))
+                    .with(XmlElement::text(
                         "dynamic_bias_correlation_time",
                         number(CORRELATION_TIME),
                     ));
             }
-            Element::new(axis).with(model)
+            XmlElement::new(axis).with(model)
         };
         noise.as_ref().map(|noise| {
             let (deviation, walk) = (noise.sample_deviation(IMU_RATE), noise.random_walk);
-            Element::new(name)
+            XmlElement::new(name)
                 .with(axis("x", deviation.x, walk.x))
                 .with(axis("y", deviation.y, walk.y))
                 .with(axis("z", deviation.z, walk.z))
         })
     };
-    let model = Element::new("imu")
+    let model = XmlElement::new("imu")
         .with_all(axes("angular_velocity", &imu.gyroscope))
         .with_all(axes("linear_acceleration", &imu.accelerometer));
-    Element::new("sensor")
+    XmlElement::new("sensor")
         .set("name", format!("{}_imu", of.name))
         .set("type", "imu")
         .commented("Standard deviations of single samples: noise density times the square root of the rate.")
         .with(pose(&imu.body_from_imu))
-        .with(Element::text("always_on", "true"))
-        .with(Element::text("update_rate", number(IMU_RATE)))
-        .with(Element::text("topic", format!("{}/imu/data", of.name)))
+        .with(XmlElement::text("always_on", "true"))
+        .with(XmlElement::text("update_rate", number(IMU_RATE)))
+        .with(XmlElement::text("topic", format!("{}/imu/data", of.name)))
         .with_all(reader.frame_id(frame_names::imu(&of.name)))
         .with(model)
 }
 
-fn pose(pose: &RigidTransform) -> Element {
+fn pose(pose: &RigidTransform) -> XmlElement {
     let angles = roll_pitch_yaw(&pose.rotation);
     let values = pose.translation.to_array().into_iter().chain(angles.to_array());
-    Element::text("pose", numbers(values))
+    XmlElement::text("pose", numbers(values))
 }

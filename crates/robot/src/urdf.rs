@@ -5,9 +5,9 @@ use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::DMat3;
 
 use crate::description::{CameraFrame, Description, roll_pitch_yaw};
-use crate::frame::Frame;
-use crate::xml::{Element, number, numbers};
-use crate::{Export, Housing};
+use crate::frame::DeviceFrame;
+use crate::xml::{XmlElement, number, numbers};
+use crate::{Housing, RobotFiles};
 
 /// The parts of names and paths that differ between the plain file and the macro.
 struct Names<'a> {
@@ -15,8 +15,8 @@ struct Names<'a> {
     meshes: &'a str,
 }
 
-pub(crate) fn export(of: &Description) -> Export {
-    let mut export = Export::with_visuals(of).with_collider(of);
+pub(crate) fn export(of: &Description) -> RobotFiles {
+    let mut export = RobotFiles::with_visuals(of).with_collider(of);
     export.text(format!("{}.urdf", of.name), plain(of));
     export.text(format!("{}.urdf.xacro", of.id), xacro(of));
     export
@@ -27,10 +27,12 @@ fn plain(of: &Description) -> String {
         device: &of.name,
         meshes: "meshes",
     };
-    let mut robot = Element::new("robot").set("name", &of.name).commented(&of.title);
+    let mut robot = XmlElement::new("robot")
+        .set("name", &of.name)
+        .commented(&of.title);
     if let Some(parent) = &of.parent {
         robot = robot
-            .with(Element::new("link").set("name", parent))
+            .with(XmlElement::new("link").set("name", parent))
             .with(attached(&names, parent, origin(&of.parent_from_body)));
     }
     robot.with_all(links(of, &names)).document()
@@ -41,7 +43,7 @@ fn xacro(of: &Description) -> String {
         device: "${name}",
         meshes: "${meshes}",
     };
-    let macro_of_model = Element::new("xacro:macro")
+    let macro_of_model = XmlElement::new("xacro:macro")
         .set("name", &of.id)
         .set("params", format!("parent *origin name:={} meshes:=meshes", of.name))
         .commented(format!(
@@ -52,17 +54,17 @@ fn xacro(of: &Description) -> String {
         .with(attached(
             &names,
             "${parent}",
-            Element::new("xacro:insert_block").set("name", "origin"),
+            XmlElement::new("xacro:insert_block").set("name", "origin"),
         ))
         .with_all(links(of, &names));
-    Element::new("robot")
+    XmlElement::new("robot")
         .set("xmlns:xacro", "http://www.ros.org/wiki/xacro")
         .with(macro_of_model)
         .document()
 }
 
 /// Returns the joint to the parent.
-fn attached(names: &Names<'_>, parent: &str, origin: Element) -> Element {
+fn attached(names: &Names<'_>, parent: &str, origin: XmlElement) -> XmlElement {
     joint(
         &format!("{}_center_joint", names.device),
         parent,
@@ -71,11 +73,11 @@ fn attached(names: &Names<'_>, parent: &str, origin: Element) -> Element {
     )
 }
 
-fn links(of: &Description, names: &Names<'_>) -> Vec<Element> {
+fn links(of: &Description, names: &Names<'_>) -> Vec<XmlElement> {
     let device = names.device;
     let model = format!("{device}_model_origin");
     let mut links = vec![
-        Element::new("link").set("name", device),
+        XmlElement::new("link").set("name", device),
         housing(of, names).set("name", &model),
         joint(
             &format!("{model}_joint"),
@@ -94,7 +96,7 @@ fn links(of: &Description, names: &Names<'_>) -> Vec<Element> {
 }
 
 /// Returns the frames of a camera and of its image.
-fn camera_links(camera: &CameraFrame, device: &str) -> [Element; 4] {
+fn camera_links(camera: &CameraFrame, device: &str) -> [XmlElement; 4] {
     let name = format!("{device}_{}_camera", camera.role);
     let [frame, optical] = camera.frames(device);
     let [link_of_frame, joint_of_frame] = link(&format!("{name}_joint"), &frame);
@@ -103,9 +105,9 @@ fn camera_links(camera: &CameraFrame, device: &str) -> [Element; 4] {
 }
 
 /// Returns the link of a frame and the joint to the frame that carries it.
-fn link(joint_name: &str, frame: &Frame) -> [Element; 2] {
+fn link(joint_name: &str, frame: &DeviceFrame) -> [XmlElement; 2] {
     [
-        Element::new("link").set("name", &frame.name),
+        XmlElement::new("link").set("name", &frame.name),
         joint(
             joint_name,
             &frame.parent,
@@ -116,7 +118,7 @@ fn link(joint_name: &str, frame: &Frame) -> [Element; 2] {
 }
 
 /// Returns the link with the meshes and the mass, without a name.
-fn housing(of: &Description, names: &Names<'_>) -> Element {
+fn housing(of: &Description, names: &Names<'_>) -> XmlElement {
     let Housing {
         visuals,
         centre,
@@ -126,14 +128,14 @@ fn housing(of: &Description, names: &Names<'_>) -> Element {
     } = &of.housing;
     let mesh = |file: String| {
         let file = format!("{}/{file}", names.meshes);
-        Element::new("geometry").with(Element::new("mesh").set("filename", file))
+        XmlElement::new("geometry").with(XmlElement::new("mesh").set("filename", file))
     };
-    let inertial = Element::new("inertial")
+    let inertial = XmlElement::new("inertial")
         .commented("A solid cuboid with the dimensions and the mass of the device.")
         .with(origin(&RigidTransform::new(DMat3::IDENTITY, *centre)))
-        .with(Element::new("mass").set("value", number(*mass)))
+        .with(XmlElement::new("mass").set("value", number(*mass)))
         .with(
-            Element::new("inertia")
+            XmlElement::new("inertia")
                 .set("ixx", format!("{:e}", inertia.x))
                 .set("ixy", "0")
                 .set("ixz", "0")
@@ -143,29 +145,29 @@ fn housing(of: &Description, names: &Names<'_>) -> Element {
         );
     let visuals = visuals.iter().map(|visual| {
         let [r, g, b] = visual.color.map(f64::from);
-        Element::new("visual").with(mesh(of.visual_file(visual))).with(
-            Element::new("material")
+        XmlElement::new("visual").with(mesh(of.visual_file(visual))).with(
+            XmlElement::new("material")
                 .set("name", format!("{}_{}", names.device, visual.name))
-                .with(Element::new("color").set("rgba", numbers([r, g, b, 1.0]))),
+                .with(XmlElement::new("color").set("rgba", numbers([r, g, b, 1.0]))),
         )
     });
-    Element::new("link")
+    XmlElement::new("link")
         .with(inertial)
         .with_all(visuals)
-        .with(Element::new("collision").with(mesh(of.collider_file())))
+        .with(XmlElement::new("collision").with(mesh(of.collider_file())))
 }
 
-fn joint(name: &str, parent: &str, child: &str, origin: Element) -> Element {
-    Element::new("joint")
+fn joint(name: &str, parent: &str, child: &str, origin: XmlElement) -> XmlElement {
+    XmlElement::new("joint")
         .set("name", name)
         .set("type", "fixed")
-        .with(Element::new("parent").set("link", parent))
-        .with(Element::new("child").set("link", child))
+        .with(XmlElement::new("parent").set("link", parent))
+        .with(XmlElement::new("child").set("link", child))
         .with(origin)
 }
 
-fn origin(pose: &RigidTransform) -> Element {
-    Element::new("origin")
+fn origin(pose: &RigidTransform) -> XmlElement {
+    XmlElement::new("origin")
         .set("xyz", numbers(pose.translation.to_array()))
         .set("rpy", numbers(roll_pitch_yaw(&pose.rotation).to_array()))
 }

@@ -10,13 +10,13 @@ use oaktwin_camera::math::DQuat;
 
 use crate::description::{CameraFrame, Description, Visual};
 use crate::xml::{number, numbers};
-use crate::{Export, Housing, Mesh};
+use crate::{Housing, HousingMesh, RobotFiles};
 
 /// Shifts of the principal point from here on are reported, pixels.
 const VISIBLE_SHIFT_PX: f64 = 0.05;
 
-pub(crate) fn export(of: &Description) -> Export {
-    let mut export = Export::with_visuals(of);
+pub(crate) fn export(of: &Description) -> RobotFiles {
+    let mut export = RobotFiles::with_visuals(of);
     for camera in of.all_cameras() {
         export.findings.extend(lost(camera));
     }
@@ -147,7 +147,7 @@ fn device(node: &str, of: &Description, camera: &CameraFrame, more: &str) -> Str
 }
 
 /// Returns a mesh as an `IndexedFaceSet`.
-fn faces(mesh: &Mesh) -> String {
+fn faces(mesh: &HousingMesh) -> String {
     let points: Vec<String> = mesh
         .points
         .iter()

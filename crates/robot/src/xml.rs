@@ -4,15 +4,15 @@ use std::fmt::Write;
 
 /// An element with attributes and either text or children.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Element {
+pub(crate) struct XmlElement {
     name: &'static str,
     attributes: Vec<(&'static str, String)>,
     text: Option<String>,
     comment: Option<String>,
-    children: Vec<Element>,
+    children: Vec<XmlElement>,
 }
 
-impl Element {
+impl XmlElement {
     pub(crate) fn new(name: &'static str) -> Self {
         Self {
             name,
@@ -112,9 +112,9 @@ mod tests {
 
     #[test]
     fn special_characters_are_escaped() {
-        let element = Element::new("a")
+        let element = XmlElement::new("a")
             .set("b", "\"<&>")
-            .with(Element::text("c", "1 < 2").commented("x -- y"));
+            .with(XmlElement::text("c", "1 < 2").commented("x -- y"));
         assert_eq!(
             element.document(),
             "<?xml version=\"1.0\"?>\n<a b=\"&quot;&lt;&amp;&gt;\">\n  <!-- x - - y -->\n  <c>1 &lt; 2</c>\n</a>\n"

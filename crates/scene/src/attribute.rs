@@ -1,6 +1,6 @@
 /// Data at the corners of a mesh's triangles: texture coordinates, normals, colours.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Attribute<T> {
+pub enum MeshAttribute<T> {
     /// One value for the whole mesh.
     Constant(T),
     /// One value for each triangle.
@@ -16,7 +16,7 @@ pub enum Attribute<T> {
     },
 }
 
-impl<T: Copy> Attribute<T> {
+impl<T: Copy> MeshAttribute<T> {
     /// The values at the three corners of the triangle with index `triangle` and the vertices `vertices`; `None` if the
     /// attribute has too few values.
     #[must_use]

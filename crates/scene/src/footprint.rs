@@ -1,6 +1,6 @@
 //! The size of a scene.
 
-use crate::{Attribute, Instance, Mesh, Scene, TextureSource};
+use crate::{Instance, Mesh, MeshAttribute, Scene, TextureSource};
 
 impl Scene {
     /// Returns the number of rendered triangles: a mesh counts once per instance.
@@ -65,13 +65,13 @@ impl Mesh {
         list_bytes(&self.positions)
             + list_bytes(&self.triangles)
             + list_bytes(&self.materials)
-            + self.normals.as_ref().map_or(0, Attribute::bytes)
-            + self.uvs.as_ref().map_or(0, Attribute::bytes)
-            + self.colors.as_ref().map_or(0, Attribute::bytes)
+            + self.normals.as_ref().map_or(0, MeshAttribute::bytes)
+            + self.uvs.as_ref().map_or(0, MeshAttribute::bytes)
+            + self.colors.as_ref().map_or(0, MeshAttribute::bytes)
     }
 }
 
-impl<T> Attribute<T> {
+impl<T> MeshAttribute<T> {
     fn bytes(&self) -> u64 {
         match self {
             Self::Constant(_) => 0,

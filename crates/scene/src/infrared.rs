@@ -204,10 +204,10 @@ mod tests {
     }
 
     /// A colour and a reflectance.
-    type Look = (Option<[f32; 3]>, Option<f32>);
+    type Reflectance = (Option<[f32; 3]>, Option<f32>);
 
     /// The look of each instance's surface.
-    fn surfaces(scene: &Scene) -> Vec<Option<Look>> {
+    fn surfaces(scene: &Scene) -> Vec<Option<Reflectance>> {
         let of = |instance: &Instance| {
             let mesh = &scene.meshes[instance.mesh as usize];
             let material = instance.material(mesh.material(0))?;

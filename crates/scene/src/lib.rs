@@ -21,13 +21,13 @@ mod turn;
 use oaktwin_base::parameter::choice;
 use oaktwin_camera::math::{DAffine3, DVec3};
 
-pub use attribute::Attribute;
+pub use attribute::MeshAttribute;
 pub use bounds::Bounds;
 pub use infrared::InfraredError;
 pub use light::{Light, LightKind};
 pub use material::{
-    ColorSpace, DEFAULT_INDEX, Mask, Material, Opacity, Texture, TextureSource, TextureUse, Transmission,
-    Wrap,
+    ColorSpace, DEFAULT_INDEX, Material, Opacity, Texture, TextureMask, TextureSource, TextureUse,
+    Transmission, Wrap,
 };
 pub use mesh::{MaterialSpan, Mesh};
 

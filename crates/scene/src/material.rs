@@ -35,7 +35,7 @@ pub struct Transmission {
     /// The share, from 0 to 1, of the light that is not reflected at the surface; the rest is scattered by the base colour.
     pub share: f32,
     /// The image that multiplies the share.
-    pub mask: Option<Mask>,
+    pub mask: Option<TextureMask>,
     /// The factor of the light each time it passes a surface; `None` for the base colour.
     pub tint: Option<[f32; 3]>,
     /// Whether closed meshes of the material bend light by its index, as solid glass does. Otherwise each surface is a thin wall.
@@ -92,7 +92,7 @@ impl Material {
     }
 
     /// Returns the masks of the opacity and of the transmission.
-    pub fn masks(&self) -> impl Iterator<Item = Mask> {
+    pub fn masks(&self) -> impl Iterator<Item = TextureMask> {
         let of_opacity = self.opacity.and_then(|opacity| opacity.mask);
         let of_transmission = self.transmission.and_then(|transmission| transmission.mask);
         of_opacity.into_iter().chain(of_transmission)
@@ -105,7 +105,7 @@ impl Material {
             texture: used.texture + count,
             ..used
         };
-        let moved_mask = |mask: Mask| Mask {
+        let moved_mask = |mask: TextureMask| TextureMask {
             texture: moved(mask.texture),
             ..mask
         };
@@ -130,7 +130,7 @@ pub struct Opacity {
     /// The opacity, which multiplies the mask if there is one.
     pub value: f32,
     /// The image that cuts the surface.
-    pub mask: Option<Mask>,
+    pub mask: Option<TextureMask>,
     /// The surface is invisible where its opacity is below this number, and solid elsewhere. If it is 0, the surface is
     /// invisible where its opacity is 0, and lets the rest of the light pass elsewhere.
     pub threshold: f32,
@@ -139,7 +139,7 @@ pub struct Opacity {
 impl Opacity {
     /// Returns an opacity; `None` if the surface is solid everywhere.
     #[must_use]
-    pub fn new(value: f32, mask: Option<Mask>, threshold: f32) -> Option<Self> {
+    pub fn new(value: f32, mask: Option<TextureMask>, threshold: f32) -> Option<Self> {
         let opacity = Self {
             value,
             mask,
@@ -171,7 +171,7 @@ impl Opacity {
 
 /// One channel of a texture as a mask.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mask {
+pub struct TextureMask {
     /// The texture.
     pub texture: TextureUse,
     /// The index of the channel among red, green, blue and opacity.

@@ -1,6 +1,6 @@
 use oaktwin_camera::math::DVec3;
 
-use crate::Attribute;
+use crate::MeshAttribute;
 
 /// A triangle mesh with shared vertices, in its own frame and unit.
 ///
@@ -12,11 +12,11 @@ pub struct Mesh {
     /// The three vertices of each triangle, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
     /// Unit normals; without them, triangles are shaded flat.
-    pub normals: Option<Attribute<[f32; 3]>>,
+    pub normals: Option<MeshAttribute<[f32; 3]>>,
     /// Texture coordinates, `(0, 0)` at the lower left of the image as in USD.
-    pub uvs: Option<Attribute<[f32; 2]>>,
+    pub uvs: Option<MeshAttribute<[f32; 2]>>,
     /// Linear colours that replace the base colour of materials without a texture, like USD's `displayColor`.
-    pub colors: Option<Attribute<[f32; 3]>>,
+    pub colors: Option<MeshAttribute<[f32; 3]>>,
     /// The materials of consecutive triangles, in order, covering all of them; empty if the mesh has none.
     pub materials: Vec<MaterialSpan>,
     /// Whether the inside is visible. Depth contains both sides regardless, as in Isaac Sim.

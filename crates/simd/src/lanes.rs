@@ -55,9 +55,9 @@ pub trait Lanes:
     /// Loads the coordinates of eight points.
     fn gather(points: &[[f32; 3]], indices: [u32; 8]) -> [Self; 3];
     /// Loads the columns of eight rows.
-    fn load_rows(rows: [&Row; 8]) -> (Self::I32, Self::I32, Self);
+    fn load_rows(rows: [&PackedVertex; 8]) -> (Self::I32, Self::I32, Self);
     /// Stores the columns of eight rows.
-    fn store_rows(x: Self::I32, y: Self::I32, z: Self, rows: &mut [Row; 8]);
+    fn store_rows(x: Self::I32, y: Self::I32, z: Self, rows: &mut [PackedVertex; 8]);
     /// Requests that a place be brought into the cache.
     #[inline(always)]
     fn prefetch<T: ?Sized>(_place: &T) {}
@@ -128,4 +128,4 @@ pub trait F64Lanes:
 /// Two integers, the bits of a float, and 32 unused bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(align(16))]
-pub struct Row(pub [u32; 4]);
+pub struct PackedVertex(pub [u32; 4]);

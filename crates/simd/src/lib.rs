@@ -28,7 +28,7 @@ mod unchecked;
 mod x86;
 
 pub use kernel::{Kernel, LaneKernel, Level, run, run_at, run_lanes_at};
-pub use lanes::{F64Lanes, I32Lanes, Lanes, Row};
+pub use lanes::{F64Lanes, I32Lanes, Lanes, PackedVertex};
 pub use scalar::round_ties_even;
 pub use unchecked::{Weight, saturating_trunc};
 

@@ -3,7 +3,7 @@
 use std::array::from_fn;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Div, Mul, Sub};
 
-use crate::{F64Lanes, I32Lanes, Lanes, Row, saturating_trunc};
+use crate::{F64Lanes, I32Lanes, Lanes, PackedVertex, saturating_trunc};
 
 #[derive(Clone, Copy)]
 pub(crate) struct F32([f32; 8]);
@@ -161,7 +161,7 @@ impl Lanes for F32 {
         from_fn(|axis| Self(from_fn(|lane| points[lane][axis])))
     }
     #[inline(always)]
-    fn load_rows(rows: [&Row; 8]) -> (I32, I32, Self) {
+    fn load_rows(rows: [&PackedVertex; 8]) -> (I32, I32, Self) {
         (
             I32(rows.map(|row| row.0[0].cast_signed())),
             I32(rows.map(|row| row.0[1].cast_signed())),
@@ -169,7 +169,7 @@ impl Lanes for F32 {
         )
     }
     #[inline(always)]
-    fn store_rows(x: I32, y: I32, z: Self, rows: &mut [Row; 8]) {
+    fn store_rows(x: I32, y: I32, z: Self, rows: &mut [PackedVertex; 8]) {
         for (lane, row) in rows.iter_mut().enumerate() {
             row.0 = [
                 x.0[lane].cast_unsigned(),

@@ -112,7 +112,7 @@ impl Everything {
             bits.f32(axis);
         }
         let [x, y] = self.integers.map(|values| L::I32::load(&values));
-        let mut rows = [Row([7; 4]); 8];
+        let mut rows = [PackedVertex([7; 4]); 8];
         L::store_rows(x, y, L::load(&self.a), &mut rows);
         for row in &rows {
             let [x, y, z, unused] = row.0;

@@ -1,6 +1,6 @@
 //! The accuracy of an OAK over distance, by the vendor's method.
 
-use oaktwin::accuracy::{Bench, Options, Row};
+use oaktwin::accuracy::{AccuracyOptions, AccuracyRow, Bench};
 use oaktwin::sensor::EngineInput;
 
 use crate::catalog::bands;
@@ -34,7 +34,7 @@ pub(crate) fn curve(studio: &Studio, state: &OakState, job: &Job) -> Result<Accu
 fn measure(studio: &Studio, state: &OakState, job: &Job) -> Result<AccuracyCurve, Failure> {
     let twin = state.twin(studio)?;
     let is_matching = state.engine()?.input == EngineInput::Pair;
-    let options = Options {
+    let options = AccuracyOptions {
         sensor: Some(state.sensor_kind().to_owned()),
         engine: state.options()?,
         devices: state
@@ -42,7 +42,7 @@ fn measure(studio: &Studio, state: &OakState, job: &Job) -> Result<AccuracyCurve
             .is_none()
             .then_some(if is_matching { MATCHED_UNITS } else { UNITS }),
         captures: if is_matching { 1 } else { CAPTURES },
-        ..Options::default()
+        ..AccuracyOptions::default()
     };
     let failed = |error: oaktwin::accuracy::AccuracyError| Failure::from(error.to_string());
     let (bench, _) = Bench::new(&twin, &options).map_err(failed)?;
@@ -50,7 +50,7 @@ fn measure(studio: &Studio, state: &OakState, job: &Job) -> Result<AccuracyCurve
     let measured = measured.map_err(failed)?;
     let report = measured.report();
     let rows = || report.distances.iter();
-    let error = |row: &Row| row.reading.error_percent;
+    let error = |row: &AccuracyRow| row.reading.error_percent;
     Ok(AccuracyCurve {
         distances_m: rows().map(|row| row.distance_m).collect(),
         error_percent: rows().map(error).collect(),

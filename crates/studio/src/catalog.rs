@@ -4,7 +4,7 @@ use oaktwin::accuracy::Bands;
 use oaktwin::camera::{RigidTransform, StereoDrift};
 use oaktwin::catalog::{Catalog, DepthKind, Twin, TwinCamera, TwinDepthSensor};
 use oaktwin::depth::filter;
-use oaktwin::depth::parameters::{Choice, Group, Kind, Listing, Source, group};
+use oaktwin::depth::parameters::{Choice, DefaultSource, Group, Kind, Listing, group};
 use oaktwin::depth::preset::{Platform, Preset, TIME_OF_FLIGHT_PRESETS};
 use oaktwin::robot;
 use oaktwin::sensor::{ENGINES, EngineInput, EngineKind, Technology, default_engine, depth_sensor};
@@ -371,7 +371,7 @@ impl Parameter {
             default: listing.default.clone(),
             documentation: about.doc,
             source: about.source.to_string(),
-            is_estimate: about.source == Source::Estimate,
+            is_estimate: about.source == DefaultSource::Estimate,
         }
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use oaktwin::camera::math::DVec3;
 use oaktwin::coverage::{
-    self, Candidate, Carrier, CoverageError, MeasuringRig, Options, PATCHES, Patches, Region, Shares,
+    self, Candidate, Carrier, CoverageError, CoverageOptions, MeasuringRig, PATCHES, Patches, Region, Shares,
 };
 use oaktwin::scene::Bounds;
 use oaktwin::sensor::EngineInput;
@@ -192,9 +192,9 @@ pub(crate) fn coverage(
         &scene.renderer,
         &region,
         &candidates,
-        &Options {
+        &CoverageOptions {
             tolerance_mm: request.tolerance_mm,
-            ..Options::default()
+            ..CoverageOptions::default()
         },
         &|_| job.watch(),
     )

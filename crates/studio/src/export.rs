@@ -55,7 +55,7 @@ fn robot(studio: &Studio, request: &ExportRequest, format: &str) -> Result<File,
     let format: robot::Format = choose("format", format).map_err(|error| Failure::of("format", &error))?;
     let twin = request.state.twin(studio)?;
     let exported = robot::export(&studio.catalog, &twin, &Attachment::default(), format);
-    let robot::Export { files, findings } = exported.map_err(|error| Failure::from(error.to_string()))?;
+    let robot::RobotFiles { files, findings } = exported.map_err(|error| Failure::from(error.to_string()))?;
     let files: Vec<(&str, &[u8])> = files
         .iter()
         .map(|(name, bytes)| (name.as_str(), bytes.as_slice()))
@@ -107,7 +107,7 @@ fn error_image(studio: &Studio, request: &ExportRequest) -> Result<File, Failure
     Ok(File::new("error.npy", array(image, &[], &errors)?))
 }
 
-fn array<P, T: npy::Element>(image: &Image<P>, more: &[usize], values: &[T]) -> Result<Vec<u8>, Failure> {
+fn array<P, T: npy::NpyElement>(image: &Image<P>, more: &[usize], values: &[T]) -> Result<Vec<u8>, Failure> {
     let shape = [&[image.height() as usize, image.width() as usize], more].concat();
     encoded(npy::encode(&shape, values))
 }

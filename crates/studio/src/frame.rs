@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use lz4_flex::block;
-use oaktwin::measure::{Errors, Region};
+use oaktwin::measure::{Errors, ImageRegion};
 
 use crate::image::pixels;
 use crate::job::Job;
@@ -81,7 +81,7 @@ pub(crate) fn statistics(measurement: &Measurement, [left, top, right, bottom]: 
         let pixel = |fraction: f64| ((fraction * f64::from(length)).round() as u32).min(length);
         pixel(from)..pixel(to)
     };
-    let region = Region {
+    let region = ImageRegion {
         columns: range(left, right, measured.width()),
         rows: range(top, bottom, measured.height()),
     };

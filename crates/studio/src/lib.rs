@@ -88,7 +88,7 @@ pub struct FirstScene {
 
 /// The options of a server.
 #[derive(Clone, Debug)]
-pub struct Options {
+pub struct ServerOptions {
     /// The models.
     pub catalog: Cow<'static, Catalog>,
     /// The name of the model that is shown first.
@@ -125,7 +125,7 @@ pub enum StudioError {
 /// # Errors
 /// Returns an error if the scene cannot be read or the address is not available.
 pub fn serve(
-    options: Options,
+    options: ServerOptions,
     ready: impl FnOnce(&str),
     is_stopped: impl Fn() -> bool,
 ) -> Result<(), StudioError> {

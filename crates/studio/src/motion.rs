@@ -6,7 +6,8 @@ use axum::body::Bytes;
 use futures_util::Stream;
 use futures_util::stream::unfold;
 use oaktwin::coverage::{
-    self, Base, Carrier, CoverageError, MotionCoverage, MountCoverage, Options, Sweep, measure_motion,
+    self, Base, Carrier, CoverageError, CoverageOptions, MotionCoverage, MountCoverage, PlacementSweep,
+    measure_motion,
 };
 use oaktwin::progress::Progress;
 use oaktwin::render::Renderer;
@@ -113,16 +114,17 @@ fn measure(
     let rigs = [rig(studio, &request.state)?];
     let (link, pose) = mounted(robot, request.mount.as_deref(), &request.state)?;
     // Named as by the command.
-    let placements = Sweep::default().placements(&Base::Poses(vec![pose.transform()?]), Up::Z.direction());
+    let placements =
+        PlacementSweep::default().placements(&Base::Poses(vec![pose.transform()?]), Up::Z.direction());
     let mounts = coverage::candidates(&rigs, &placements.map_err(failed)?);
     let carrier = Carrier {
         robot: &robot.placed,
         link,
         postures: &postures,
     };
-    let options = Options {
+    let options = CoverageOptions {
         tolerance_mm: request.tolerance_mm,
-        ..Options::default()
+        ..CoverageOptions::default()
     };
     let watch = |progress: Progress| {
         // Nobody may listen any more, which `watch` finds out.

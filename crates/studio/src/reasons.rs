@@ -3,7 +3,7 @@
 use oaktwin::depth::{ReasonCodes, reason};
 use oaktwin::image::Image;
 use oaktwin::image::annotation::{Annotator, ReasonLabel};
-use oaktwin::measure::Region;
+use oaktwin::measure::ImageRegion;
 use serde::Serialize;
 
 use crate::station::Measurement;
@@ -31,7 +31,7 @@ pub(crate) fn all() -> Vec<Reason> {
 /// Returns the outcomes at points of a surface, sorted by their codes: the reasons of pixels, and others.
 pub(crate) fn of_surfaces() -> Vec<Reason> {
     let outcomes = oaktwin::coverage::reasons().iter();
-    let reason = |outcome: &oaktwin::coverage::Reason| Reason {
+    let reason = |outcome: &oaktwin::coverage::OutcomeRow| Reason {
         code: outcome.code,
         name: outcome.name.clone(),
         documentation: outcome.doc.clone(),
@@ -46,7 +46,7 @@ pub(crate) fn codes(measurement: &Measurement) -> Option<&Image<u8>> {
 }
 
 /// Counts the pixels of each reason in a region, by code.
-pub(crate) fn count(codes: &Image<u8>, region: &Region) -> Vec<u64> {
+pub(crate) fn count(codes: &Image<u8>, region: &ImageRegion) -> Vec<u64> {
     let mut counts = vec![0; oaktwin::depth::Reason::CODES];
     let columns = region.columns.start as usize..region.columns.end as usize;
     let rows = codes.rows().skip(region.rows.start as usize);

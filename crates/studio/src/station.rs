@@ -133,7 +133,7 @@ impl Station {
         if let Some(cameras) = &oak.pair {
             let key = PairKey(light_of(&request.state), request.size);
             if seen.pair.as_ref().is_none_or(|(known, _)| *known != key) {
-                let pair = cameras.look(&scene.renderer, &world_from_body, number);
+                let pair = cameras.capture(&scene.renderer, &world_from_body, number);
                 // What was interrupted is arbitrary.
                 check()?;
                 seen.pair = Some((key, Arc::new(pair)));

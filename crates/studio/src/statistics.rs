@@ -16,17 +16,17 @@ const MAX_OAKS: usize = 8;
 
 /// The statistics of OAKs.
 #[derive(Debug, Serialize)]
-struct Report<'a> {
+struct StatisticsReport<'a> {
     scene: &'a str,
     /// The rectangle as fractions of the image: left, top, right, bottom.
     rectangle: [f64; 4],
-    oaks: Vec<Row<'a>>,
+    oaks: Vec<OakRow<'a>>,
 }
 
 /// The statistics of one OAK, with everything that they depend on.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
-struct Row<'a> {
+struct OakRow<'a> {
     model: &'a str,
     sensor: &'a str,
     engine: &'a str,
@@ -58,7 +58,7 @@ pub(crate) fn file(studio: &Studio, request: &ExportRequest, format: &str) -> Re
     let own = (&request.state, request.size);
     let oaks = std::iter::once(own).chain(others.iter().map(|other| (&other.state, other.size)));
     let rows = oaks.map(|(state, size)| row(studio, &request.scene, state, size, rectangle));
-    let report = Report {
+    let report = StatisticsReport {
         scene: &scene.info.name,
         rectangle,
         oaks: rows.collect::<Result<_, _>>()?,
@@ -83,7 +83,7 @@ fn row<'a>(
     state: &'a OakState,
     size: Option<[u32; 2]>,
     rectangle: [f64; 4],
-) -> Result<Row<'a>, Failure> {
+) -> Result<OakRow<'a>, Failure> {
     let seen = measured(studio, scene, state, size, Vec::new())?;
     let mut statistics = statistics(&seen, rectangle);
     let legend = reason::legend();
@@ -94,7 +94,7 @@ fn row<'a>(
         (name.unwrap_or_else(|| code.to_string()), count)
     });
     let image = &seen.capture.distance.0;
-    Ok(Row {
+    Ok(OakRow {
         model: &state.model,
         sensor: &state.sensor,
         engine: &state.engine,
@@ -108,7 +108,7 @@ fn row<'a>(
     })
 }
 
-impl Report<'_> {
+impl StatisticsReport<'_> {
     /// A row for each OAK; the names of columns have the units.
     fn csv(&self) -> String {
         let reasons: BTreeSet<&String> = self.oaks.iter().flat_map(|row| row.lost.keys()).collect();
@@ -149,9 +149,9 @@ impl Report<'_> {
     }
 }
 
-impl Row<'_> {
+impl OakRow<'_> {
     /// The cells of a row of the table.
-    fn cells(&self, report: &Report<'_>, reasons: &BTreeSet<&String>) -> Vec<String> {
+    fn cells(&self, report: &StatisticsReport<'_>, reasons: &BTreeSet<&String>) -> Vec<String> {
         let number = |value: f64| value.to_string();
         let maybe = |value: Option<f64>| value.map(number).unwrap_or_default();
         let known = &self.statistics;

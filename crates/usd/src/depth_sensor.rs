@@ -27,7 +27,7 @@ pub fn attribute_types() -> Vec<(&'static str, &'static str)> {
 
 /// The attributes that a stage authors for a depth sensor; all others have the schema's defaults.
 #[derive(Clone, Debug, PartialEq)]
-pub struct DepthSensor {
+pub struct StageDepthSensor {
     prim: Prim,
     namespace: &'static str,
 }
@@ -35,9 +35,9 @@ pub struct DepthSensor {
 /// Returns the depth sensor of a render product: Kit's schema on the product, else ovrtx's on the camera. The former
 /// takes precedence, as Isaac Sim reads no other.
 #[must_use]
-pub fn of_product(product: Option<&RenderProduct>, camera: Option<&SceneCamera>) -> Option<DepthSensor> {
+pub fn of_product(product: Option<&RenderProduct>, camera: Option<&SceneCamera>) -> Option<StageDepthSensor> {
     let of = |prim: &Prim, schema: &str, namespace| {
-        prim.has_api(schema).then(|| DepthSensor {
+        prim.has_api(schema).then(|| StageDepthSensor {
             prim: prim.clone(),
             namespace,
         })
@@ -47,7 +47,7 @@ pub fn of_product(product: Option<&RenderProduct>, camera: Option<&SceneCamera>)
         .or_else(|| camera.and_then(|camera| of(&camera.prim, CAMERA_SCHEMA, CAMERA_NAMESPACE)))
 }
 
-impl DepthSensor {
+impl StageDepthSensor {
     /// Returns the prim that carries the attributes.
     #[must_use]
     pub fn prim(&self) -> &Prim {
@@ -84,9 +84,9 @@ impl DepthSensor {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::stage::Value;
+    use crate::stage::AttributeValue;
 
-    fn attribute(type_name: &str, value: Value) -> Attribute {
+    fn attribute(type_name: &str, value: AttributeValue) -> Attribute {
         Attribute {
             type_name: type_name.to_owned(),
             value: Some(value),
@@ -100,7 +100,7 @@ mod tests {
         let mut camera = SceneCamera::default();
         assert!(of_product(Some(&product), Some(&camera)).is_none());
         camera.prim.api_schemas.push(CAMERA_SCHEMA.to_owned());
-        let baseline = attribute("float", Value::Float(20.0));
+        let baseline = attribute("float", AttributeValue::Float(20.0));
         let name = format!("{CAMERA_NAMESPACE}baselineMM");
         camera.prim.attributes.insert(name.clone(), baseline.clone());
         let sensor = of_product(Some(&product), Some(&camera)).unwrap();
@@ -118,9 +118,9 @@ mod tests {
     #[test]
     fn type_of_outlier_removal_determines_the_version() {
         for (type_name, value, isaac) in [
-            ("int", Value::Int(3), Some(IsaacVersion::V5_1)),
-            ("bool", Value::Bool(true), Some(IsaacVersion::V6)),
-            ("float", Value::Float(1.0), None),
+            ("int", AttributeValue::Int(3), Some(IsaacVersion::V5_1)),
+            ("bool", AttributeValue::Bool(true), Some(IsaacVersion::V6)),
+            ("float", AttributeValue::Float(1.0), None),
         ] {
             let mut product = RenderProduct::default();
             product.prim.api_schemas.push(PRODUCT_SCHEMA.to_owned());

@@ -7,7 +7,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use oaktwin::depth::stereo_matching::Pair;
+use oaktwin::depth::stereo_matching::RectifiedPair;
 use oaktwin::parameter::{Platform, parameters};
 use oaktwin::prelude::*;
 
@@ -82,7 +82,7 @@ impl Engine for BlockMatching {
 
 impl BlockMatching {
     /// The disparity of each pixel of the left image, 0 where its blocks leave an image.
-    fn disparity(&self, pair: &Pair<'_>) -> Image<f32> {
+    fn disparity(&self, pair: &RectifiedPair<'_>) -> Image<f32> {
         let (width, height) = (pair.width() as usize, pair.height() as usize);
         let (left, right) = (pair.left().levels(), pair.right().levels());
         let radius = self.parameters.radius_px as usize;

@@ -7,10 +7,10 @@ use std::ops::Deref;
 use serde::{Serialize, Serializer};
 
 /// The spelling of options in a front end: `--fx` on a command line, `fx=` in Python.
-pub type Style = fn(&Opt) -> String;
+pub type OptionStyle = fn(&Opt) -> String;
 
 thread_local! {
-    static STYLE: Cell<Option<Style>> = const { Cell::new(None) };
+    static STYLE: Cell<Option<OptionStyle>> = const { Cell::new(None) };
 }
 
 /// Runs `print` with `style` as the spelling of the options in every [`Message`] that this thread displays or serializes
@@ -24,8 +24,8 @@ thread_local! {
 /// let printed = with_style(|option| format!("--{}", option.name()), || format!("error: {message}"));
 /// assert_eq!(printed, "error: run--fx/a.npy: no --fx");
 /// ```
-pub fn with_style<T>(style: Style, print: impl FnOnce() -> T) -> T {
-    struct Restore(Option<Style>);
+pub fn with_style<T>(style: OptionStyle, print: impl FnOnce() -> T) -> T {
+    struct Restore(Option<OptionStyle>);
     impl Drop for Restore {
         fn drop(&mut self) {
             STYLE.set(self.0);

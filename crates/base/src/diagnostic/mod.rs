@@ -13,5 +13,5 @@ mod suggest;
 pub use crate::message;
 pub use finding::{Finding, Level, add_new};
 pub use group::{FindingGroup, group};
-pub use message::{Message, Opt, Style, command, opt, with_style};
+pub use message::{Message, Opt, OptionStyle, command, opt, with_style};
 pub use suggest::{fold_name, nearest, suggest, suggestion};

@@ -36,7 +36,7 @@ impl Kind {
 
 /// The source of a parameter's default.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Source {
+pub enum DefaultSource {
     /// `DepthAI`'s default.
     DepthAi,
     /// NVIDIA's schema.
@@ -44,24 +44,24 @@ pub enum Source {
     /// The camera that the parameters are for.
     Camera,
     /// A choice or a fit of this project, as described here.
-    Own(&'static str),
+    Project(&'static str),
     /// An estimate: there is no public number.
     Estimate,
 }
 
-impl fmt::Display for Source {
+impl fmt::Display for DefaultSource {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
             Self::DepthAi => "DepthAI",
             Self::Nvidia => "NVIDIA",
             Self::Camera => "camera",
-            Self::Own(source) => source,
+            Self::Project(source) => source,
             Self::Estimate => "estimate",
         })
     }
 }
 
-impl Serialize for Source {
+impl Serialize for DefaultSource {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)
     }
@@ -91,7 +91,7 @@ pub struct About {
     /// The platform without which the parameter has no effect.
     pub platform: Option<Platform>,
     /// The source of the default.
-    pub source: Source,
+    pub source: DefaultSource,
     /// The place among the parameters that people change first, from 1; 0 of all others.
     pub common: u8,
     /// What the parameter does.
@@ -113,7 +113,7 @@ impl About {
             step: 0.0,
             typical: None,
             platform: None,
-            source: Source::DepthAi,
+            source: DefaultSource::DepthAi,
             common: 0,
             doc: "",
         }
@@ -177,24 +177,24 @@ impl About {
     /// The same with an estimated default.
     #[must_use]
     pub const fn estimate(self) -> Self {
-        self.source(Source::Estimate)
+        self.source(DefaultSource::Estimate)
     }
 
     /// The same with a default that the camera provides.
     #[must_use]
     pub const fn from_camera(self) -> Self {
-        self.source(Source::Camera)
+        self.source(DefaultSource::Camera)
     }
 
     /// The same with a default whose source is described here.
     #[must_use]
-    pub const fn own(self, source: &'static str) -> Self {
-        self.source(Source::Own(source))
+    pub const fn chosen(self, source: &'static str) -> Self {
+        self.source(DefaultSource::Project(source))
     }
 
     /// The same with another source of the default.
     #[must_use]
-    pub const fn source(self, source: Source) -> Self {
+    pub const fn source(self, source: DefaultSource) -> Self {
         Self { source, ..self }
     }
 

@@ -2,7 +2,7 @@
 ///
 /// A field has its documentation, type, default and, after `=>`, one of
 /// * `("name" …)`: a parameter; `.unit("px").range(0.0..=10.0).estimate()` and so on are the methods of
-///   [`About`](crate::parameter::About), and `("name" as Hexadecimal …)` reads it with a [`View`](crate::parameter::View);
+///   [`About`](crate::parameter::About), and `("name" as Hexadecimal …)` reads it with a [`FieldText`](crate::parameter::FieldText);
 /// * `{ … }`: parameters for parts of the field, each with documentation, path and type: `.edge: u32 => ("edgeValue")`;
 /// * `[struct Name { … }]`: the fields of a struct that is declared with it.
 ///
@@ -50,7 +50,7 @@ macro_rules! parameters {
 
         impl $crate::parameter::Table for $Table {
             const GROUP: &'static str = $group;
-            const ROWS: &'static [&'static [$crate::parameter::Row<Self>]] = &[
+            const ROWS: &'static [&'static [$crate::parameter::ParameterRow<Self>]] = &[
                 $( $crate::parameter_rows!(($field) $ty, [concat!($($doc),+)], $body), )+
                 $($( $crate::parameter_rows!(($($also).+) $also_ty, [concat!($($also_doc),+)], $also_body), )+)?
             ];
@@ -156,8 +156,8 @@ macro_rules! parameter_struct {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! parameter_rows {
-    (($($path:ident).+) $ty:ty, [$doc:expr], ($name:literal as $View:ident $($chain:tt)*)) => {
-        &[$crate::parameter_row!(($($path).+) $ty, $doc, $View, $name, $($chain)*)]
+    (($($path:ident).+) $ty:ty, [$doc:expr], ($name:literal as $FieldText:ident $($chain:tt)*)) => {
+        &[$crate::parameter_row!(($($path).+) $ty, $doc, $FieldText, $name, $($chain)*)]
     };
     (($($path:ident).+) $ty:ty, [$doc:expr], ($name:literal $($chain:tt)*)) => {
         &[$crate::parameter_row!(($($path).+) $ty, $doc, Plain, $name, $($chain)*)]
@@ -175,8 +175,8 @@ macro_rules! parameter_rows {
     ]) => {
         &[$( $crate::parameter_rows!(@part $path (.$field) $field_ty, [concat!($($doc),+)], $body) ),+]
     };
-    (@part ($($path:ident).+) ($(.$sub:ident)*) $ty:ty, [$doc:expr], ($name:literal as $View:ident $($chain:tt)*)) => {
-        $crate::parameter_row!(($($path).+ $(.$sub)*) $ty, $doc, $View, $name, $($chain)*)
+    (@part ($($path:ident).+) ($(.$sub:ident)*) $ty:ty, [$doc:expr], ($name:literal as $FieldText:ident $($chain:tt)*)) => {
+        $crate::parameter_row!(($($path).+ $(.$sub)*) $ty, $doc, $FieldText, $name, $($chain)*)
     };
     (@part ($($path:ident).+) ($(.$sub:ident)*) $ty:ty, [$doc:expr], ($name:literal $($chain:tt)*)) => {
         $crate::parameter_row!(($($path).+ $(.$sub)*) $ty, $doc, Plain, $name, $($chain)*)
@@ -190,16 +190,16 @@ macro_rules! parameter_row {
     (($($path:ident).+) $ty:ty, $doc:expr, Plain, $name:literal, $($chain:tt)*) => {
         $crate::parameter_row!(@of ($($path).+) $ty, $doc, $crate::parameter::Plain, $name, $($chain)*)
     };
-    (($($path:ident).+) $ty:ty, $doc:expr, $View:ident, $name:literal, $($chain:tt)*) => {
-        $crate::parameter_row!(@of ($($path).+) $ty, $doc, $View, $name, $($chain)*)
+    (($($path:ident).+) $ty:ty, $doc:expr, $FieldText:ident, $name:literal, $($chain:tt)*) => {
+        $crate::parameter_row!(@of ($($path).+) $ty, $doc, $FieldText, $name, $($chain)*)
     };
-    (@of ($($path:ident).+) $ty:ty, $doc:expr, $View:ty, $name:literal, $($chain:tt)*) => {
-        $crate::parameter::Row {
+    (@of ($($path:ident).+) $ty:ty, $doc:expr, $FieldText:ty, $name:literal, $($chain:tt)*) => {
+        $crate::parameter::ParameterRow {
             about: $crate::parameter::About::new($name) $($chain)*
-                .of(stringify!($($path).+), <$View as $crate::parameter::View<$ty>>::KIND, $doc),
-            get: |p| <$View as $crate::parameter::View<$ty>>::get(&p.$($path).+),
-            set: |p, text| <$View as $crate::parameter::View<$ty>>::set(&mut p.$($path).+, text),
-            numbers: |p| <$View as $crate::parameter::View<$ty>>::numbers(&p.$($path).+),
+                .of(stringify!($($path).+), <$FieldText as $crate::parameter::FieldText<$ty>>::KIND, $doc),
+            get: |p| <$FieldText as $crate::parameter::FieldText<$ty>>::get(&p.$($path).+),
+            set: |p, text| <$FieldText as $crate::parameter::FieldText<$ty>>::set(&mut p.$($path).+, text),
+            numbers: |p| <$FieldText as $crate::parameter::FieldText<$ty>>::numbers(&p.$($path).+),
         }
     };
 }

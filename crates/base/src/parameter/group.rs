@@ -89,7 +89,7 @@ impl Group {
     #[must_use]
     pub fn list_of<T: Table>(platform: Platform) -> Vec<Listing> {
         let defaults = T::defaults(platform);
-        let listing = |row: &'static super::Row<T>| Listing {
+        let listing = |row: &'static super::ParameterRow<T>| Listing {
             table: T::GROUP,
             about: row.about,
             default: (row.get)(&defaults),

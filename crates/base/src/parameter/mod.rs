@@ -18,7 +18,7 @@ mod table;
 mod value;
 
 pub use crate::{choice, parameters};
-pub use about::{About, Kind, Source};
+pub use about::{About, DefaultSource, Kind};
 pub use choice::{Choice, choose, deserialize_choice};
 pub use error::ParameterError;
 pub use group::{COMMON, Group, Listing};
@@ -26,5 +26,5 @@ pub use platform::Platform;
 pub use scalar::Scalar;
 #[doc(hidden)]
 pub use serde;
-pub use table::{Row, Table, settings};
-pub use value::{Hexadecimal, Numbered, Plain, Value, View};
+pub use table::{ParameterRow, Table, settings};
+pub use value::{FieldText, Hexadecimal, Numbered, Plain, Value};

@@ -3,7 +3,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::parameter::{Kind, ParameterError, Platform, Source, Value, View, choice, parameters};
+use crate::parameter::{DefaultSource, FieldText, Kind, ParameterError, Platform, Value, choice, parameters};
 
 // The ranges of numbers that are multiplied: wide, and such that every product is finite.
 const BASELINE_MM: RangeInclusive<f64> = -1e6..=1e6;
@@ -44,40 +44,40 @@ parameters! {
     /// 5.1.
     pub struct Attributes("single-view", platform) {
         /// The distance between the imagers; its sign is the side of the second one.
-        baseline_mm: f64 = 55.0 => ("baselineMM".unit("mm").range(BASELINE_MM).typical(1.0..=300.0).source(Source::Nvidia)),
+        baseline_mm: f64 = 55.0 => ("baselineMM".unit("mm").range(BASELINE_MM).typical(1.0..=300.0).source(DefaultSource::Nvidia)),
         /// The focal length. It is for a sensor that is `sensorSizePixel` wide.
-        focal_length_px: f64 = 897.0 => ("focalLengthPixel".unit("px").range(LENGTH_PX).typical(200.0..=2000.0).source(Source::Nvidia)),
+        focal_length_px: f64 = 897.0 => ("focalLengthPixel".unit("px").range(LENGTH_PX).typical(200.0..=2000.0).source(DefaultSource::Nvidia)),
         /// The width of the sensor.
-        sensor_size_px: f64 = 1280.0 => ("sensorSizePixel".unit("px").range(LENGTH_PX).typical(320.0..=3840.0).source(Source::Nvidia)),
+        sensor_size_px: f64 = 1280.0 => ("sensorSizePixel".unit("px").range(LENGTH_PX).typical(320.0..=3840.0).source(DefaultSource::Nvidia)),
         /// The largest disparity. It is in pixels of the rendered image.
-        max_disparity_px: f64 = 110.0 => ("maxDisparityPixel".unit("px").range(LENGTH_PX).typical(1.0..=256.0).source(Source::Nvidia)),
+        max_disparity_px: f64 = 110.0 => ("maxDisparityPixel".unit("px").range(LENGTH_PX).typical(1.0..=256.0).source(DefaultSource::Nvidia)),
         /// The minimum depth.
         min_distance_m: f64 = 0.5
-            => ("minDistance".unit("m").range(0.0..=f64::MAX).typical(0.0..=5.0).source(Source::Nvidia)),
+            => ("minDistance".unit("m").range(0.0..=f64::MAX).typical(0.0..=5.0).source(DefaultSource::Nvidia)),
         /// The maximum depth.
-        max_distance_m: f64 = 1e7 => ("maxDistance".unit("m").typical(1.0..=30.0).source(Source::Nvidia)),
+        max_distance_m: f64 = 1e7 => ("maxDistance".unit("m").typical(1.0..=30.0).source(DefaultSource::Nvidia)),
         /// The quantization step of disparity. It is in pixels of the rendered image; 0 disables both the step and the jitter.
         noise_mean_px: f64 = 0.25
-            => ("noiseMean".common(2).unit("px").range(NOISE_PX).typical(0.0..=2.0).source(Source::Nvidia)),
+            => ("noiseMean".common(2).unit("px").range(NOISE_PX).typical(0.0..=2.0).source(DefaultSource::Nvidia)),
         /// The standard deviation of disparity. It is in pixels of the rendered image.
         noise_sigma_px: f64 = 0.25
-            => ("noiseSigma".common(1).unit("px").range(NOISE_PX).typical(0.0..=2.0).source(Source::Nvidia)),
+            => ("noiseSigma".common(1).unit("px").range(NOISE_PX).typical(0.0..=2.0).source(DefaultSource::Nvidia)),
         /// The side of the squares of pixels that share their noise.
         noise_downscale_factor_px: f64 = 1.0
-            => ("noiseDownscaleFactorPixel".unit("px").range(1.0..=1e6).typical(1.0..=16.0).source(Source::Nvidia)),
+            => ("noiseDownscaleFactorPixel".unit("px").range(1.0..=1e6).typical(1.0..=16.0).source(DefaultSource::Nvidia)),
         /// The threshold of confidence: lower values drop more smooth surface, 1 keeps all. The default of Isaac Sim 6 is 0.7.
         confidence_threshold: f64 = 0.95
-            => ("confidenceThreshold".common(3).range(0.0..=1.0).source(Source::Nvidia)),
+            => ("confidenceThreshold".common(3).range(0.0..=1.0).source(DefaultSource::Nvidia)),
         /// The range of outlier removal. 0 disables it, and the switch of Isaac Sim 6 is 1, its default.
         outlier_removal_range_px: u32 = 3
-            => ("outlierRemovalEnabled" as OutlierRange.common(4).alias("outlierRemovalRange").unit("px").range(0.0..=63.0).source(Source::Nvidia)),
+            => ("outlierRemovalEnabled" as OutlierRange.common(4).alias("outlierRemovalRange").unit("px").range(0.0..=63.0).source(DefaultSource::Nvidia)),
         /// Whether the stage enables the sensor. It has no effect here: the sensor runs when its output is requested.
-        enabled: bool = false => ("enabled".source(Source::Nvidia)),
+        enabled: bool = false => ("enabled".source(DefaultSource::Nvidia)),
         /// The image that replaces the colour image.
         rgb_depth_output_mode: OutputMode = OutputMode::Color
-            => ("rgbDepthOutputMode" as ModeNumber.source(Source::Nvidia)),
+            => ("rgbDepthOutputMode" as ModeNumber.source(DefaultSource::Nvidia)),
         /// Whether the distance at the centre pixel is reported.
-        show_distance: bool = false => ("showDistance".source(Source::Nvidia)),
+        show_distance: bool = false => ("showDistance".source(DefaultSource::Nvidia)),
     }
     check relations
 }
@@ -129,7 +129,7 @@ impl Attributes {
 /// A range in pixels, or the switch of Isaac Sim 6.
 struct OutlierRange;
 
-impl View<u32> for OutlierRange {
+impl FieldText<u32> for OutlierRange {
     const KIND: Kind = Kind::Integer;
 
     fn set(field: &mut u32, text: &str) -> Option<()> {
@@ -153,11 +153,11 @@ impl View<u32> for OutlierRange {
 /// The number of a mode, or its name.
 struct ModeNumber;
 
-impl View<OutputMode> for ModeNumber {
+impl FieldText<OutputMode> for ModeNumber {
     const KIND: Kind = Kind::Choice(<OutputMode as super::Choice>::NAMES);
 
     fn set(field: &mut OutputMode, text: &str) -> Option<()> {
-        <super::Numbered as View<OutputMode>>::set(field, text)
+        <super::Numbered as FieldText<OutputMode>>::set(field, text)
     }
 
     fn get(field: &OutputMode) -> String {

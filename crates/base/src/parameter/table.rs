@@ -5,7 +5,7 @@ use crate::diagnostic::{fold_name, suggest};
 use crate::parameter::{About, ParameterError, Platform, Scalar};
 
 /// A parameter of `P`: its description and the access to its value.
-pub struct Row<P: 'static> {
+pub struct ParameterRow<P: 'static> {
     /// The description.
     pub about: About,
     /// The value as text.
@@ -16,13 +16,13 @@ pub struct Row<P: 'static> {
     pub numbers: fn(&P) -> Vec<f64>,
 }
 
-impl<P> fmt::Debug for Row<P> {
+impl<P> fmt::Debug for ParameterRow<P> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_tuple("Row").field(&self.about).finish()
     }
 }
 
-impl<P> Row<P> {
+impl<P> ParameterRow<P> {
     fn check(&self, parameters: &P) -> Result<(), ParameterError> {
         let numbers = (self.numbers)(parameters);
         let Some(number) = numbers.into_iter().find(|&number| !self.about.accepts(number)) else {
@@ -62,7 +62,7 @@ pub trait Table: Clone + 'static {
     /// The name of the group in errors: `stereo-noise`.
     const GROUP: &'static str;
     /// The parameters, in slices in their order.
-    const ROWS: &'static [&'static [Row<Self>]];
+    const ROWS: &'static [&'static [ParameterRow<Self>]];
 
     /// The defaults on a platform.
     fn defaults(platform: Platform) -> Self;
@@ -77,7 +77,7 @@ pub trait Table: Clone + 'static {
 
     /// The parameters in their order.
     #[must_use]
-    fn rows() -> impl Iterator<Item = &'static Row<Self>> {
+    fn rows() -> impl Iterator<Item = &'static ParameterRow<Self>> {
         Self::ROWS.iter().copied().flatten()
     }
 
@@ -85,7 +85,7 @@ pub trait Table: Clone + 'static {
     ///
     /// # Errors
     /// Returns an error that suggests the nearest names if there is no such parameter.
-    fn row(name: &str) -> Result<&'static Row<Self>, ParameterError> {
+    fn row(name: &str) -> Result<&'static ParameterRow<Self>, ParameterError> {
         let folded = fold_name(name);
         Self::rows().find(|row| row.is_named(&folded)).ok_or_else(|| {
             let remedy = suggest(name, Self::rows().map(|row| row.about.name));

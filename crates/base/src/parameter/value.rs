@@ -20,7 +20,7 @@ pub trait Value: Sized {
 }
 
 /// Another representation of a field of type `T` as text.
-pub trait View<T> {
+pub trait FieldText<T> {
     /// The kind of values.
     const KIND: Kind;
 
@@ -40,7 +40,7 @@ pub trait View<T> {
 #[derive(Clone, Copy, Debug)]
 pub struct Plain;
 
-impl<T: Value> View<T> for Plain {
+impl<T: Value> FieldText<T> for Plain {
     const KIND: Kind = T::KIND;
 
     fn set(field: &mut T, text: &str) -> Option<()> {
@@ -61,7 +61,7 @@ impl<T: Value> View<T> for Plain {
 #[derive(Clone, Copy, Debug)]
 pub struct Hexadecimal;
 
-impl View<u64> for Hexadecimal {
+impl FieldText<u64> for Hexadecimal {
     const KIND: Kind = Kind::Text("a bit mask such as 0xA82415, or 0");
 
     fn set(field: &mut u64, text: &str) -> Option<()> {
@@ -82,7 +82,7 @@ impl View<u64> for Hexadecimal {
 #[derive(Clone, Copy, Debug)]
 pub struct Numbered;
 
-impl<C: Choice> View<C> for Numbered {
+impl<C: Choice> FieldText<C> for Numbered {
     const KIND: Kind = Kind::Choice(C::NAMES);
 
     fn set(field: &mut C, text: &str) -> Option<()> {

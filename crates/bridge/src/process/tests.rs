@@ -36,14 +36,14 @@ fn options() -> BridgeOptions {
     }
 }
 
-fn filter(sensor: SensorOptions) -> Filter {
+fn filter(sensor: SensorOptions) -> DepthFilter {
     let catalog = Catalog::builtin();
     let twin = catalog.nominal(catalog.device("OAK-D Pro PoE").unwrap());
     let options = SenseOptions {
         sensor,
         ..SenseOptions::default()
     };
-    Filter::new(twin, options).unwrap()
+    DepthFilter::new(twin, options).unwrap()
 }
 
 fn processor() -> Processor {

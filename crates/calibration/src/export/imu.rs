@@ -3,7 +3,7 @@ use std::fmt::Write as _;
 use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_catalog::InertialPart;
 
-use super::Export;
+use super::CalibrationFiles;
 
 /// The rate in Hz where no source states one.
 const DEFAULT_RATE_HZ: f64 = 400.0;
@@ -11,8 +11,8 @@ const DEFAULT_RATE_HZ: f64 = 400.0;
 /// Creates Kalibr's `imu.yaml` of a part: the root mean square of the densities of its axes, in SI units. A number that no source states
 /// is a comment, with a warning, because Kalibr requires all of them to be positive.
 #[must_use]
-pub fn kalibr_imu(part: &InertialPart) -> Export {
-    let mut export = Export::default();
+pub fn kalibr_imu(part: &InertialPart) -> CalibrationFiles {
+    let mut export = CalibrationFiles::default();
     let (Some(accelerometer), Some(gyroscope)) = (part.accelerometer_noise(), part.gyroscope_noise()) else {
         return export;
     };
@@ -68,13 +68,13 @@ mod tests {
     use super::*;
     use oaktwin_catalog::Catalog;
 
-    fn of(id: &str) -> Export {
+    fn of(id: &str) -> CalibrationFiles {
         kalibr_imu(Catalog::builtin().inertial_part(id).unwrap())
     }
 
     #[test]
     fn numbers_are_in_si_units() {
-        let Export { files, findings } = of("BNO086");
+        let CalibrationFiles { files, findings } = of("BNO086");
         assert!(findings.is_empty());
         let [(name, text)] = &files[..] else {
             panic!("one file")
@@ -100,7 +100,7 @@ mod tests {
 
     #[test]
     fn gaps_are_reported() {
-        let Export { files, findings } = of("BMI270");
+        let CalibrationFiles { files, findings } = of("BMI270");
         let places: Vec<&str> = findings.iter().map(|one| one.place.as_str()).collect();
         assert_eq!(
             places,

@@ -5,13 +5,13 @@ use oaktwin_camera::{Intrinsics, OpenCv, OpenCvLens};
 
 use super::simplify::{better, equidistant, radial_tangential};
 use super::text::list;
-use super::{Export, camera_name, no_fit};
+use super::{CalibrationFiles, camera_name, no_fit};
 use crate::{Calibration, CalibrationError, CameraCalibration, Socket};
 
 /// Creates `camchain.yaml`: left and right first, then the others by socket; metres. Kalibr has four coefficients per camera, so
 /// larger models are fitted, with a finding about the residual.
-pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationError> {
-    let mut export = Export::default();
+pub(super) fn export(calibration: &Calibration) -> Result<CalibrationFiles, CalibrationError> {
+    let mut export = CalibrationFiles::default();
     let mut text = String::new();
     let pair = calibration.stereo_pair();
     let mut order: Vec<Socket> = calibration.cameras.keys().copied().collect();

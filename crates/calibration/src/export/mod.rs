@@ -33,7 +33,7 @@ choice! {
 
 /// Files and their findings.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Export {
+pub struct CalibrationFiles {
     /// The names (without a folder) and texts.
     pub files: Vec<(String, String)>,
     /// The information that the format cannot represent. A lens that it approximates badly is an
@@ -41,7 +41,7 @@ pub struct Export {
     pub findings: Vec<Finding>,
 }
 
-impl Export {
+impl CalibrationFiles {
     /// Adds the files and findings of another export.
     pub fn extend(&mut self, other: Self) {
         self.files.extend(other.files);
@@ -53,13 +53,17 @@ impl Export {
 ///
 /// # Errors
 /// Returns an error if the format cannot approximate a lens, the baseline is zero, or a number of a file would not be finite.
-pub fn export(raw: &Raw, calibration: &Calibration, format: Format) -> Result<Export, CalibrationError> {
+pub fn export(
+    raw: &Raw,
+    calibration: &Calibration,
+    format: Format,
+) -> Result<CalibrationFiles, CalibrationError> {
     let export = match format {
         Format::Ros => ros::export(calibration)?,
         Format::OpenCv => opencv::export(calibration)?,
         Format::Kalibr => kalibr::export(calibration)?,
         Format::DepthAi => {
-            return Ok(Export {
+            return Ok(CalibrationFiles {
                 files: vec![("calibration.json".to_owned(), raw.to_text())],
                 findings: Vec::new(),
             });

@@ -4,13 +4,13 @@ use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_camera::{LensModel, OpenCvLens};
 
 use super::text::{number, rows};
-use super::{Export, camera_name, pair};
+use super::{CalibrationFiles, camera_name, pair};
 use crate::{Calibration, CalibrationError, CameraCalibration, StereoPair};
 
 /// Creates `FileStorage` files: one per camera with the keys of OpenCV's `calibration` sample, and `stereo.yml` with the keys of its
 /// `stereo_calib` sample. All 14 coefficients; metres.
-pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationError> {
-    let mut export = Export::default();
+pub(super) fn export(calibration: &Calibration) -> Result<CalibrationFiles, CalibrationError> {
+    let mut export = CalibrationFiles::default();
     for camera in calibration.cameras.values() {
         let mut text = header();
         let fisheye = matches!(camera.lens.as_opencv(), Some(OpenCvLens::Fisheye(_)));

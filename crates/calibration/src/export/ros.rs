@@ -4,13 +4,13 @@ use oaktwin_camera::{Intrinsics, OpenCvLens};
 
 use super::simplify::rational;
 use super::text::{list, rows};
-use super::{Export, camera_name, no_fit, pair};
+use super::{CalibrationFiles, camera_name, no_fit, pair};
 use crate::{Calibration, CalibrationError, CameraCalibration};
 
 /// Creates `camera_info` files for `camera_info_manager`: K of the raw image, R and P of the rectified image, metres. R and P
 /// come from the calibration even where K and D are fitted: D and K give the ray of a raw pixel, R and P the rectified pixel of the ray.
-pub(super) fn export(calibration: &Calibration) -> Result<Export, CalibrationError> {
-    let mut export = Export::default();
+pub(super) fn export(calibration: &Calibration) -> Result<CalibrationFiles, CalibrationError> {
+    let mut export = CalibrationFiles::default();
     let pair = pair(calibration, &mut export.findings)?;
     for camera in calibration.cameras.values() {
         let name = camera_name(calibration, camera.socket);

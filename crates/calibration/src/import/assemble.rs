@@ -9,7 +9,7 @@ use oaktwin_catalog::{Twin, TwinCamera};
 
 use super::field::error;
 use super::part::{Camera, Link, Parts};
-use super::{FileFinding, Imported};
+use super::{FileFinding, ImportedCalibration};
 use crate::against::socket_of;
 use crate::check::{BASELINE, RESOLUTION};
 use crate::document::{self, Document};
@@ -21,7 +21,10 @@ const PLAUSIBLE_BASELINE_M: std::ops::RangeInclusive<f64> = 0.008..=0.6;
 /// The distance between two poses of the inertial unit that causes a warning, m.
 const SUSPICIOUS_IMU_M: f64 = 1e-3;
 
-pub(super) fn document(parts: Parts, nominal: Option<&Twin>) -> Result<Imported, CalibrationError> {
+pub(super) fn document(
+    parts: Parts,
+    nominal: Option<&Twin>,
+) -> Result<ImportedCalibration, CalibrationError> {
     let Parts {
         cameras,
         links,
@@ -72,7 +75,7 @@ pub(super) fn document(parts: Parts, nominal: Option<&Twin>) -> Result<Imported,
         imu: self::imu(&imu, &by_camera, &mut findings),
         use_spec_translation: nominal.is_some(),
     };
-    Ok(Imported {
+    Ok(ImportedCalibration {
         raw: document.into_raw(first_file.unwrap_or_default()),
         findings,
         cameras: cameras

@@ -6,7 +6,7 @@ use oaktwin_camera::{ImageSize, LensModel, RigidTransform};
 
 use super::field::Field;
 use super::part::{Camera, Family, Link, Parts, intrinsics, lens, rotation, socket};
-use super::{FileFinding, ImportOptions, name};
+use super::{CalibrationImportOptions, FileFinding, name};
 use crate::raw::Value;
 use crate::{CalibrationError, Socket};
 
@@ -24,7 +24,7 @@ pub(super) fn is_imu_noise(root: &Field<'_>) -> bool {
 
 pub(super) fn read(
     root: &Field<'_>,
-    options: &ImportOptions,
+    options: &CalibrationImportOptions,
     parts: &mut Parts,
 ) -> Result<(), CalibrationError> {
     let Value::Object(entries) = &root.node.value else {
@@ -53,7 +53,7 @@ pub(super) fn read(
 fn link(
     field: &Field<'_>,
     [before, socket]: [Socket; 2],
-    options: &ImportOptions,
+    options: &CalibrationImportOptions,
     parts: &mut Parts,
 ) -> Result<(), CalibrationError> {
     let Some(pose) = field.get("T_cn_cnm1") else {
@@ -79,7 +79,11 @@ fn link(
     Ok(())
 }
 
-fn camera(field: &Field<'_>, number: usize, options: &ImportOptions) -> Result<Camera, CalibrationError> {
+fn camera(
+    field: &Field<'_>,
+    number: usize,
+    options: &CalibrationImportOptions,
+) -> Result<Camera, CalibrationError> {
     let model = field.require(&["camera_model"])?;
     if model.text()? != "pinhole" {
         let what = format!("the model \"{}\" has no counterpart in DepthAI", model.text()?);
@@ -138,7 +142,10 @@ fn distortion(field: &Field<'_>) -> Result<LensModel, CalibrationError> {
     lens(&field.require(&["distortion_coeffs"])?, family, name, counts)
 }
 
-fn transform(field: &Field<'_>, options: &ImportOptions) -> Result<RigidTransform, CalibrationError> {
+fn transform(
+    field: &Field<'_>,
+    options: &CalibrationImportOptions,
+) -> Result<RigidTransform, CalibrationError> {
     let [a, b, c, x, d, e, f, y, g, h, i, z, ..] = field.exactly::<16>("a 4x4 matrix")?;
     let rotation = rotation(field, [a, b, c, d, e, f, g, h, i])?;
     let translation = options.unit.in_metres() * DVec3::new(x, y, z);

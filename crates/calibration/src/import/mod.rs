@@ -47,7 +47,7 @@ impl LengthUnit {
 
 /// What the files do not state.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct ImportOptions {
+pub struct CalibrationImportOptions {
     /// The sockets of cameras whose names do not determine them.
     pub cameras: Vec<NamedCamera>,
     /// The unit of all lengths in the files. OpenCV's is that of the calibration board; the others' is the metre.
@@ -78,7 +78,7 @@ pub struct FileFinding {
 
 /// The result of [`import`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct Imported {
+pub struct ImportedCalibration {
     /// The `DepthAI` document, of version 7. Its name is that of the first file.
     pub raw: Raw,
     /// Suspicious content of the files. An implausible baseline and a pair of two image sizes are
@@ -88,7 +88,7 @@ pub struct Imported {
     cameras: Vec<(String, String)>,
 }
 
-impl Imported {
+impl ImportedCalibration {
     /// Returns a finding about the document as one about the files: one about the intrinsics of a camera is at the camera's place in its
     /// file, others are in the first file, at their place in the document.
     #[must_use]
@@ -123,9 +123,9 @@ impl Imported {
 /// the same.
 pub fn import(
     files: &[InputFile],
-    options: &ImportOptions,
+    options: &CalibrationImportOptions,
     nominal: Option<&Twin>,
-) -> Result<Imported, CalibrationError> {
+) -> Result<ImportedCalibration, CalibrationError> {
     let mut parts = Parts::default();
     for file in files {
         let root = yaml::parse(&file.bytes, &file.name)?;
@@ -151,7 +151,11 @@ pub fn import(
 }
 
 /// Recognizes a file and adds its cameras and extrinsics.
-fn read(root: &Field<'_>, options: &ImportOptions, parts: &mut Parts) -> Result<(), CalibrationError> {
+fn read(
+    root: &Field<'_>,
+    options: &CalibrationImportOptions,
+    parts: &mut Parts,
+) -> Result<(), CalibrationError> {
     if kalibr::recognizes(root) {
         return kalibr::read(root, options, parts);
     }

@@ -3,7 +3,7 @@
 use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{ImageSize, LensModel, RigidTransform};
 
-use super::ImportOptions;
+use super::CalibrationImportOptions;
 use super::field::Field;
 use super::part::{Camera, Family, Link, Parts, intrinsics, lens, rotation, size, socket, stem};
 use crate::CalibrationError;
@@ -40,7 +40,7 @@ pub(super) fn recognizes(root: &Field<'_>) -> bool {
 
 pub(super) fn read(
     root: &Field<'_>,
-    options: &ImportOptions,
+    options: &CalibrationImportOptions,
     parts: &mut Parts,
 ) -> Result<(), CalibrationError> {
     if root.any(&MATRIX).is_some() {
@@ -87,7 +87,7 @@ fn camera(
     matrix: &[&str],
     distortion: &[&str],
     names: &[String],
-    options: &ImportOptions,
+    options: &CalibrationImportOptions,
 ) -> Result<Camera, CalibrationError> {
     let matrix = root.require(matrix)?;
     let size = image_size(root, options)?;
@@ -104,7 +104,7 @@ fn camera(
 }
 
 /// Returns the size in two keys, or in one list such as `image_size: [1280, 800]`.
-fn image_size(root: &Field<'_>, options: &ImportOptions) -> Result<ImageSize, CalibrationError> {
+fn image_size(root: &Field<'_>, options: &CalibrationImportOptions) -> Result<ImageSize, CalibrationError> {
     if let Some(list) = root.any(&["image_size", "imageSize"])
         && let [width, height] = list.items()?.as_slice()
     {
@@ -116,7 +116,7 @@ fn image_size(root: &Field<'_>, options: &ImportOptions) -> Result<ImageSize, Ca
 fn lens_of(
     root: &Field<'_>,
     distortion: &Field<'_>,
-    options: &ImportOptions,
+    options: &CalibrationImportOptions,
 ) -> Result<LensModel, CalibrationError> {
     let is_fisheye = match root.any(&["fisheye_model", "fisheye"]) {
         Some(flag) => match &flag.node.value {

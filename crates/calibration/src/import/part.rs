@@ -5,7 +5,7 @@ use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_camera::{ImageSize, Intrinsics, LensModel, OpenCvFisheye, OpenCvPinhole, RigidTransform};
 
 use super::field::{Field, error};
-use super::{FileFinding, ImportOptions, name};
+use super::{CalibrationImportOptions, FileFinding, name};
 use crate::{CalibrationError, Socket};
 
 /// The orthonormality error that makes a rotation invalid, as in `DepthAI` files.
@@ -61,7 +61,7 @@ pub(super) enum Family {
 pub(super) fn socket(
     field: &Field<'_>,
     names: &[String],
-    options: &ImportOptions,
+    options: &CalibrationImportOptions,
 ) -> Result<Socket, CalibrationError> {
     name::socket(names, &options.cameras).ok_or_else(|| {
         let name = names.first().map_or("camera", String::as_str);
@@ -87,7 +87,7 @@ pub(super) fn stem(file: &str) -> String {
 pub(super) fn size(
     parent: &Field<'_>,
     [width, height]: [&[&str]; 2],
-    options: &ImportOptions,
+    options: &CalibrationImportOptions,
 ) -> Result<ImageSize, CalibrationError> {
     if let (Some(width), Some(height)) = (parent.any(width), parent.any(height)) {
         return Ok(ImageSize::new(width.side()?, height.side()?));

@@ -2,7 +2,7 @@
 
 use oaktwin_camera::math::DVec3;
 
-use super::ImportOptions;
+use super::CalibrationImportOptions;
 use super::field::Field;
 use super::part::{Camera, Family, Parts, Rectified, intrinsics, lens, rotation, size, socket, stem};
 use crate::CalibrationError;
@@ -19,7 +19,7 @@ pub(super) fn recognizes(root: &Field<'_>) -> bool {
 
 pub(super) fn read(
     root: &Field<'_>,
-    options: &ImportOptions,
+    options: &CalibrationImportOptions,
     parts: &mut Parts,
 ) -> Result<(), CalibrationError> {
     let name = match root.get("camera_name") {
@@ -64,7 +64,10 @@ fn distortion(root: &Field<'_>) -> Result<oaktwin_camera::LensModel, Calibration
 }
 
 /// Returns the rectification; `None` if the camera was calibrated alone.
-fn rectified(root: &Field<'_>, options: &ImportOptions) -> Result<Option<Rectified>, CalibrationError> {
+fn rectified(
+    root: &Field<'_>,
+    options: &CalibrationImportOptions,
+) -> Result<Option<Rectified>, CalibrationError> {
     let (Some(r), Some(p)) = (root.any(&ROTATION), root.any(&PROJECTION)) else {
         return Ok(None);
     };

@@ -5,7 +5,7 @@ use oaktwin_camera::{
     Intrinsics, LensModel, OpenCv, OpenCvFisheye, OpenCvPinhole, PixelPoint, RigidTransform,
 };
 use oaktwin_catalog::{Origin, Role, Twin, TwinCamera};
-use oaktwin_depth::random::{Numbers, Stage, Stream};
+use oaktwin_depth::random::{NoiseStage, Numbers, Stream};
 
 use crate::population::{Basis, Spread};
 
@@ -84,7 +84,7 @@ impl Population {
     #[must_use]
     pub fn unit(&self, number: u64) -> Unit {
         let mut twin = self.nominal.clone();
-        let mut numbers = Numbers::new(self.random.plane(Stage::Population, number, 0));
+        let mut numbers = Numbers::new(self.random.plane(NoiseStage::Population, number, 0));
         let pair = numbers.normal_within(LIMIT) * self.spread.focal_length_pair;
         for camera in &mut twin.cameras {
             self.vary(camera, pair, &mut numbers);

@@ -11,4 +11,4 @@ mod summary;
 
 pub use draw::{Population, Unit};
 pub use spread::{Basis, Spread};
-pub use summary::{PairSummary, Statistics, UnitSummary};
+pub use summary::{Statistics, UnitPairSummary, UnitSummary};

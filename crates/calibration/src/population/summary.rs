@@ -15,12 +15,12 @@ pub struct UnitSummary {
     pub color_focal_length_px: Option<f64>,
     /// The stereo pair, if the model has one.
     #[serde(flatten)]
-    pub pair: Option<PairSummary>,
+    pub pair: Option<UnitPairSummary>,
 }
 
 /// The stereo pair of a unit.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct PairSummary {
+pub struct UnitPairSummary {
     /// The focal length of the left camera, px.
     pub left_focal_length_px: f64,
     /// The focal length of the right camera, px.
@@ -107,7 +107,7 @@ impl Unit {
     }
 }
 
-fn pair(twin: &Twin) -> Option<PairSummary> {
+fn pair(twin: &Twin) -> Option<UnitPairSummary> {
     let (left, right) = (twin.camera(Role::Left)?, twin.camera(Role::Right)?);
     let left_from_right = left.body_from_camera.inverse() * right.body_from_camera;
     let rotation = DQuat::from_mat3(&left_from_right.rotation).to_scaled_axis() * 1e3;
@@ -116,7 +116,7 @@ fn pair(twin: &Twin) -> Option<PairSummary> {
         .body_from_camera
         .rotation
         .z_axis;
-    Some(PairSummary {
+    Some(UnitPairSummary {
         left_focal_length_px: left.intrinsics.fx,
         right_focal_length_px: right.intrinsics.fx,
         baseline_mm: left_from_right.translation.length() * 1e3,

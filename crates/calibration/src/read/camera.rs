@@ -6,7 +6,7 @@ use super::link::camera_link;
 use super::size::size;
 use super::uncalibrated::uncalibrated;
 use crate::Socket;
-use crate::model::{CameraCalibration, CameraKind, Link};
+use crate::model::{CameraCalibration, CameraKind, ExtrinsicLink};
 use crate::reader::{Field, Reader};
 
 const CAMERA_KEYS: [&str; 9] = [
@@ -25,7 +25,7 @@ const CAMERA_KEYS: [&str; 9] = [
 pub(super) struct Cameras {
     pub(super) calibrated: BTreeMap<Socket, CameraCalibration>,
     /// The extrinsics of the cameras without intrinsics.
-    pub(super) uncalibrated: BTreeMap<Socket, Option<Link>>,
+    pub(super) uncalibrated: BTreeMap<Socket, Option<ExtrinsicLink>>,
 }
 
 pub(super) fn cameras(reader: &mut Reader, root: &Field<'_>) -> Option<Cameras> {
@@ -89,7 +89,8 @@ pub(super) fn cameras(reader: &mut Reader, root: &Field<'_>) -> Option<Cameras> 
             "calibrate the device, then export again",
         );
     }
-    let is_known = |link: &Link| cameras.contains_key(&link.to) || without_intrinsics.contains(&link.to);
+    let is_known =
+        |link: &ExtrinsicLink| cameras.contains_key(&link.to) || without_intrinsics.contains(&link.to);
     let uncalibrated = uncalibrated
         .into_iter()
         .map(|(socket, link)| (socket, link.filter(is_known)))
@@ -101,7 +102,7 @@ pub(super) fn cameras(reader: &mut Reader, root: &Field<'_>) -> Option<Cameras> 
 }
 
 /// Reports a camera without intrinsics, and returns its extrinsics if they are usable.
-fn link_without_intrinsics(reader: &mut Reader, socket: Socket, info: &Field<'_>) -> Option<Link> {
+fn link_without_intrinsics(reader: &mut Reader, socket: Socket, info: &Field<'_>) -> Option<ExtrinsicLink> {
     let message = format!(
         "{socket} has no intrinsics (the focal lengths are 0, or the matrix is empty); it counts as missing"
     );

@@ -4,7 +4,7 @@ use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DMat3, DVec3};
 
 use crate::Socket;
-use crate::model::Link;
+use crate::model::ExtrinsicLink;
 use crate::reader::{Field, Reader, from_rows};
 
 const EXTRINSICS_KEYS: [&str; 8] = [
@@ -31,7 +31,7 @@ pub(super) fn camera_link(
     reader: &mut Reader,
     field: &Field<'_>,
     without_intrinsics: &BTreeSet<Socket>,
-) -> Option<Link> {
+) -> Option<ExtrinsicLink> {
     let read = link(reader, field)?;
     let Some(to) = read.to else {
         if read.translation_m != DVec3::ZERO {
@@ -58,7 +58,7 @@ pub(super) fn camera_link(
 }
 
 /// Reads the extrinsics of the IMU or the housing; `None` if they are empty.
-pub(super) fn placed(reader: &mut Reader, field: &Field<'_>) -> Option<Link> {
+pub(super) fn placed(reader: &mut Reader, field: &Field<'_>) -> Option<ExtrinsicLink> {
     let read = link(reader, field)?;
     match (read.to, read.rotation) {
         (Some(to), Some(rotation)) => Some(read.into_link(&field.path, to, rotation)),
@@ -74,9 +74,9 @@ struct ReadLink {
 }
 
 impl ReadLink {
-    fn into_link(self, place: &str, to: Socket, rotation: DMat3) -> Link {
+    fn into_link(self, place: &str, to: Socket, rotation: DMat3) -> ExtrinsicLink {
         let spec = self.spec_translation_m;
-        Link {
+        ExtrinsicLink {
             place: place.to_owned(),
             to,
             camera_from_self: RigidTransform::new(rotation, self.translation_m),

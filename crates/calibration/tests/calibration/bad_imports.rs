@@ -11,15 +11,15 @@ use std::fmt::Write as _;
 use oaktwin_base::diagnostic::Level;
 use oaktwin_calibration::Calibration;
 use oaktwin_calibration::export::Format;
-use oaktwin_calibration::import::{ImportOptions, Imported, InputFile, import};
+use oaktwin_calibration::import::{CalibrationImportOptions, ImportedCalibration, InputFile, import};
 
 use crate::imports::{exported, file, nominal};
 
 type Case = (&'static str, Vec<InputFile>);
 
 fn error_of(files: &[InputFile]) -> String {
-    match import(files, &ImportOptions::default(), None) {
-        Ok(Imported { raw, findings, .. }) => {
+    match import(files, &CalibrationImportOptions::default(), None) {
+        Ok(ImportedCalibration { raw, findings, .. }) => {
             let mut errors = findings
                 .into_iter()
                 .filter(|found| found.finding.level == Level::Error);

@@ -11,7 +11,9 @@ use std::path::Path;
 
 use oaktwin_base::diagnostic::Level;
 use oaktwin_calibration::export::{Format, export};
-use oaktwin_calibration::import::{ImportOptions, Imported, InputFile, LengthUnit, NamedCamera, import};
+use oaktwin_calibration::import::{
+    CalibrationImportOptions, ImportedCalibration, InputFile, LengthUnit, NamedCamera, import,
+};
 use oaktwin_calibration::{Calibration, Raw, Socket, nominal_calibration};
 use oaktwin_catalog::Catalog;
 
@@ -42,8 +44,8 @@ pub(crate) fn exported(of: &(Raw, Calibration), format: Format) -> Vec<InputFile
     files.into_iter().map(input).collect()
 }
 
-fn imported(files: &[InputFile], options: &ImportOptions) -> Calibration {
-    let Imported { raw, findings, .. } = import(files, options, None).unwrap();
+fn imported(files: &[InputFile], options: &CalibrationImportOptions) -> Calibration {
+    let ImportedCalibration { raw, findings, .. } = import(files, options, None).unwrap();
     assert!(
         findings.iter().all(|found| found.finding.level < Level::Error),
         "{findings:?}"
@@ -86,7 +88,10 @@ fn opencv_files_import_without_loss() {
         nominal("OAK4-D"),
         nominal("OAK-D ToF"),
     ] {
-        let found = imported(&exported(&given, Format::OpenCv), &ImportOptions::default());
+        let found = imported(
+            &exported(&given, Format::OpenCv),
+            &CalibrationImportOptions::default(),
+        );
         assert_same_cameras(&found, &given.1);
         assert_same_pose(&found, &given.1, Socket::CAM_B, Socket::CAM_C);
     }
@@ -97,7 +102,7 @@ fn the_file_of_a_pair_is_enough() {
     let given = fixture("example-oak-d-pro-poe.json");
     let mut files = exported(&given, Format::OpenCv);
     files.retain(|file| file.name == "stereo.yml");
-    let found = imported(&files, &ImportOptions::default());
+    let found = imported(&files, &CalibrationImportOptions::default());
     for socket in [Socket::CAM_B, Socket::CAM_C] {
         assert_eq!(
             found.cameras[&socket].intrinsics,
@@ -115,13 +120,19 @@ fn ros_files_import_without_loss() {
         nominal("OAK-D Pro W PoE"),
         fixture("fisheye-two-roots.json"),
     ] {
-        let found = imported(&exported(&given, Format::Ros), &ImportOptions::default());
+        let found = imported(
+            &exported(&given, Format::Ros),
+            &CalibrationImportOptions::default(),
+        );
         assert_same_cameras(&found, &given.1);
         assert_same_pose(&found, &given.1, Socket::CAM_B, Socket::CAM_C);
     }
     // The lenses of this one are fitted, its poses are exact.
     let given = fixture("example-oak-d-pro-poe.json");
-    let found = imported(&exported(&given, Format::Ros), &ImportOptions::default());
+    let found = imported(
+        &exported(&given, Format::Ros),
+        &CalibrationImportOptions::default(),
+    );
     assert_same_pose(&found, &given.1, Socket::CAM_B, Socket::CAM_C);
 }
 
@@ -132,7 +143,10 @@ fn kalibr_files_import_without_loss() {
         nominal("OAK-D ToF"),
         fixture("example-oak-d-pro-poe.json"),
     ] {
-        let found = imported(&exported(&given, Format::Kalibr), &ImportOptions::default());
+        let found = imported(
+            &exported(&given, Format::Kalibr),
+            &CalibrationImportOptions::default(),
+        );
         let sockets: Vec<Socket> = given.1.cameras.keys().copied().collect();
         for from in &sockets {
             for to in &sockets {
@@ -144,7 +158,10 @@ fn kalibr_files_import_without_loss() {
     }
     let given = nominal("OAK4-D");
     assert_same_cameras(
-        &imported(&exported(&given, Format::Kalibr), &ImportOptions::default()),
+        &imported(
+            &exported(&given, Format::Kalibr),
+            &CalibrationImportOptions::default(),
+        ),
         &given.1,
     );
 }
@@ -160,7 +177,9 @@ fn imported_files_export_to_the_same_text() {
     ];
     for (given, format) in cases {
         let files = exported(&given, format);
-        let raw = import(&files, &ImportOptions::default(), None).unwrap().raw;
+        let raw = import(&files, &CalibrationImportOptions::default(), None)
+            .unwrap()
+            .raw;
         let calibration = Calibration::from_raw(&raw).unwrap().0;
         let again = exported(&(raw, calibration), format);
         for (a, b) in files.iter().zip(&again) {
@@ -192,11 +211,11 @@ fn options_state_what_files_do_not() {
         file("intrinsics.yml", intrinsics),
         file("extrinsics.yml", extrinsics),
     ];
-    let options = ImportOptions {
+    let options = CalibrationImportOptions {
         unit: LengthUnit::Millimetres,
         size: Some(oaktwin_camera::ImageSize::new(1280, 800)),
         is_fisheye: true,
-        ..ImportOptions::default()
+        ..CalibrationImportOptions::default()
     };
     let found = imported(&files, &options);
     assert_eq!(
@@ -204,7 +223,7 @@ fn options_state_what_files_do_not() {
         [0.1, 0.0, 0.0, 0.0]
     );
     assert!((found.baseline(Socket::CAM_B, Socket::CAM_C, false).unwrap() - 0.075).abs() < 1e-12);
-    let swapped = ImportOptions {
+    let swapped = CalibrationImportOptions {
         cameras: ["M1=right", "M2=left"]
             .map(|text| NamedCamera::from_text(text).unwrap())
             .to_vec(),
@@ -215,7 +234,7 @@ fn options_state_what_files_do_not() {
         800.0
     );
     // In metres, a baseline of 75 m is an error that can be ignored.
-    let in_metres = ImportOptions {
+    let in_metres = CalibrationImportOptions {
         unit: LengthUnit::Metres,
         ..options
     };

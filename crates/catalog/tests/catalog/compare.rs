@@ -1,8 +1,8 @@
 //! The comparison tables against the cells that the sheet prints, copied by hand.
 
-use oaktwin_catalog::{Catalog, Device, Table, compare};
+use oaktwin_catalog::{Catalog, Device, TextTable, compare};
 
-fn all() -> Vec<Table> {
+fn all() -> Vec<TextTable> {
     let catalog = Catalog::builtin();
     let devices: Vec<&Device> = catalog.sheet().collect();
     compare(catalog, &devices)

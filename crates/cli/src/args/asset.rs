@@ -2,7 +2,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueHint};
 use oaktwin::camera::ApertureOffsets;
-use oaktwin::usd::asset::{Format, IsaacVersion, Target};
+use oaktwin::usd::asset::{AssetTarget, Format, IsaacVersion};
 use oaktwin::usd::stage::SceneLimit;
 
 use super::choice::parser;
@@ -27,8 +27,8 @@ pub(crate) struct AssetArgs {
     pub(crate) isaac: IsaacVersion,
 
     /// Write for this renderer (ovrtx is experimental)
-    #[arg(long, value_parser = parser::<Target>(), default_value_t)]
-    pub(crate) target: Target,
+    #[arg(long, value_parser = parser::<AssetTarget>(), default_value_t)]
+    pub(crate) target: AssetTarget,
 
     #[command(flatten)]
     pub(crate) unit: UnitArgs,

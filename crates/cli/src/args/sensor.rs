@@ -10,15 +10,15 @@ use crate::context::Result;
 
 /// The options of the depth sensor, from [`SENSOR_OPTIONS`].
 #[derive(Clone, Debug, Default)]
-pub(crate) struct SensorArgs(Given);
+pub(crate) struct SensorArgs(GivenOptions);
 
 /// The options that also apply to matching image pairs.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct MatcherArgs(Given);
+pub(crate) struct MatcherArgs(GivenOptions);
 
 /// The options on the command line with their values, in order.
 #[derive(Clone, Debug, Default)]
-struct Given(Vec<(&'static SensorOption, Vec<String>)>);
+struct GivenOptions(Vec<(&'static SensorOption, Vec<String>)>);
 
 impl SensorArgs {
     /// The first option that was given, with hyphens.
@@ -56,7 +56,7 @@ impl MatcherArgs {
     }
 }
 
-impl Given {
+impl GivenOptions {
     fn read(matches: &ArgMatches, is_offered: impl Fn(&SensorOption) -> bool) -> Self {
         let mut given = Vec::new();
         for option in SENSOR_OPTIONS.iter().filter(|option| is_offered(option)) {
@@ -142,7 +142,7 @@ macro_rules! flattened {
 
         impl FromArgMatches for $Type {
             fn from_arg_matches(matches: &ArgMatches) -> std::result::Result<Self, Error> {
-                Ok(Self(Given::read(matches, $is_offered)))
+                Ok(Self(GivenOptions::read(matches, $is_offered)))
             }
 
             fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> std::result::Result<(), Error> {

@@ -5,7 +5,7 @@ mod verdict;
 
 use std::path::Path;
 
-use oaktwin::accuracy::{self, AccuracyError, Bench, Options, measured};
+use oaktwin::accuracy::{self, AccuracyError, AccuracyOptions, Bench, measured};
 
 use crate::args::AccuracyArgs;
 use crate::context::{Context, Exit, Result};
@@ -62,8 +62,8 @@ pub(crate) fn run(context: &Context, args: &AccuracyArgs) -> Result<Exit> {
     })
 }
 
-fn options(args: &AccuracyArgs) -> Result<Options> {
-    Ok(Options {
+fn options(args: &AccuracyArgs) -> Result<AccuracyOptions> {
+    Ok(AccuracyOptions {
         sensor: args.sensor.clone(),
         engine: args.engine.options()?,
         distances_m: args

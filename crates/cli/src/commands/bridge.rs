@@ -4,7 +4,7 @@ mod text;
 
 use oaktwin::sense::{FieldOfView, SenseOptions};
 use oaktwin::sensor::depth_sensor;
-use oaktwin_bridge::{BridgeOptions, Filter, Network, run as bridge};
+use oaktwin_bridge::{BridgeOptions, DepthFilter, Network, run as bridge};
 
 use crate::args::BridgeArgs;
 use crate::context::{Context, Exit, Result};
@@ -41,7 +41,7 @@ pub(crate) fn run(context: &Context, args: &BridgeArgs) -> Result<Exit> {
         delivery: device::delivery(args, &twin, sensor)?,
     };
     let prim = sensor.spec.prim.clone();
-    let filter = Filter::new(twin, sense_options(args, prim)?)?;
+    let filter = DepthFilter::new(twin, sense_options(args, prim)?)?;
     let mut printed = Ok(());
     signals::while_checked(|| {
         bridge(

@@ -1,7 +1,9 @@
 use std::fmt::Write;
 
 use oaktwin::diagnostic::{self, Level};
-use oaktwin::usd::check::{CameraReport, CheckOptions, DepthReport, Report, ResolutionSource, View, check};
+use oaktwin::usd::check::{
+    CheckOptions, CheckReport, PinholeReport, ResolutionSource, UsdCameraReport, UsdDepthReport, check,
+};
 
 use crate::args::CheckArgs;
 use crate::context::{Context, Exit, Result};
@@ -34,7 +36,7 @@ pub(crate) fn run(context: &Context, args: &CheckArgs) -> Result<Exit> {
     })
 }
 
-fn text(report: &Report) -> String {
+fn text(report: &CheckReport) -> String {
     let mut out = format!("{}\n", report.file);
     for camera in &report.cameras {
         camera_text(&mut out, camera);
@@ -63,7 +65,7 @@ fn text(report: &Report) -> String {
     out
 }
 
-fn camera_text(out: &mut String, camera: &CameraReport) {
+fn camera_text(out: &mut String, camera: &UsdCameraReport) {
     let model = camera
         .model
         .as_ref()
@@ -75,7 +77,7 @@ fn camera_text(out: &mut String, camera: &CameraReport) {
         ResolutionSource::Apertures => "from the apertures".to_owned(),
     };
     let _ = writeln!(out, "\n{} ({} {source}{model})", camera.path, camera.resolution);
-    let mut view = |label: &str, view: Option<&View>| {
+    let mut view = |label: &str, view: Option<&PinholeReport>| {
         let text = view.map_or_else(
             || "no valid pinhole".to_owned(),
             |v| {
@@ -97,7 +99,7 @@ fn camera_text(out: &mut String, camera: &CameraReport) {
     }
 }
 
-fn depth_text(out: &mut String, sensor: &DepthReport) {
+fn depth_text(out: &mut String, sensor: &UsdDepthReport) {
     let resolution = sensor
         .resolution
         .map_or_else(String::new, |size| format!(" ({size})"));

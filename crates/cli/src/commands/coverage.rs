@@ -20,7 +20,7 @@ use crate::output;
 
 /// The result of the command.
 #[derive(Serialize)]
-struct Report<'a> {
+struct CoverageReport<'a> {
     scene: &'a Path,
     #[serde(flatten)]
     coverage: &'a Coverage,
@@ -29,7 +29,7 @@ struct Report<'a> {
 
 pub(crate) fn run(context: &Context, args: &CoverageArgs) -> Result<Exit> {
     let region = asked::region(args)?;
-    let sweep = coverage::Sweep::parse(args.height.as_deref(), args.tilt.as_deref())?;
+    let sweep = coverage::PlacementSweep::parse(args.height.as_deref(), args.tilt.as_deref())?;
     asked::check(args)?;
     args.threads.apply();
     if let Some(folder) = &args.report {
@@ -92,8 +92,12 @@ fn finish(of_files: &[(Option<&Path>, &[Finding])], is_interrupted: bool) -> Exi
     }
 }
 
-fn report<'a>(args: &'a CoverageArgs, coverage: &'a Coverage, files: &'a [WrittenFile]) -> Report<'a> {
-    Report {
+fn report<'a>(
+    args: &'a CoverageArgs,
+    coverage: &'a Coverage,
+    files: &'a [WrittenFile],
+) -> CoverageReport<'a> {
+    CoverageReport {
         scene: &args.scene,
         coverage,
         files,

@@ -4,7 +4,7 @@ mod text;
 use std::path::Path;
 
 use oaktwin::files;
-use oaktwin::fit::{self, FitError, Options};
+use oaktwin::fit::{self, FitError, FitOptions};
 
 use crate::args::{Also, FitArgs};
 use crate::context::{Context, Exit, Result};
@@ -16,7 +16,7 @@ pub(crate) fn run(context: &Context, args: &FitArgs) -> Result<Exit> {
         return latency::run(args);
     };
     let plot = args.plot.as_deref().map(Plot::new).transpose()?;
-    let options = Options {
+    let options = FitOptions {
         sensor: args.sensor.clone(),
         engine: args.engine.options()?,
         optics: args.unit.optics(),

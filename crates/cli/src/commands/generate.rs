@@ -19,7 +19,7 @@ use crate::{output, progress};
 
 /// The JSON output of `generate`.
 #[derive(Serialize)]
-struct Report<'a> {
+struct GenerateReport<'a> {
     output: &'a Path,
     frames: u64,
     frames_skipped: u64,
@@ -81,7 +81,7 @@ pub(crate) fn run(context: &Context, args: &GenerateArgs) -> Result<Exit> {
 
 fn report(args: &GenerateArgs, folder: &Path, generated: &Generated, seconds: f64) -> Result<Exit> {
     if args.json {
-        output::print_json(&Report {
+        output::print_json(&GenerateReport {
             output: folder,
             frames: generated.made,
             frames_skipped: generated.skipped,

@@ -1,4 +1,4 @@
-use oaktwin::catalog::{DepthKind, Device, Role, Table};
+use oaktwin::catalog::{DepthKind, Device, Role, TextTable};
 use serde::Serialize;
 
 use crate::args::ModelsArgs;
@@ -68,7 +68,7 @@ fn model(device: &Device) -> Model<'_> {
 }
 
 /// Returns the table of one maker's models.
-fn table(devices: &[&Device]) -> Table {
+fn table(devices: &[&Device]) -> TextTable {
     let optics = |device: &Device, role| {
         device.camera(role).map_or_else(String::new, |camera| {
             format!("{} {}°", camera.sensor, camera.hfov_deg)
@@ -87,7 +87,7 @@ fn table(devices: &[&Device]) -> Table {
             format!("{} mm", all.join(", "))
         }
     };
-    Table {
+    TextTable {
         title: devices
             .first()
             .map_or_else(String::new, |device| device.manufacturer.clone()),

@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use oaktwin::catalog::Table;
+use oaktwin::catalog::TextTable;
 use oaktwin::diagnostic::Finding;
 use oaktwin::files::OutputFiles;
 use oaktwin::population::{Basis, Population, Spread, Statistics, UnitSummary};
@@ -85,7 +85,7 @@ fn table(units: &[UnitSummary]) -> String {
 }
 
 /// Returns the mean, the standard deviation and the range of each number.
-fn statistics(units: &[UnitSummary]) -> Table {
+fn statistics(units: &[UnitSummary]) -> TextTable {
     let rows = UnitSummary::NUMBERS.iter().filter_map(|(name, value)| {
         let values: Vec<f64> = units.iter().filter_map(value).collect();
         let Statistics {
@@ -97,7 +97,7 @@ fn statistics(units: &[UnitSummary]) -> Table {
         let numbers = [mean, deviation, smallest, largest].map(|number| format!("{number:.2}"));
         Some([vec![(*name).to_owned()], numbers.to_vec()].concat())
     });
-    Table {
+    TextTable {
         title: String::new(),
         header: ["", "Mean", "Deviation", "Smallest", "Largest"]
             .map(str::to_owned)

@@ -16,7 +16,7 @@ use oaktwin::render::{self, Rig, RigError};
 use crate::args::RenderArgs;
 use crate::context::{Context, Exit, Result};
 use opened::Opened;
-use report::Report;
+use report::RenderReport;
 
 pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let output = request::output(args)?;
@@ -50,12 +50,12 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     findings.extend(more);
     let twin = oak.as_ref().map(|(twin, _)| twin);
     let samples = imu::simulation(context, args, twin, &path, scene.scene.up)?;
-    let samples = noted(samples, &mut findings);
+    let samples = take_findings(samples, &mut findings);
     let is_alone = output.is_none();
     let times_s = opened.times_s(args, &path);
     let record = |file| render::FrameRecorder::create(file, &rig, &times_s, is_alone);
     let recorder = args.record.as_deref().map(record).transpose()?;
-    let mut recorder = noted(recorder, &mut findings);
+    let mut recorder = take_findings(recorder, &mut findings);
     if let (Some(recorder), Some(samples)) = (&mut recorder, &samples) {
         recorder.add_imu(samples);
     }
@@ -76,7 +76,7 @@ pub(crate) fn run(context: &Context, args: &RenderArgs) -> Result<Exit> {
     let mut written = opened.write(args, (&rig, &spec), &path, outputs)?;
     findings.append(&mut written.findings);
 
-    let report = Report::new(
+    let report = RenderReport::new(
         (args, output.as_deref()),
         &rig,
         (
@@ -107,7 +107,7 @@ fn in_scene(args: &RenderArgs, error: RigError) -> Box<dyn std::error::Error> {
 }
 
 /// Takes the findings out of a result.
-fn noted<T>(made: Option<(T, Vec<Finding>)>, findings: &mut Vec<Finding>) -> Option<T> {
+fn take_findings<T>(made: Option<(T, Vec<Finding>)>, findings: &mut Vec<Finding>) -> Option<T> {
     made.map(|(made, more)| {
         findings.extend(more);
         made
@@ -126,9 +126,9 @@ fn reject_warnings(args: &RenderArgs, findings: &[Finding]) -> Result<()> {
 fn writer(args: &RenderArgs) -> Result<Box<dyn Writer>> {
     let format = FormatKind::find(&args.writer)
         .map_err(|remedy| format!("--writer: unknown format '{}'; {remedy}", args.writer))?;
-    let options = dataset::Options {
+    let options = dataset::WriterOptions {
         extras: args.outputs.extras(),
-        ..dataset::Options::default()
+        ..dataset::WriterOptions::default()
     };
     // A format that describes objects is for `generate`.
     let format = (format.create)(options, &[]);

@@ -3,12 +3,12 @@ mod request;
 
 use std::io::{self, IsTerminal};
 
-use oaktwin::sense::{self, Output, SenseError};
+use oaktwin::sense::{self, SenseError, SenseOutput};
 
 use crate::args::SenseArgs;
 use crate::context::{Context, Exit, Result};
 use crate::{output, progress};
-use report::Report;
+use report::SenseReport;
 
 pub(crate) fn run(context: &Context, args: &SenseArgs) -> Result<Exit> {
     let options = request::options(args)?;
@@ -23,9 +23,9 @@ pub(crate) fn run(context: &Context, args: &SenseArgs) -> Result<Exit> {
     }
     let mut stdout = io::stdout();
     let to = if is_stream {
-        Output::Stream(&mut stdout)
+        SenseOutput::Stream(&mut stdout)
     } else {
-        Output::Files
+        SenseOutput::Files
     };
     let sensed = progress::watched(|watch| sense::sense(&twin, &inputs, &options, to, watch));
     let sensed = sensed.map_err(|error| match error {
@@ -44,6 +44,6 @@ pub(crate) fn run(context: &Context, args: &SenseArgs) -> Result<Exit> {
     } else {
         Exit::Success
     };
-    Report::new(&twin, sensed, calibration_findings).print(args.json, is_stream)?;
+    SenseReport::new(&twin, sensed, calibration_findings).print(args.json, is_stream)?;
     Ok(exit)
 }

@@ -17,7 +17,7 @@ use crate::args::StereoArgs;
 use crate::context::{Context, Exit, Result};
 use crate::progress;
 use oaktwin::usd::asset::LensChoice;
-use report::Report;
+use report::StereoReport;
 
 pub(crate) fn run(context: &Context, args: &StereoArgs) -> Result<Exit> {
     let unit = twin(context, args)?;
@@ -40,7 +40,7 @@ pub(crate) fn run(context: &Context, args: &StereoArgs) -> Result<Exit> {
         (false, true) => Exit::Findings,
         (false, false) => Exit::Success,
     };
-    Report::new(args, unit, matched).print(args)?;
+    StereoReport::new(args, unit, matched).print(args)?;
     Ok(exit)
 }
 

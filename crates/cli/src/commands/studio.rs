@@ -3,7 +3,7 @@ use std::path::Path;
 use oaktwin::files;
 use oaktwin::render::OpenOptions;
 use oaktwin_demo as demo_room;
-use oaktwin_studio::{FirstScene, Options, serve};
+use oaktwin_studio::{FirstScene, ServerOptions, serve};
 use serde::Serialize;
 use tempfile::TempDir;
 
@@ -33,7 +33,7 @@ pub(crate) fn run(context: &Context, args: &StudioArgs) -> Result<Exit> {
         }
     };
     scene.robot = args.robot.file()?;
-    let options = Options {
+    let options = ServerOptions {
         catalog: context.catalog.clone(),
         model,
         scene,

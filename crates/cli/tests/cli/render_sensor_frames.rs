@@ -4,7 +4,7 @@ use std::fs;
 
 use oaktwin::catalog::Catalog;
 use oaktwin::image::{npy, png};
-use oaktwin::sensor::{self, SINGLE_VIEW, STEREO_NOISE, SensorOptions, Shot};
+use oaktwin::sensor::{self, DepthShot, SINGLE_VIEW, STEREO_NOISE, SensorOptions};
 
 use super::render_sensor::{array, program};
 use crate::program::Program;
@@ -60,7 +60,7 @@ fn the_files_hold_what_the_sensor_saw() {
             let depth = npy::decode(&depth).unwrap().into_f32_image().unwrap();
             let rgb = fs::read(program.path(&format!("out/rgb_000{frame}.png"))).unwrap();
             let rgb = png::decode::<[u8; 4]>(&rgb).unwrap();
-            let mut shot = Shot::new((&depth).into()).with_rgb((&rgb).into()).unwrap();
+            let mut shot = DepthShot::new((&depth).into()).with_rgb((&rgb).into()).unwrap();
             shot.frame = frame as u64;
             let sensed = sensor.capture(shot, &[]).unwrap().distance.0;
             assert!(sensed.pixels() == rendered, "{name}, frame {frame}");

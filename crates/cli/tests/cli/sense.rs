@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Write;
 use std::process::Stdio;
 
-use oaktwin::image::npy::{self, Element, Values};
+use oaktwin::image::npy::{self, NpyElement, Values};
 use oaktwin::image::{Image, exr, pfm, png};
 
 use crate::program::{EXAMPLE, Program};
@@ -16,7 +16,7 @@ pub(crate) fn depth(width: u32, height: u32) -> Vec<f32> {
     pixels.map(|(x, y)| if thing(x, y) { 1.0 } else { 2.0 }).collect()
 }
 
-pub(crate) fn array<T: Element>(shape: &[usize], values: &[T]) -> Vec<u8> {
+pub(crate) fn array<T: NpyElement>(shape: &[usize], values: &[T]) -> Vec<u8> {
     npy::encode(shape, values).unwrap()
 }
 

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::common::{FrameFiles, by_folder, in_product, quaternion, rgb, text};
 use super::lens::{Lens, lens};
-use crate::{Format, Records, Shot, View, WriteError};
+use crate::{Format, FrameCamera, Records, Shot, WriteError};
 
 const NAME: &str = "colmap";
 /// The maximum number of points of an image.
@@ -84,7 +84,7 @@ fn model(lens: Lens) -> (&'static str, Vec<f64>) {
 }
 
 /// Returns points of the exact depth on a grid of pixels: the place in the image, in the world, and the colour.
-fn points(shot: &Shot, view: &View, rgb: &Image<[u8; 4]>) -> Vec<String> {
+fn points(shot: &Shot, view: &FrameCamera, rgb: &Image<[u8; 4]>) -> Vec<String> {
     let Some(depth) = &shot.frame.distance_to_image_plane else {
         return Vec::new();
     };

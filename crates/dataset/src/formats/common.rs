@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 
 use crate::file::{Content, DatasetFile, Fault, write_all};
 use crate::listing::reason_legend;
-use crate::{DatasetError, Records, Shot, View, WriteError, json as files};
+use crate::{DatasetError, FrameCamera, Records, Shot, WriteError, json as files};
 
 /// The files of a frame, which are encoded in parallel.
 #[derive(Default)]
@@ -252,7 +252,7 @@ pub(super) fn by_folder<T: Default>(
 }
 
 /// Returns the view of a shot, which must be a pinhole.
-pub(super) fn pinhole<'a>(format: &'static str, shot: &'a Shot) -> Result<&'a View, WriteError> {
+pub(super) fn pinhole<'a>(format: &'static str, shot: &'a Shot) -> Result<&'a FrameCamera, WriteError> {
     let view = shot
         .view
         .as_ref()

@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use super::common::{Depths, FrameFiles, by_folder, center, number, quaternion, rgb, text};
 use super::lens::{Lens, lens};
-use crate::{Format, Records, Shot, View, WriteError, euroc};
+use crate::{Format, FrameCamera, Records, Shot, WriteError, euroc};
 
 const NAME: &str = "euroc";
 const PER_METRE: f32 = 1000.0;
@@ -68,7 +68,7 @@ impl Format for Euroc {
 }
 
 /// The description of a camera, without its rate.
-fn sensor(view: &View, lens: Lens, body_from_camera: &RigidTransform) -> String {
+fn sensor(view: &FrameCamera, lens: Lens, body_from_camera: &RigidTransform) -> String {
     let (model, [a, b, c, d]) = match lens {
         Lens::Pinhole => ("radial-tangential", [0.0; 4]),
         Lens::Radial { k, p } => ("radial-tangential", [k[0], k[1], p[0], p[1]]),
@@ -92,13 +92,13 @@ fn sensor(view: &View, lens: Lens, body_from_camera: &RigidTransform) -> String 
 #[derive(Default)]
 struct Sequence {
     /// The states by time, nanoseconds.
-    states: BTreeMap<u64, State>,
+    states: BTreeMap<u64, BodyState>,
     cameras: BTreeMap<u64, Camera>,
 }
 
 /// The state of the body.
 #[derive(Default, Deserialize)]
-struct State {
+struct BodyState {
     position: [f64; 3],
     /// w, x, y, z.
     orientation: [f64; 4],
@@ -114,7 +114,7 @@ struct Camera {
 impl Sequence {
     fn add(&mut self, record: &Value) {
         let time = number(record, "time");
-        let state = State::deserialize(record).unwrap_or_default();
+        let state = BodyState::deserialize(record).unwrap_or_default();
         self.states.insert(time, state);
         let camera = self.cameras.entry(number(record, "camera")).or_default();
         text(record, "sensor").clone_into(&mut camera.sensor);
@@ -151,7 +151,7 @@ impl Sequence {
         let first = self.states.keys().next().copied().unwrap_or_default();
         #[expect(clippy::cast_precision_loss, reason = "times of a sequence")]
         let since_start = |time: u64| (time - first) as f64 * 1e-9;
-        let pose = |(time, state): (&u64, &State)| {
+        let pose = |(time, state): (&u64, &BodyState)| {
             let [w, x, y, z] = state.orientation;
             let rotation = DMat3::from_quat(DQuat::from_xyzw(x, y, z, w).normalize());
             (

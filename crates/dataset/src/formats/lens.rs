@@ -2,7 +2,7 @@
 
 use oaktwin_camera::LensModel;
 
-use crate::{DatasetError, Shot, View, WriteError};
+use crate::{DatasetError, FrameCamera, Shot, WriteError};
 
 use super::common::missing;
 
@@ -22,7 +22,7 @@ pub(super) fn lens<'a>(
     format: &'static str,
     shot: &'a Shot,
     radial_terms: usize,
-) -> Result<(&'a View, Lens), WriteError> {
+) -> Result<(&'a FrameCamera, Lens), WriteError> {
     let view = shot
         .view
         .as_ref()

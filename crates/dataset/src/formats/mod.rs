@@ -15,7 +15,7 @@ mod webdataset;
 
 use oaktwin_base::diagnostic::suggest;
 
-use crate::{BasicWriter, Format, Options};
+use crate::{BasicWriter, Format, WriterOptions};
 
 /// A format that a user chooses by name.
 #[derive(Debug)]
@@ -27,7 +27,7 @@ pub struct FormatKind {
     /// The requirements on its shots.
     pub needs: Needs,
     /// Creates the format with these options, for a data set whose objects have these labels, sorted.
-    pub create: fn(Options, &[String]) -> Box<dyn Format>,
+    pub create: fn(WriterOptions, &[String]) -> Box<dyn Format>,
 }
 
 /// The requirements of a format on its shots, besides annotations.

@@ -1,7 +1,7 @@
-use crate::Mask;
+use crate::ObjectMask;
 
 /// Returns the run lengths of a mask in an image, column by column, beginning with the pixels outside it.
-pub(super) fn runs(mask: &Mask, width: u32, height: u32) -> Vec<u32> {
+pub(super) fn runs(mask: &ObjectMask, width: u32, height: u32) -> Vec<u32> {
     let (mut runs, mut run, mut inside) = (Vec::new(), 0, false);
     let [left, top] = mask.origin;
     let [across, down] = mask.size;
@@ -54,10 +54,10 @@ mod tests {
 
     #[test]
     fn runs_cover_the_image() {
-        let mask = Mask::of(6, 4, |x, y| (x == 2 && (1..3).contains(&y)) || (x == 3 && y == 1));
+        let mask = ObjectMask::of(6, 4, |x, y| (x == 2 && (1..3).contains(&y)) || (x == 3 && y == 1));
         assert_eq!(runs(&mask, 6, 4), [9, 2, 2, 1, 10]);
-        assert_eq!(runs(&Mask::default(), 6, 4), [24]);
-        let all = Mask::of(3, 2, |_, _| true);
+        assert_eq!(runs(&ObjectMask::default(), 6, 4), [24]);
+        let all = ObjectMask::of(3, 2, |_, _| true);
         assert_eq!(runs(&all, 3, 2), [0, 6]);
     }
 

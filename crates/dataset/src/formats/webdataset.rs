@@ -12,7 +12,7 @@ use super::common::{camera_matrix, distortion, matrix, number, text};
 use crate::basic_writer::folder;
 use crate::file::DatasetFile;
 use crate::listing::list;
-use crate::{Format, Options, Records, Shot, WriteError, json as files};
+use crate::{Format, Records, Shot, WriteError, WriterOptions, json as files};
 
 /// The blocks of zeros at the end of an archive, bytes.
 const END: usize = 1024;
@@ -23,7 +23,7 @@ const END: usize = 1024;
 ///
 /// A frame has its own archive in `samples/` until its shard is complete.
 #[derive(Debug)]
-pub(super) struct WebDataset(pub(super) Options);
+pub(super) struct WebDataset(pub(super) WriterOptions);
 
 impl Format for WebDataset {
     fn frame(&self, shot: &Shot, output: &mut OutputFiles) -> Result<Value, WriteError> {

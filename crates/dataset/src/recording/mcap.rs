@@ -47,7 +47,7 @@ pub struct Mcap<W: Write> {
     /// The current message, whose memory is reused.
     cdr: Cdr,
     names: BTreeSet<String>,
-    cameras: Vec<Station>,
+    cameras: Vec<CameraTopics>,
     bodies: Vec<Carrier>,
     imu: Option<InertialStation>,
     channels: BTreeMap<String, Channel>,
@@ -56,7 +56,7 @@ pub struct Mcap<W: Write> {
 }
 
 /// A camera and the state of its messages.
-struct Station {
+struct CameraTopics {
     camera: RecordedCamera,
     /// The first part of the names of its topics.
     name: String,
@@ -260,7 +260,7 @@ impl<W: Write> Mcap<W> {
     }
 
     /// Writes the images; `station` is borrowed from `self.cameras`.
-    fn put_images(&mut self, station: &mut Station, moment: &Moment<'_>) -> Result<(), RecordingError> {
+    fn put_images(&mut self, station: &mut CameraTopics, moment: &Moment<'_>) -> Result<(), RecordingError> {
         let time = moment.time;
         let head = Header {
             time,
@@ -330,7 +330,7 @@ impl<W: Write> Recorder for Mcap<W> {
         };
         let optical_frame = unique_name(&frame_names::optical(&frame), &mut self.names);
         let is_moved = camera.measured().camera_from_measured != RigidTransform::IDENTITY;
-        self.cameras.push(Station {
+        self.cameras.push(CameraTopics {
             camera: camera.clone(),
             measured_frame: match is_moved {
                 true => unique_name(&format!("{frame}_measured_optical_frame"), &mut self.names),

@@ -118,7 +118,7 @@ pub struct RecordedCamera {
     /// The camera that the depth sensor's outputs are images of, if it is another one.
     pub measured: Option<MeasuredCamera>,
     /// The body that carries the camera, if any.
-    pub body: Option<Body>,
+    pub body: Option<MovingBody>,
 }
 
 /// The camera that a depth sensor's outputs are images of.
@@ -159,7 +159,7 @@ impl RecordedCamera {
 
 /// A moving body that carries cameras.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Body {
+pub struct MovingBody {
     /// The name. Cameras whose bodies have the same name are on the same body.
     pub name: String,
     /// The pose of the camera's optical frame on the body, metres.
@@ -171,7 +171,7 @@ pub struct Body {
 pub struct RecordedImu {
     /// The name, which is the first part of the names of its topic and frame.
     pub name: String,
-    /// The name of the body that carries it, as in [`Body::name`].
+    /// The name of the body that carries it, as in [`MovingBody::name`].
     pub body: String,
     /// The pose of the sensor on the body, metres.
     pub body_from_imu: RigidTransform,

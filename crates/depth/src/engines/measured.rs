@@ -84,7 +84,7 @@ fn metres(stereo: StereoGeometry, disparity_px: f64) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Shot;
+    use crate::DepthShot;
     use crate::filter;
 
     const STEREO: StereoGeometry = StereoGeometry {
@@ -97,7 +97,7 @@ mod tests {
         let blank = Image::filled(3, 1, 1.0f32);
         let filters = filters.iter().map(|text| filter::parse(text).unwrap());
         let mut filters = Chain::new(filters.collect());
-        let input = Input::Depth(Shot::new((&blank).into()));
+        let input = Input::Depth(DepthShot::new((&blank).into()));
         Capture::of_disparity(&disparity, STEREO, 95, &input, &mut filters)
     }
 

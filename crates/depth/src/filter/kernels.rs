@@ -5,11 +5,11 @@ macro_rules! kernels {
     ($($(#[$doc:meta])* fn $name:ident<$rows:lifetime> = $body:path => ($($argument:ident: $type:ty),*);)*) => {$(
         $(#[$doc])*
         fn $name<$rows, P: $crate::filter::Pixel>(level: oaktwin_simd::Level, $($argument: $type),*) {
-            struct Work<$rows, P: $crate::filter::Pixel> {
+            struct PixelLoop<$rows, P: $crate::filter::Pixel> {
                 $($argument: $type),*
             }
 
-            impl<$rows, P: $crate::filter::Pixel> oaktwin_simd::Kernel for Work<$rows, P> {
+            impl<$rows, P: $crate::filter::Pixel> oaktwin_simd::Kernel for PixelLoop<$rows, P> {
                 type Output = ();
 
                 #[inline(always)]
@@ -18,7 +18,7 @@ macro_rules! kernels {
                 }
             }
 
-            oaktwin_simd::run_at(level, Work { $($argument),* });
+            oaktwin_simd::run_at(level, PixelLoop { $($argument),* });
         }
     )*};
 }

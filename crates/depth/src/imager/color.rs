@@ -9,7 +9,7 @@ use super::demosaic::{self, UNITS};
 use super::rows::Rows;
 use super::{Bits, Exposure, Imager, Parameters, blur, mosaic};
 use crate::ParameterError;
-use crate::random::{Stage, Stream};
+use crate::random::{NoiseStage, Stream};
 
 /// The variance of light over the area of a pixel, px².
 const PIXEL_VARIANCE: f64 = 1.0 / 12.0;
@@ -25,9 +25,9 @@ parameters! {
     /// are is known for each camera.
     pub struct ColorParameters("color-imager", platform) {
         /// The light, as a multiple of typical light in the scene: 0.01 is a dim room, in which automatic exposure reaches its limits.
-        light: f64 = 1.0 => ("light".range(0.0..=1e6).typical(0.001..=10.0).own("the scene's own")),
+        light: f64 = 1.0 => ("light".range(0.0..=1e6).typical(0.001..=10.0).chosen("the scene's own")),
         /// Whether exposure follows the mean of the images.
-        auto_exposure: bool = true => ("autoExposure".own("a camera's default")),
+        auto_exposure: bool = true => ("autoExposure".chosen("a camera's default")),
         /// The mean of linear light that automatic exposure aims at, as a share of the largest value: the middle grey of photography.
         exposure_target: f64 = 0.18 => ("exposureTarget".range(0.001..=0.95).estimate()),
         /// Exposure time times gain without automatic exposure; at 1, white has the largest value.
@@ -47,7 +47,7 @@ parameters! {
         /// The gain of blue in the balance of white.
         blue_gain: f64 = 1.6 => ("blueGain".range(1.0..=8.0).typical(1.0..=3.0).estimate()),
         /// Whether noise is added.
-        noise: bool = true => ("noise".own("a real sensor")),
+        noise: bool = true => ("noise".chosen("a real sensor")),
         /// The standard deviation of the lens's point spread function, in photosites: diffraction at f/1.8 on photosites of 1.55 µm
         /// (0.42 λN) and aberrations of the same size. The photosites' own area adds to it.
         lens_blur_px: f64 = 0.4 => ("lensBlur".unit("px").range(0.0..=8.0).typical(0.0..=3.0).estimate()),
@@ -198,7 +198,7 @@ impl ColorImager {
         frame: u64,
     ) -> Image<[u16; 3]> {
         let scale = scale * self.light;
-        let random = [0, 1, 2].map(|item| random.plane(Stage::Color, frame, item));
+        let random = [0, 1, 2].map(|item| random.plane(NoiseStage::Color, frame, item));
         let rows = |exposure: Exposure, channel: usize, random| {
             Rows::new(self.channels[channel].parameters(), intrinsics, exposure, random)
         };

@@ -35,7 +35,7 @@ use oaktwin_image::{Image, ImageView};
 
 use self::rows::{Number, Rows};
 use crate::ParameterError;
-use crate::random::Plane;
+use crate::random::RandomPlane;
 
 /// An exposure.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,14 +86,14 @@ impl Imager {
 
     /// Returns the image that the sensor records of linear `light`; NaN and negative values are dark. `intrinsics` are
     /// the image's, for vignetting. `random` must be the image's own stream: of its camera,
-    /// [`Stage::Exposure`](crate::random::Stage::Exposure) and frame.
+    /// [`NoiseStage::Exposure`](crate::random::NoiseStage::Exposure) and frame.
     #[must_use]
     pub fn record(
         &self,
         light: ImageView<'_, f32>,
         intrinsics: &Intrinsics,
         exposure: Exposure,
-        random: &Plane,
+        random: &RandomPlane,
     ) -> Recorded {
         match self.parameters.bits {
             Bits::Eight => Recorded::Eight(self.numbers(light, intrinsics, exposure, random)),
@@ -106,7 +106,7 @@ impl Imager {
         light: ImageView<'_, f32>,
         intrinsics: &Intrinsics,
         exposure: Exposure,
-        random: &Plane,
+        random: &RandomPlane,
     ) -> Image<N> {
         let mut out = Image::filled(light.width(), light.height(), N::default());
         Rows::new(&self.parameters, intrinsics, exposure, random).record(light, out.pixels_mut());

@@ -108,7 +108,7 @@ mod tests {
 
     use super::*;
     use crate::imager::{Bits, Exposure, Imager, Parameters, Recorded};
-    use crate::random::{Stage, Stream};
+    use crate::random::{NoiseStage, Stream};
 
     const SIZE: ImageSize = ImageSize::new(203, 37);
 
@@ -133,7 +133,7 @@ mod tests {
     #[test]
     fn each_pixel_is_recorded_by_its_channel() {
         let intrinsics = Intrinsics::from_hfov(SIZE, 1.3);
-        let random = Stream::new(1, "rgb").plane(Stage::Color, 2, 0);
+        let random = Stream::new(1, "rgb").plane(NoiseStage::Color, 2, 0);
         let exposure = Exposure { time: 0.8, gain: 1.7 };
         for sigma in [0.0, 0.7] {
             let all = [2000.0, 4000.0, 2500.0].map(|full_well_e| parameters(full_well_e, sigma));
@@ -158,7 +158,7 @@ mod tests {
     #[test]
     fn does_not_depend_on_instructions() {
         let intrinsics = Intrinsics::from_hfov(SIZE, 1.3);
-        let random = Stream::new(1, "rgb").plane(Stage::Color, 2, 0);
+        let random = Stream::new(1, "rgb").plane(NoiseStage::Color, 2, 0);
         let exposure = Exposure { time: 0.8, gain: 1.7 };
         let all = [2000.0, 4000.0].map(|full_well_e| parameters(full_well_e, 0.7));
         let rows = (all.each_ref()).map(|own| Rows::new(own, &intrinsics, exposure, &random));

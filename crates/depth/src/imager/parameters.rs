@@ -34,7 +34,7 @@ parameters! {
     /// An image sensor. The defaults describe an OAK's mono camera, an OV9282.
     pub struct Parameters("imager", platform) {
         /// Whether exposure follows the mean of the images.
-        auto_exposure: bool = true => ("autoExposure".own("a camera's default")),
+        auto_exposure: bool = true => ("autoExposure".chosen("a camera's default")),
         /// The mean that automatic exposure aims at, as a share of the largest value.
         exposure_target: f64 = 0.35 => ("exposureTarget".range(0.001..=0.95).estimate()),
         /// Exposure time times gain without automatic exposure; at 1, white has the largest value.
@@ -50,7 +50,7 @@ parameters! {
         /// The standard deviation of the read noise. The default gives a dynamic range of 68 dB.
         read_noise_e: f64 = 2.5 => ("readNoise".unit("electrons").range(0.0..=1e4).typical(0.0..=20.0).estimate()),
         /// Whether noise is added.
-        noise: bool = true => ("noise".own("a real sensor")),
+        noise: bool = true => ("noise".chosen("a real sensor")),
         /// The standard deviation of the lens's point spread function. The vendor's lens (2.35 mm, f/2.0, sharp from
         /// 19.6 cm, so sharpest at 39 cm) blurs a point at 2.5 m to a disk of 2 px, whose standard deviation is a quarter
         /// of that.

@@ -1,7 +1,7 @@
 use oaktwin_image::{CodecError, Image, png};
 
 use super::Bits;
-use crate::stereo_matching::Luminance;
+use crate::stereo_matching::LuminanceImage;
 
 /// A recorded grey image with linear values.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,7 +61,7 @@ impl Recorded {
     }
 }
 
-impl<'a> From<&'a Recorded> for Luminance<'a> {
+impl<'a> From<&'a Recorded> for LuminanceImage<'a> {
     fn from(recorded: &'a Recorded) -> Self {
         match recorded {
             Recorded::Eight(image) => Self::Bits8(image.into()),

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::blur::Blur;
 use super::{Exposure, Parameters};
-use crate::random::Plane;
+use crate::random::RandomPlane;
 
 /// The number of rows in a unit of work.
 pub(super) const ROWS: usize = 16;
@@ -85,7 +85,7 @@ pub(super) struct Response {
 
 /// The constants of an image.
 pub(super) struct Rows<'a> {
-    pub(super) random: &'a Plane,
+    pub(super) random: &'a RandomPlane,
     pub(super) blur: Blur,
     pub(super) falloff: Falloff,
     pub(super) response: Response,
@@ -124,7 +124,7 @@ impl<'a> Rows<'a> {
         parameters: &Parameters,
         intrinsics: &Intrinsics,
         exposure: Exposure,
-        random: &'a Plane,
+        random: &'a RandomPlane,
     ) -> Self {
         let full = parameters.full_well_e;
         let largest = f32::from(parameters.bits.max());
@@ -240,7 +240,7 @@ mod tests {
     use oaktwin_camera::ImageSize;
 
     use super::*;
-    use crate::random::{Stage, Stream};
+    use crate::random::{NoiseStage, Stream};
     use oaktwin_simd::{Level, run_at};
 
     #[test]
@@ -251,7 +251,7 @@ mod tests {
             ..Parameters::default()
         };
         let intrinsics = Intrinsics::from_hfov(ImageSize::new(1283, 800), 1.3);
-        let random = Stream::new(1, "left").plane(Stage::Exposure, 2, 0);
+        let random = Stream::new(1, "left").plane(NoiseStage::Exposure, 2, 0);
         let exposure = Exposure { time: 2.0, gain: 1.7 };
         let rows = Rows::new(&parameters, &intrinsics, exposure, &random);
         let light: Vec<f32> = (0..9 * 1283i16).map(|i| f32::from(i % 1283) / 1700.0).collect();

@@ -2,14 +2,14 @@ use oaktwin_camera::{ImageSize, Intrinsics};
 use oaktwin_image::{Image, ImageView};
 
 use super::*;
-use crate::random::{Stage, Stream};
+use crate::random::{NoiseStage, Stream};
 
 fn intrinsics(width: u32, height: u32) -> Intrinsics {
     Intrinsics::from_hfov(ImageSize::new(width, height), 77f64.to_radians())
 }
 
-fn random(frame: u64) -> Plane {
-    Stream::new(5, "left").plane(Stage::Exposure, frame, 0)
+fn random(frame: u64) -> RandomPlane {
+    Stream::new(5, "left").plane(NoiseStage::Exposure, frame, 0)
 }
 
 fn fixed(exposure: f64) -> Parameters {

@@ -17,7 +17,7 @@ pub use philox::philox4x32_10;
 /// The use of a random number; no two uses share numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u32)]
-pub enum Stage {
+pub enum NoiseStage {
     /// The calibration bias of a device.
     DeviceBias = 0,
     /// The jitter of disparity.
@@ -84,9 +84,9 @@ impl Stream {
         clippy::cast_possible_truncation,
         reason = "frame numbers and keys are cut to words"
     )]
-    pub fn plane(&self, stage: Stage, frame: u64, item: u32) -> Plane {
+    pub fn plane(&self, stage: NoiseStage, frame: u64, item: u32) -> RandomPlane {
         let key = mix(self.key ^ mix(stage as u64 + 1));
-        Plane {
+        RandomPlane {
             key: [key as u32, (key >> 32) as u32],
             frame: frame as u32,
             item,
@@ -96,13 +96,13 @@ impl Stream {
 
 /// The random numbers of one stage of one image: four words per block of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Plane {
+pub struct RandomPlane {
     key: [u32; 2],
     frame: u32,
     item: u32,
 }
 
-impl Plane {
+impl RandomPlane {
     /// Returns four independent words.
     #[must_use]
     pub fn words(&self, block: u32, row: u32) -> [u32; 4] {

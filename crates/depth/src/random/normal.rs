@@ -1,6 +1,6 @@
 use std::f32::consts::{FRAC_PI_2, LN_2};
 
-/// Returns two independent standard normal numbers for two random words, as [`Plane::normals`](super::Plane::normals) does.
+/// Returns two independent standard normal numbers for two random words, as [`RandomPlane::normals`](super::RandomPlane::normals) does.
 #[must_use]
 pub fn standard_normal(a: u32, b: u32) -> [f64; 2] {
     box_muller(a, b).map(f64::from)

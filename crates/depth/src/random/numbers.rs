@@ -1,18 +1,18 @@
 use oaktwin_camera::math::{DMat3, DQuat};
 
-use super::Plane;
+use super::RandomPlane;
 
 /// A sequence of random numbers. Functions are from the crate `libm`, which gives the same bits on every machine.
 #[derive(Clone, Debug)]
 pub struct Numbers {
-    plane: Plane,
+    plane: RandomPlane,
     next: u32,
 }
 
 impl Numbers {
     /// Creates the sequence of a plane.
     #[must_use]
-    pub const fn new(plane: Plane) -> Self {
+    pub const fn new(plane: RandomPlane) -> Self {
         Self { plane, next: 0 }
     }
 
@@ -73,14 +73,15 @@ impl Numbers {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::{Stage, Stream};
+    use crate::random::{NoiseStage, Stream};
     use oaktwin_camera::math::DVec3;
 
     #[test]
     fn rotations_are_uniform() {
         let mut sum = DVec3::ZERO;
         for frame in 0..20_000 {
-            let rotation = Numbers::new(Stream::new(1, "rotation").plane(Stage::Recipe, frame, 0)).rotation();
+            let rotation =
+                Numbers::new(Stream::new(1, "rotation").plane(NoiseStage::Recipe, frame, 0)).rotation();
             assert!((rotation.determinant() - 1.0).abs() < 1e-9);
             sum += rotation * DVec3::new(0.6, 0.0, 0.8);
         }

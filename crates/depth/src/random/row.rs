@@ -2,7 +2,7 @@ use std::marker::PhantomData;
 
 use oaktwin_simd::{self as simd, Kernel};
 
-use super::Plane;
+use super::RandomPlane;
 use super::normal::box_muller;
 use super::philox::{LANES, philox_lanes};
 
@@ -19,14 +19,14 @@ trait Groups<T> {
     fn of(words: &[[u32; LANES]; 4], out: &mut [T]);
 }
 
-struct Row<'a, T, G> {
-    plane: &'a Plane,
+struct RandomRow<'a, T, G> {
+    plane: &'a RandomPlane,
     row: u32,
     out: &'a mut [T],
     groups: PhantomData<G>,
 }
 
-impl<T: Copy + Default, G: Groups<T>> Kernel for Row<'_, T, G> {
+impl<T: Copy + Default, G: Groups<T>> Kernel for RandomRow<'_, T, G> {
     type Output = ();
 
     #[inline(always)]
@@ -112,7 +112,7 @@ impl Groups<f32> for Normals {
 
 /// The numbers of a row. Word `i` of a row is word `i / 16 % 4` of block `16 · (i / 64) + i % 16`: sixteen blocks in
 /// parallel. The number of a column does not depend on the number of columns.
-impl Plane {
+impl RandomPlane {
     /// Fills `out` with the words of a row.
     pub fn row_words(&self, row: u32, out: &mut [u32]) {
         self.fill::<_, Words>(row, out);
@@ -134,7 +134,7 @@ impl Plane {
         self.fill::<_, Normals>(row, out);
     }
 
-    /// [`Plane::normals`] inlined, with the instruction set of its caller.
+    /// [`RandomPlane::normals`] inlined, with the instruction set of its caller.
     #[inline(always)]
     pub(crate) fn normals_here(&self, row: u32, out: &mut [f32]) {
         self.kernel::<_, Normals>(row, out).run();
@@ -144,8 +144,8 @@ impl Plane {
         simd::run(self.kernel::<T, G>(row, out));
     }
 
-    fn kernel<'a, T, G>(&'a self, row: u32, out: &'a mut [T]) -> Row<'a, T, G> {
-        Row {
+    fn kernel<'a, T, G>(&'a self, row: u32, out: &'a mut [T]) -> RandomRow<'a, T, G> {
+        RandomRow {
             plane: self,
             row,
             out,

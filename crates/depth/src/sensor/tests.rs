@@ -7,9 +7,9 @@ use crate::engines::spread;
 use crate::filter::parse;
 use crate::preset::Platform;
 use crate::single_view::{Assumptions, SingleView};
-use crate::stereo_matching::{Pair, StereoMatching};
+use crate::stereo_matching::{RectifiedPair, StereoMatching};
 use crate::stereo_noise::StereoNoise;
-use crate::{Shot, single_view, stereo_matching, stereo_noise};
+use crate::{DepthShot, single_view, stereo_matching, stereo_noise};
 
 const WIDTH: u32 = 64;
 const HEIGHT: u32 = 20;
@@ -47,7 +47,7 @@ fn single(filters: &[&str]) -> Sensor {
 
 fn frame(sensor: &mut Sensor, number: u64) -> ZDepth {
     let depth = scene();
-    let mut shot = Shot::new((&depth).into());
+    let mut shot = DepthShot::new((&depth).into());
     shot.frame = number;
     sensor.capture(shot, &[]).unwrap().distance
 }
@@ -154,7 +154,7 @@ fn speckles_are_told_apart_in_pixels_of_disparity() {
     let pixels = (0..WIDTH * HEIGHT).map(|i| wall(i % WIDTH, i / WIDTH)).collect();
     let depth = Image::new(WIDTH, HEIGHT, pixels).unwrap();
     let seen = |filters: &[&str]| {
-        let shot = Shot::new((&depth).into());
+        let shot = DepthShot::new((&depth).into());
         let distance = stereo(filters).capture(shot, &[]).unwrap().distance;
         distance.0.pixels().iter().filter(|&&z| z > 0.0).count()
     };
@@ -170,7 +170,7 @@ fn brightness_looks_at_the_picture() {
     let depth = scene();
     let mut rgb = Image::filled(WIDTH, HEIGHT, [100u8, 100, 100, 255]);
     rgb.pixels_mut()[..WIDTH as usize].fill([0, 0, 0, 255]);
-    let shot = Shot::new((&depth).into()).with_rgb((&rgb).into()).unwrap();
+    let shot = DepthShot::new((&depth).into()).with_rgb((&rgb).into()).unwrap();
     for filters in [
         &["brightness:min=50"][..],
         &["decimation:factor=2", "brightness:min=50"],
@@ -211,7 +211,7 @@ fn a_batch_is_its_images_one_by_one() {
                     .unwrap();
                 for ((i, out), item) in out.chunks_exact(one).enumerate().zip(5..) {
                     let image = Image::new(WIDTH, HEIGHT, depth[i * pixels..][..pixels].to_vec()).unwrap();
-                    let mut shot = Shot::new((&image).into());
+                    let mut shot = DepthShot::new((&image).into());
                     (shot.frame, shot.item) = (9, item);
                     if pictures.is_some() {
                         shot = shot.with_rgb((&rgb).into()).unwrap();
@@ -266,7 +266,7 @@ fn matcher() -> StereoMatching {
 fn a_pair_is_matched_and_filtered() {
     let images = wall();
     let [left, right] = images.each_ref().map(ImageView::from);
-    let pair = Pair::new(left, right).unwrap();
+    let pair = RectifiedPair::new(left, right).unwrap();
     let shot = pair;
     let sensor = |filters: &[&str]| {
         let filters = filters.iter().map(|text| parse(text).unwrap()).collect();
@@ -306,7 +306,7 @@ fn a_pair_is_matched_and_filtered() {
 #[test]
 fn rejects_the_wrong_kind_of_input() {
     let depth = scene();
-    let shot = Shot::new((&depth).into());
+    let shot = DepthShot::new((&depth).into());
     let mut matching = sensor(matcher(), &[]);
     assert_eq!(
         matching.capture(shot, &[]).unwrap_err().to_string(),
@@ -320,7 +320,7 @@ fn rejects_the_wrong_kind_of_input() {
     assert_eq!(error.what, "stereo pairs");
     let images = wall();
     let [left, right] = images.each_ref().map(ImageView::from);
-    let pair = Pair::new(left, right).unwrap();
+    let pair = RectifiedPair::new(left, right).unwrap();
     for mut depth_only in [stereo(&[]), single(&[])] {
         assert!(depth_only.capture(pair, &[]).is_err());
     }

@@ -164,43 +164,43 @@ parameters! {
     /// best.
     pub struct Assumptions("the single-view assumptions", platform) {
         /// The source of the reported depth.
-        depth: Depth = Depth::default() => ("depth".own("NVIDIA's wording and the vendor's images")),
+        depth: Depth = Depth::default() => ("depth".chosen("NVIDIA's wording and the vendor's images")),
         /// The pixels that `maxDisparityPixel` is measured in.
-        max_disparity_unit: MaxDisparityUnit = MaxDisparityUnit::default() => ("max-disparity-unit".own("NVIDIA's wording and the vendor's images")),
+        max_disparity_unit: MaxDisparityUnit = MaxDisparityUnit::default() => ("max-disparity-unit".chosen("NVIDIA's wording and the vendor's images")),
         /// The treatment of a disparity above `maxDisparityPixel`.
-        max_disparity: MaxDisparity = MaxDisparity::default() => ("max-disparity".own("NVIDIA's wording and the vendor's images")),
+        max_disparity: MaxDisparity = MaxDisparity::default() => ("max-disparity".chosen("NVIDIA's wording and the vendor's images")),
         /// The step that drops depths outside `minDistance` to `maxDistance`.
-        range_cut: RangeCut = RangeCut::default() => ("range-cut".own("NVIDIA's wording and the vendor's images")),
+        range_cut: RangeCut = RangeCut::default() => ("range-cut".chosen("NVIDIA's wording and the vendor's images")),
         /// The direction in which a positive baseline moves samples.
-        direction: Direction = Direction::default() => ("direction".own("NVIDIA's wording and the vendor's images")),
+        direction: Direction = Direction::default() => ("direction".chosen("NVIDIA's wording and the vendor's images")),
         /// The rounding of a sample's shift to whole pixels.
-        target_rounding: TargetRounding = TargetRounding::default() => ("target-rounding".own("NVIDIA's wording and the vendor's images")),
+        target_rounding: TargetRounding = TargetRounding::default() => ("target-rounding".chosen("NVIDIA's wording and the vendor's images")),
         /// The sample that stays where several land on one pixel.
-        collision: Collision = Collision::default() => ("collision".own("NVIDIA's wording and the vendor's images")),
+        collision: Collision = Collision::default() => ("collision".chosen("NVIDIA's wording and the vendor's images")),
         /// The pixel at which confidence is computed.
-        confidence_at: ConfidenceAt = ConfidenceAt::default() => ("confidence-at".own("NVIDIA's wording and the vendor's images")),
+        confidence_at: ConfidenceAt = ConfidenceAt::default() => ("confidence-at".chosen("NVIDIA's wording and the vendor's images")),
         /// The samples that are kept, by saturated Sobel magnitude s and `confidenceThreshold` t.
-        confidence_comparison: ConfidenceComparison = ConfidenceComparison::default() => ("confidence-comparison".own("NVIDIA's wording and the vendor's images")),
+        confidence_comparison: ConfidenceComparison = ConfidenceComparison::default() => ("confidence-comparison".chosen("NVIDIA's wording and the vendor's images")),
         /// The factor of Sobel's magnitude, of kernels (1 2 1) and (−1 0 1) on luma from 0 to 1, before it saturates. With the
         /// default of 255/8, luma that rises by one 8-bit level per pixel has full confidence. In the vendor's images, a step
         /// of one level is measured along edges at the sheet's threshold of 0.8, and also at its corners at Isaac Sim's
         /// 0.95, which requires 17 to 36.
-        sobel_gain: f64 = 255.0 / 8.0 => ("sobel-gain".range(1e-3..=1e6).typical(1.0..=128.0).own("the vendor's images")),
+        sobel_gain: f64 = 255.0 / 8.0 => ("sobel-gain".range(1e-3..=1e6).typical(1.0..=128.0).chosen("the vendor's images")),
         /// The standard deviation of noise that is added to luma before Sobel, in 8-bit levels. 1 fills smooth faces, as in
         /// an image with the grain of a path tracer; the vendor's images have none.
-        grain_levels: f64 = 0.0 => ("grain".unit("8-bit levels").range(0.0..=255.0).typical(0.0..=8.0).own("the vendor's images")),
+        grain_levels: f64 = 0.0 => ("grain".unit("8-bit levels").range(0.0..=255.0).typical(0.0..=8.0).chosen("the vendor's images")),
         /// The weights of red, green and blue in luma, of non-linear sRGB values.
-        luma: Luma = Luma::default() => ("luma".own("NVIDIA's wording and the vendor's images")),
+        luma: Luma = Luma::default() => ("luma".chosen("NVIDIA's wording and the vendor's images")),
         /// The rounding of luma before Sobel.
-        luma_rounding: LumaRounding = LumaRounding::default() => ("luma-rounding".own("the vendor's images")),
+        luma_rounding: LumaRounding = LumaRounding::default() => ("luma-rounding".chosen("the vendor's images")),
         /// The quantization of disparity to steps of `noiseMean`.
-        quantizer: Quantizer = Quantizer::default() => ("quantizer".own("NVIDIA's wording and the vendor's images")),
+        quantizer: Quantizer = Quantizer::default() => ("quantizer".chosen("NVIDIA's wording and the vendor's images")),
         /// The unit of `noiseSigma`.
-        sigma_unit: SigmaUnit = SigmaUnit::default() => ("sigma-unit".own("NVIDIA's wording and the vendor's images")),
+        sigma_unit: SigmaUnit = SigmaUnit::default() => ("sigma-unit".chosen("NVIDIA's wording and the vendor's images")),
         /// The colour and the position of invalid pixels.
-        invalid: Invalid = Invalid::default() => ("invalid".own("NVIDIA's wording and the vendor's images")),
+        invalid: Invalid = Invalid::default() => ("invalid".chosen("NVIDIA's wording and the vendor's images")),
         /// The neighbourhood of outlier removal.
-        outlier_neighbourhood: OutlierNeighbourhood = OutlierNeighbourhood::default() => ("outlier-neighbourhood".own("NVIDIA's wording and the vendor's images")),
+        outlier_neighbourhood: OutlierNeighbourhood = OutlierNeighbourhood::default() => ("outlier-neighbourhood".chosen("NVIDIA's wording and the vendor's images")),
     }
 }
 

@@ -1,8 +1,8 @@
 //! Texture of the colour image: the saturated Sobel magnitude of its luma.
 
 use super::assumptions::ConfidenceComparison;
-use super::plan::Plan;
-use crate::random::Plane;
+use super::plan::SingleViewPlan;
+use crate::random::RandomPlane;
 use oaktwin_simd::saturating_trunc;
 
 /// Computes the luma of a row of the colour image with the given weights.
@@ -30,7 +30,7 @@ pub(super) struct Texture {
     /// The numbers of the rows in `luma`.
     held: Option<(usize, usize)>,
     grain: Vec<f32>,
-    /// The saturated magnitude of the row of the last [`Texture::look`].
+    /// The saturated magnitude of the row of the last [`Texture::measure_row`].
     pub(super) confidence: Vec<f32>,
     /// 1 where the magnitude is below the threshold, else 0.
     pub(super) lacking: Vec<u32>,
@@ -49,7 +49,13 @@ impl Texture {
 
     /// Fills `confidence` and `lacking` for row `y` of the colour image.
     #[inline(always)]
-    pub(super) fn look(&mut self, plan: &Plan, grain: &Plane, rgb: &[[u8; 4]], y: usize) {
+    pub(super) fn measure_row(
+        &mut self,
+        plan: &SingleViewPlan,
+        grain: &RandomPlane,
+        rgb: &[[u8; 4]],
+        y: usize,
+    ) {
         let (first, last) = (y.saturating_sub(1), (y + 1).min(plan.height - 1));
         for row in first..=last {
             if self.held.is_none_or(|(from, to)| row < from || row > to) {
@@ -76,7 +82,7 @@ impl Texture {
 
     #[inline(always)]
     #[expect(clippy::cast_possible_truncation, reason = "rows of an image")]
-    fn read(&mut self, plan: &Plan, grain: &Plane, rgb: &[[u8; 4]], y: usize) {
+    fn read(&mut self, plan: &SingleViewPlan, grain: &RandomPlane, rgb: &[[u8; 4]], y: usize) {
         let row = self.rows[y % 3].as_mut_slice();
         let width = plan.width;
         luma(plan.levels, &rgb[y * width..][..width], &mut row[1..=width]);

@@ -12,7 +12,7 @@
 //! 3. A disparity above `maxDisparityPixel` gives no sample.
 //! 4. With a `noiseMean` q above 0, d' = q·round(d/q) + `noiseSigma`·N. N is standard normal, one per square of
 //!    `noiseDownscaleFactorPixel` k pixels, at row ⌊y/k⌋ and column ⌊x/k⌋ of
-//!    [`Plane::normals`](crate::random::Plane::normals), new in every frame. With 0, d' = d.
+//!    [`RandomPlane::normals`](crate::random::RandomPlane::normals), new in every frame. With 0, d' = d.
 //! 5. A sample moves to x + round(d'), with a negative baseline to x − d'. Of several samples in a pixel the nearest wins;
 //!    a pixel without a sample is a hole: left of near objects (right with a negative baseline), and at that image border.
 //! 6. Confidence, if there is a colour image: s = min(1, g·|∇(Y + n)|) of its luma Y, rounded to 8 bits, with Sobel's
@@ -22,7 +22,7 @@
 //!    pixel that is not measured while all others are takes the measurement on its left, in the first column that on its
 //!    right (in an image of one column it does not change). Pixels outside the image do not count. All pixels are judged by
 //!    the image before this step. Isaac Sim 5.x has r = 3; the switch of 6.x is r = 1.
-//! 8. The outputs: [`Output`].
+//! 8. The outputs: [`SingleViewOutput`].
 //!
 //! # Assumptions
 //! NVIDIA's documentation describes these steps, but not every detail. The open details are options in [`Assumptions`]:
@@ -69,11 +69,11 @@ pub use assumptions::{
     TargetRounding,
 };
 pub use oaktwin_base::parameter::nvidia::{Attributes as Parameters, MAX_OUTLIER_RANGE_PX, OutputMode};
-pub use output::{Output, Wanted};
+pub use output::{SingleViewOutput, Wanted};
 
 use crate::batch::Batch;
 use crate::random::Stream;
-use crate::{BatchEngine, BatchError, ParameterError, Shot};
+use crate::{BatchEngine, BatchError, DepthShot, ParameterError};
 
 /// The engine, with checked parameters.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,7 +110,7 @@ impl SingleView {
 
     /// Measures a shot and makes the requested outputs.
     #[must_use]
-    pub fn sense(&self, shot: &Shot<'_>, random: &Stream, wanted: Wanted) -> Output {
+    pub fn sense(&self, shot: &DepthShot<'_>, random: &Stream, wanted: Wanted) -> SingleViewOutput {
         sense::sense(self, shot, random, wanted)
     }
 }

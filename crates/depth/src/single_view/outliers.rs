@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::plan::Plan;
+use super::plan::SingleViewPlan;
 
 /// The columns in a word of bits.
 const BITS: usize = 64;
@@ -34,7 +34,7 @@ pub(super) struct Lone<'a> {
 
 impl Validity {
     /// Clears the buffers and sizes them for some rows.
-    pub(super) fn reset(&mut self, plan: &Plan, rows: Range<usize>) {
+    pub(super) fn reset(&mut self, plan: &SingleViewPlan, rows: Range<usize>) {
         self.stride = plan.width.div_ceil(BITS) + 1;
         self.first = rows.start;
         let words = 1 + (rows.len() + 2 * plan.outlier_range) * self.stride;
@@ -46,7 +46,14 @@ impl Validity {
 
     /// Sets a word of row `y` from its depths; the first `columns` of them are inside the image.
     #[inline(always)]
-    pub(super) fn set(&mut self, plan: &Plan, y: usize, word: usize, depths: &[f32; BITS], columns: usize) {
+    pub(super) fn set(
+        &mut self,
+        plan: &SingleViewPlan,
+        y: usize,
+        word: usize,
+        depths: &[f32; BITS],
+        columns: usize,
+    ) {
         let place = self.place(plan, y) + word;
         let measured = bits(depths);
         self.measured[place] = measured;
@@ -55,7 +62,7 @@ impl Validity {
 
     /// Finds the lone pixels of some rows.
     #[inline(always)]
-    pub(super) fn find(&mut self, plan: &Plan, rows: Range<usize>) {
+    pub(super) fn find(&mut self, plan: &SingleViewPlan, rows: Range<usize>) {
         self.lone_first = rows.start;
         let start = self.place(plan, rows.start);
         let words = start..start + rows.len() * self.stride;
@@ -80,7 +87,7 @@ impl Validity {
 
     /// The first word of row `y`.
     #[inline(always)]
-    fn place(&self, plan: &Plan, y: usize) -> usize {
+    fn place(&self, plan: &SingleViewPlan, y: usize) -> usize {
         1 + (y - self.first + plan.outlier_range) * self.stride
     }
 }
@@ -88,7 +95,7 @@ impl Validity {
 /// Finds the bits of some words of `all` without another one within the range.
 #[inline(always)]
 fn find(
-    plan: &Plan,
+    plan: &SingleViewPlan,
     stride: usize,
     all: &[u64],
     words: Range<usize>,

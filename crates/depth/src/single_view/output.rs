@@ -21,7 +21,7 @@ pub struct Wanted {
 
 /// The outputs of the sensor; all images have the shot's size.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Output {
+pub struct SingleViewOutput {
     /// `DepthSensorDistance`: metres, 0 where nothing was measured.
     pub distance: ZDepth,
     /// `DepthSensorPointCloudPosition`: the point of the sample that moved to the pixel; [`Invalid`](super::Invalid)
@@ -39,7 +39,7 @@ pub struct Output {
     pub confidence: Option<Image<u16>>,
 }
 
-impl Output {
+impl SingleViewOutput {
     /// Returns the distance that `showDistance` shows, at the middle pixel in metres, 0 if nothing was measured;
     /// `None` for an image without pixels.
     #[must_use]

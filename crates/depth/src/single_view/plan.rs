@@ -6,7 +6,7 @@ use super::{Assumptions, Parameters};
 
 /// The parameters and assumptions for images of one size, in the single precision of the pixel loops.
 #[derive(Clone, Debug)]
-pub(super) struct Plan {
+pub(super) struct SingleViewPlan {
     pub(super) assumptions: Assumptions,
     pub(super) width: usize,
     pub(super) height: usize,
@@ -52,7 +52,7 @@ pub(super) struct Plan {
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "pixels are single precision")]
-impl Plan {
+impl SingleViewPlan {
     pub(super) fn new(p: &Parameters, a: &Assumptions, width: u32, height: u32) -> Self {
         let signed = p.disparity_times_depth(width);
         let range = [p.min_distance_m as f32, (p.max_distance_m as f32).min(f32::MAX)];

@@ -1,15 +1,15 @@
 //! Why pixels of a row have no value.
 
-use super::plan::Plan;
-use super::warp::{Key, Row, depth};
+use super::plan::SingleViewPlan;
+use super::warp::{Key, RowBuffers, depth};
 use crate::Reason;
 
 /// Fills the codes of a row with this true depth, from the samples that `landed` in its pixels and its distances before the
 /// removal of outliers.
 pub(super) fn row<K: Key>(
-    plan: &Plan,
+    plan: &SingleViewPlan,
     truth: &[f32],
-    samples: &Row,
+    samples: &RowBuffers,
     landed: &[K],
     distance: &[f32],
     out: &mut [u8],
@@ -40,7 +40,7 @@ pub(super) fn row<K: Key>(
 }
 
 /// Marks the pixels to which samples would have moved that were dropped.
-fn dropped(plan: &Plan, truth: &[f32], samples: &Row, out: &mut [u8]) {
+fn dropped(plan: &SingleViewPlan, truth: &[f32], samples: &RowBuffers, out: &mut [u8]) {
     let [near, _] = plan.looked_at;
     for (x, (z, d)) in truth.iter().zip(&samples.disparity).enumerate() {
         if d.is_finite() {
@@ -73,7 +73,7 @@ fn dropped(plan: &Plan, truth: &[f32], samples: &Row, out: &mut [u8]) {
 }
 
 /// Marks the columns at the border from which samples move into the image: what is there is outside the rendered view.
-fn unseen<K: Key>(plan: &Plan, landed: &[K], out: &mut [u8]) {
+fn unseen<K: Key>(plan: &SingleViewPlan, landed: &[K], out: &mut [u8]) {
     let columns = landed.len().min(out.len());
     let from_border: &mut dyn Iterator<Item = usize> = match plan.side > 0.0 {
         true => &mut (0..columns),

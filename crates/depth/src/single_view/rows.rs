@@ -1,5 +1,5 @@
-use super::output::Output;
-use super::plan::Plan;
+use super::output::SingleViewOutput;
+use super::plan::SingleViewPlan;
 
 /// Rows of the outputs.
 #[derive(Debug)]
@@ -16,7 +16,7 @@ pub(super) struct Rows<'a> {
 
 impl<'a> Rows<'a> {
     /// Splits an image into parts of `rows` rows.
-    pub(super) fn of(output: &'a mut Output, plan: &Plan, rows: usize) -> Vec<Self> {
+    pub(super) fn of(output: &'a mut SingleViewOutput, plan: &SingleViewPlan, rows: usize) -> Vec<Self> {
         let length = rows * plan.width;
         let mut positions = output
             .positions

@@ -3,25 +3,30 @@ use rayon::prelude::*;
 
 use super::OutputMode;
 use super::SingleView;
-use super::output::{Output, Wanted};
-use super::plan::Plan;
+use super::output::{SingleViewOutput, Wanted};
+use super::plan::SingleViewPlan;
 use super::rows::Rows;
 use super::tile::{self, Planes, Scratch};
 use crate::batch::{Batch, check_length};
 use crate::random::Stream;
 use crate::reason::ReasonCodes;
-use crate::{BatchError, Shot};
+use crate::{BatchError, DepthShot};
 
 /// The rows of a tile: many, since the rows around it are computed again.
 const TILE_ROWS: std::ops::RangeInclusive<usize> = 32..=128;
 /// The images of a batch that a thread takes at once; if there are fewer, the threads share each image.
 const IMAGES_A_THREAD: usize = 8;
 
-pub(super) fn sense(sensor: &SingleView, shot: &Shot<'_>, random: &Stream, wanted: Wanted) -> Output {
+pub(super) fn sense(
+    sensor: &SingleView,
+    shot: &DepthShot<'_>,
+    random: &Stream,
+    wanted: Wanted,
+) -> SingleViewOutput {
     let (width, height) = (shot.depth().width(), shot.depth().height());
     let (has_rgb, mode) = (shot.rgb().is_some(), sensor.parameters().rgb_depth_output_mode);
     let has_view = wanted.view && (has_rgb || mode != OutputMode::Color);
-    let mut output = Output {
+    let mut output = SingleViewOutput {
         distance: ZDepth(Image::filled(width, height, 0.0)),
         positions: image(
             wanted.positions && shot.positions().is_some(),
@@ -35,7 +40,7 @@ pub(super) fn sense(sensor: &SingleView, shot: &Shot<'_>, random: &Stream, wante
         reasons: image(wanted.reasons, width, height, 0).map(ReasonCodes),
         confidence: image(wanted.confidence && has_rgb, width, height, 0),
     };
-    let plan = Plan::new(sensor.parameters(), sensor.assumptions(), width, height);
+    let plan = SingleViewPlan::new(sensor.parameters(), sensor.assumptions(), width, height);
     if plan.width == 0 || plan.height == 0 {
         return output;
     }
@@ -67,7 +72,7 @@ pub(super) fn batch(
     let Some([columns, lines]) = batch.size() else {
         return Ok(());
     };
-    let plan = Plan::new(sensor.parameters(), sensor.assumptions(), columns, lines);
+    let plan = SingleViewPlan::new(sensor.parameters(), sensor.assumptions(), columns, lines);
     let sense = |scratch: &mut Scratch, i: usize, (first, distance): (usize, &mut [f32])| {
         let Some(shot) = batch.shot(i) else { return };
         let mut rows = Rows {

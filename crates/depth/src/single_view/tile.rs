@@ -8,27 +8,27 @@ use super::OutputMode;
 use super::assumptions::{ConfidenceAt, Invalid};
 use super::confidence::{self, Texture};
 use super::outliers::{self, Validity};
-use super::plan::Plan;
+use super::plan::SingleViewPlan;
 use super::reasons;
 use super::rows::Rows;
 use super::view;
-use super::warp::{self, Key, LANES, Row};
-use crate::random::{Plane, Stage, Stream};
-use crate::{Reason, Shot};
+use super::warp::{self, Key, LANES, RowBuffers};
+use crate::random::{NoiseStage, RandomPlane, Stream};
+use crate::{DepthShot, Reason};
 
 /// The random numbers of an image.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Planes {
-    jitter: Plane,
-    grain: Plane,
+    jitter: RandomPlane,
+    grain: RandomPlane,
 }
 
 impl Planes {
-    pub(super) fn new(random: &Stream, shot: &Shot<'_>) -> Self {
+    pub(super) fn new(random: &Stream, shot: &DepthShot<'_>) -> Self {
         let plane = |stage| random.plane(stage, shot.frame, shot.item);
         Self {
-            jitter: plane(Stage::Jitter),
-            grain: plane(Stage::Grain),
+            jitter: plane(NoiseStage::Jitter),
+            grain: plane(NoiseStage::Grain),
         }
     }
 }
@@ -36,7 +36,7 @@ impl Planes {
 /// Buffers of a thread.
 #[derive(Debug, Default)]
 pub(super) struct Scratch {
-    row: Row,
+    row: RowBuffers,
     texture: Texture,
     validity: Validity,
     ranks: Vec<u32>,
@@ -48,8 +48,8 @@ pub(super) struct Scratch {
 
 /// Senses rows of an image that is not empty.
 pub(super) fn sense(
-    plan: &Plan,
-    shot: &Shot<'_>,
+    plan: &SingleViewPlan,
+    shot: &DepthShot<'_>,
     random: &Planes,
     mode: OutputMode,
     rows: &mut Rows<'_>,
@@ -74,8 +74,8 @@ pub(super) fn sense(
 }
 
 struct Tile<'a, 'b, K> {
-    plan: &'a Plan,
-    shot: &'a Shot<'a>,
+    plan: &'a SingleViewPlan,
+    shot: &'a DepthShot<'a>,
     random: &'a Planes,
     /// The requested visualization.
     mode: Option<OutputMode>,
@@ -91,8 +91,8 @@ struct Tile<'a, 'b, K> {
 
 impl<'a, 'b, K: Key> Tile<'a, 'b, K> {
     fn new(
-        plan: &'a Plan,
-        shot: &'a Shot<'a>,
+        plan: &'a SingleViewPlan,
+        shot: &'a DepthShot<'a>,
         random: &'a Planes,
         mode: Option<OutputMode>,
         rows: &'a mut Rows<'b>,
@@ -156,7 +156,7 @@ impl<K: Key> Tile<'_, '_, K> {
         let (plan, scratch) = (self.plan, &mut *self.scratch);
         let width = plan.width;
         if let Some(rgb) = self.textured {
-            scratch.texture.look(plan, &self.random.grain, rgb, y);
+            scratch.texture.measure_row(plan, &self.random.grain, rgb, y);
         }
         let lacks_at = |at: ConfidenceAt| self.textured.is_some() && plan.confidence_at == at;
         let lacking: &[u32] = if lacks_at(ConfidenceAt::Source) {
@@ -278,7 +278,7 @@ impl<K: Key> Tile<'_, '_, K> {
 
     /// Returns the visualization of the sample in column `x` of the row that was moved last.
     fn landed(
-        plan: &Plan,
+        plan: &SingleViewPlan,
         scratch: &Scratch,
         is_textured: bool,
         mode: OutputMode,
@@ -378,7 +378,7 @@ impl<K: Key> Tile<'_, '_, K> {
 }
 
 /// Returns the confidence of the sample that moved from a column to column `x` of the row that was moved last.
-fn confidence_of(plan: &Plan, scratch: &Scratch, x: usize, source: usize) -> f32 {
+fn confidence_of(plan: &SingleViewPlan, scratch: &Scratch, x: usize, source: usize) -> f32 {
     let at = match plan.confidence_at {
         ConfidenceAt::Source => source,
         ConfidenceAt::Target => x,

@@ -1,7 +1,7 @@
 //! Visualizations of depth, disparity and confidence.
 
 use super::OutputMode;
-use super::plan::Plan;
+use super::plan::SingleViewPlan;
 
 /// The colour of pixels without measurement.
 pub(super) const BLACK: [u8; 4] = [0, 0, 0, 255];
@@ -27,7 +27,7 @@ fn rainbow(place: f32) -> [u8; 4] {
 }
 
 /// Maps `minDistance` to 0 and `maxDistance` to 1; returns 0 if they are equal.
-fn place(plan: &Plan, z: f32) -> f32 {
+fn place(plan: &SingleViewPlan, z: f32) -> f32 {
     let [near, far] = plan.range;
     if far > near {
         (z - near) / (far - near)
@@ -37,7 +37,7 @@ fn place(plan: &Plan, z: f32) -> f32 {
 }
 
 /// Returns the colour of a depth in a mode that shows depth.
-pub(super) fn depth(plan: &Plan, mode: OutputMode, z: f32) -> [u8; 4] {
+pub(super) fn depth(plan: &SingleViewPlan, mode: OutputMode, z: f32) -> [u8; 4] {
     if !(z > 0.0 && z < f32::INFINITY) {
         return BLACK;
     }
@@ -49,11 +49,11 @@ pub(super) fn depth(plan: &Plan, mode: OutputMode, z: f32) -> [u8; 4] {
 }
 
 /// Returns the colour of a disparity.
-pub(super) fn disparity(plan: &Plan, d: f32) -> [u8; 4] {
+pub(super) fn disparity(plan: &SingleViewPlan, d: f32) -> [u8; 4] {
     grey(d / plan.max_disparity_px)
 }
 
 /// Returns the colour of a confidence of 0 to 1 and a disparity.
-pub(super) fn confidence(plan: &Plan, confidence: f32, d: f32) -> [u8; 4] {
+pub(super) fn confidence(plan: &SingleViewPlan, confidence: f32, d: f32) -> [u8; 4] {
     [byte(confidence), byte(d / plan.max_disparity_px), 0, 255]
 }

@@ -3,8 +3,8 @@
 use oaktwin_simd as simd;
 
 use super::assumptions::TargetRounding;
-use super::plan::Plan;
-use crate::random::Plane;
+use super::plan::SingleViewPlan;
+use crate::random::RandomPlane;
 
 /// A sample that moved to a pixel; of several, the smallest wins.
 pub(super) trait Key: Copy + Ord {
@@ -69,7 +69,7 @@ pub(super) type Lanes<T> = [T; LANES];
 
 /// The buffers of one row; their lengths are multiples of [`LANES`].
 #[derive(Debug, Default)]
-pub(super) struct Row {
+pub(super) struct RowBuffers {
     /// The disparity in px; infinite without a sample.
     pub(super) disparity: Vec<f32>,
     ranks: Vec<u32>,
@@ -81,8 +81,8 @@ pub(super) struct Row {
     held: Option<u32>,
 }
 
-impl Row {
-    pub(super) fn reset(&mut self, plan: &Plan) {
+impl RowBuffers {
+    pub(super) fn reset(&mut self, plan: &SingleViewPlan) {
         let padded = plan.width.next_multiple_of(LANES);
         self.disparity.resize(padded, 0.0);
         self.jitter.resize(padded, 0.0);
@@ -98,8 +98,8 @@ impl Row {
     #[inline(always)]
     pub(super) fn warp<K: Key>(
         &mut self,
-        plan: &Plan,
-        random: &Plane,
+        plan: &SingleViewPlan,
+        random: &RandomPlane,
         y: usize,
         row: &[f32],
         lacking: &[u32],
@@ -145,7 +145,7 @@ impl Row {
 
     /// Fills the normal numbers for row `y`; they change at each row of patches.
     #[inline(always)]
-    fn draw(&mut self, plan: &Plan, random: &Plane, y: usize) {
+    fn draw(&mut self, plan: &SingleViewPlan, random: &RandomPlane, y: usize) {
         let patch = plan.patch(y);
         if self.held == Some(patch) {
             return;
@@ -163,7 +163,7 @@ impl Row {
 }
 
 #[inline(always)]
-fn disparities(plan: &Plan, depth: &Lanes<f32>, out: &mut Lanes<f32>) {
+fn disparities(plan: &SingleViewPlan, depth: &Lanes<f32>, out: &mut Lanes<f32>) {
     let ([near, far], max) = (plan.looked_at, plan.max_disparity_px);
     let dropped_from = if plan.clamps { f32::INFINITY } else { max };
     for (out, &z) in out.iter_mut().zip(depth) {
@@ -176,7 +176,7 @@ fn disparities(plan: &Plan, depth: &Lanes<f32>, out: &mut Lanes<f32>) {
 }
 
 #[inline(always)]
-fn quantize(plan: &Plan, jitter: &Lanes<f32>, disparity: &mut Lanes<f32>) {
+fn quantize(plan: &SingleViewPlan, jitter: &Lanes<f32>, disparity: &mut Lanes<f32>) {
     let (step, sigma) = (plan.step_px, plan.sigma_px);
     let samples = disparity.iter_mut().zip(jitter);
     if plan.floors {
@@ -188,7 +188,7 @@ fn quantize(plan: &Plan, jitter: &Lanes<f32>, disparity: &mut Lanes<f32>) {
 
 /// Computes depth from disparity. Lanes without a valid disparity get an infinite one, which marks them as invalid.
 #[inline(always)]
-fn recompute(plan: &Plan, disparity: &mut Lanes<f32>, out: &mut Lanes<f32>) {
+fn recompute(plan: &SingleViewPlan, disparity: &mut Lanes<f32>, out: &mut Lanes<f32>) {
     for (d, out) in disparity.iter_mut().zip(out) {
         *out = plan.disparity_times_depth / *d;
         *d = if (*d > 0.0) & (*out <= f32::MAX) {
@@ -213,7 +213,13 @@ impl Samples<'_> {
         clippy::cast_possible_truncation,
         reason = "images are at most 2³² columns wide"
     )]
-    fn aim(&self, plan: &Plan, round: impl Fn(f32) -> f32, ranks: &mut Lanes<u32>, targets: &mut Lanes<u32>) {
+    fn aim(
+        &self,
+        plan: &SingleViewPlan,
+        round: impl Fn(f32) -> f32,
+        ranks: &mut Lanes<u32>,
+        targets: &mut Lanes<u32>,
+    ) {
         let width = plan.width as u32;
         let limit = width as f32;
         for lane in 0..LANES {

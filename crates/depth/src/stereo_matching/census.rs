@@ -2,7 +2,7 @@
 
 use oaktwin_simd::{self as simd, Kernel, Level};
 
-use super::plan::Plan;
+use super::plan::PassPlan;
 
 /// The number of columns that are added on each side of an image.
 const BORDER: usize = 8;
@@ -22,7 +22,7 @@ pub(super) struct Census {
 }
 
 /// One image to transform.
-pub(super) struct Source<'a> {
+pub(super) struct CensusInput<'a> {
     pub(super) width: usize,
     pub(super) height: usize,
     /// The number of bits of a pixel, at least 8.
@@ -32,7 +32,7 @@ pub(super) struct Source<'a> {
 
 impl Census {
     /// Transforms an image. If `is_reversed`, rows are mirrored, with room after them for pixels beyond the border.
-    pub(super) fn make(&mut self, level: Level, plan: &Plan, image: &Source<'_>, is_reversed: bool) {
+    pub(super) fn make(&mut self, level: Level, plan: &PassPlan, image: &CensusInput<'_>, is_reversed: bool) {
         let (width, height) = (image.width, image.height);
         let [rows, columns] = plan.window;
         let above = rows / 2;
@@ -143,7 +143,7 @@ impl Census {
     }
 
     /// Repeats the border outside the image.
-    fn pad(&mut self, image: &Source<'_>) {
+    fn pad(&mut self, image: &CensusInput<'_>) {
         self.padded.clear();
         for row in image.levels.chunks_exact(image.width) {
             let (Some(&first), Some(&last)) = (row.first(), row.last()) else {

@@ -11,8 +11,8 @@ use super::block_sum::{BlockSum, Columns, Mean};
 use super::gather::Gathered;
 use super::lanes::Lane;
 use super::paths::{chunk, chunk_mut};
-use super::plan::{Plan, Raw};
-use super::view::View;
+use super::plan::{PassPlan, Raw};
+use super::scan_input::ScanInput;
 
 /// The block sums of a scan.
 #[derive(Clone, Debug, Default)]
@@ -26,12 +26,12 @@ impl Blocks {
     /// Computes the costs of the scan's next row, candidates innermost. `is_first` resets the sums.
     pub(super) fn row<P: Lane>(
         &mut self,
-        view: View<'_>,
+        view: ScanInput<'_>,
         y: usize,
         [is_first, is_up]: [bool; 2],
         out: &mut [P],
     ) {
-        let View { plan, census, .. } = view;
+        let ScanInput { plan, census, .. } = view;
         let (forward, last) = (if is_up { -1 } else { 1 }, census[0].height() - 1);
         // The border is repeated outside the image.
         let row = |by: isize| y.saturating_add_signed(forward * by).min(last);
@@ -45,7 +45,7 @@ impl Blocks {
 
     fn follow<S: BlockSum, P: Lane>(
         &mut self,
-        view: View<'_>,
+        view: ScanInput<'_>,
         is_first: bool,
         row: impl Fn(isize) -> usize,
         out: &mut [P],
@@ -66,11 +66,11 @@ impl Blocks {
     /// Adds the entering row to the block and subtracts the leaving one.
     fn step<S: BlockSum, P: Lane>(
         &mut self,
-        view: View<'_>,
+        view: ScanInput<'_>,
         [entering, leaving]: [Option<usize>; 2],
         out: &mut [P],
     ) {
-        let View {
+        let ScanInput {
             level,
             plan,
             census: [left, right],
@@ -78,14 +78,14 @@ impl Blocks {
         } = view;
         let is_gathered = plan.zones.len() > 1;
         let rows = [(entering, &mut self.entering), (leaving, &mut self.leaving)];
-        let rows = rows.map(|(y, gathered)| Line {
+        let rows = rows.map(|(y, gathered)| ImagePlanes {
             left: left.row(y),
             right: match is_gathered {
                 true => gathered.of(level, plan, right.row(y), right.stride(), width),
                 false => right.row(y),
             },
         });
-        let work = Work::<S, P> {
+        let work = CostRows::<S, P> {
             plan,
             rows,
             left_stride: left.stride(),
@@ -115,15 +115,15 @@ impl Blocks {
 
 /// A row's planes of both images, the right one mirrored.
 #[derive(Clone, Copy)]
-struct Line<'a> {
+struct ImagePlanes<'a> {
     left: &'a [u8],
     right: &'a [u8],
 }
 
-struct Work<'a, S, P> {
-    plan: &'a Plan,
+struct CostRows<'a, S, P> {
+    plan: &'a PassPlan,
     /// The row that enters the block, and the one that leaves it.
-    rows: [Line<'a>; 2],
+    rows: [ImagePlanes<'a>; 2],
     left_stride: usize,
     right_stride: usize,
     is_gathered: bool,
@@ -133,14 +133,14 @@ struct Work<'a, S, P> {
 }
 
 /// Costs of `D` candidates from `PLANES` planes of the census transform.
-struct Costs<'a, S, P, const PLANES: usize, const D: usize>(Work<'a, S, P>);
+struct Costs<'a, S, P, const PLANES: usize, const D: usize>(CostRows<'a, S, P>);
 
 impl<S: BlockSum, P: Lane, const PLANES: usize, const D: usize> Kernel for Costs<'_, S, P, PLANES, D> {
     type Output = ();
 
     #[inline(always)]
     fn run(self) {
-        let Work {
+        let CostRows {
             plan,
             rows: [entering, leaving],
             left_stride,
@@ -207,7 +207,7 @@ impl<S: BlockSum, P: Lane, const PLANES: usize, const D: usize> Kernel for Costs
 
 /// Gives the candidates outside the right image a fixed cost.
 #[inline(always)]
-fn replace_outside<S: Copy, const D: usize>(plan: &Plan, x: usize, beyond: S, column: &mut [S; D]) {
+fn replace_outside<S: Copy, const D: usize>(plan: &PassPlan, x: usize, beyond: S, column: &mut [S; D]) {
     for zone in &plan.zones {
         let inside = (x + zone.step).saturating_sub(zone.first) / zone.step;
         let own = column.get_mut(zone.start..zone.start + zone.count);
@@ -221,7 +221,7 @@ fn replace_outside<S: Copy, const D: usize>(plan: &Plan, x: usize, beyond: S, co
 #[inline(always)]
 fn raw<S: BlockSum, const PLANES: usize, const D: usize>(
     raw: Raw,
-    row: Line<'_>,
+    row: ImagePlanes<'_>,
     [x, left_stride, place, right_stride]: [usize; 4],
 ) -> Option<[S; D]> {
     let mut differing = [0u8; D];

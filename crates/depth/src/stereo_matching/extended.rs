@@ -2,10 +2,10 @@
 
 use oaktwin_image::Image;
 
-use super::census::Source;
+use super::census::CensusInput;
 
 /// Halves an image; each pixel is the mean of four, halves up. An odd last row or column is dropped.
-pub(super) fn halve(image: &Source<'_>) -> (usize, usize, Vec<i16>) {
+pub(super) fn halve(image: &CensusInput<'_>) -> (usize, usize, Vec<i16>) {
     let (width, height) = (image.width / 2, image.height / 2);
     let mut out = Vec::with_capacity(width * height);
     let mut rows = image.levels.chunks_exact(image.width);

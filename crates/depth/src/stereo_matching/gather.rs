@@ -2,7 +2,7 @@
 
 use oaktwin_simd::{self as simd, Kernel, Level};
 
-use super::plan::{Plan, Zone};
+use super::plan::{PassPlan, Zone};
 
 /// A row of the right image as its candidates: for each plane, the candidates of every pixel of the left image.
 #[derive(Clone, Debug, Default)]
@@ -17,7 +17,7 @@ impl Gathered {
     pub(super) fn of(
         &mut self,
         level: Level,
-        plan: &Plan,
+        plan: &PassPlan,
         planes: &[u8],
         stride: usize,
         width: usize,

@@ -10,7 +10,7 @@ use std::borrow::Cow;
 use oaktwin_base::diagnostic::{Finding, Level, Message, message, opt};
 use oaktwin_simd::run;
 
-use super::pair::{Luminance, Pair};
+use super::pair::{LuminanceImage, RectifiedPair};
 use super::parameters::Parameters;
 use difference::{AREA, LeastDifference, SIDES, WINDOW};
 use profiles::Profiles;
@@ -60,12 +60,12 @@ pub const VERTICAL_OFFSET: &str = "vertical-offset";
 /// Returns the problems of a pair, or of its search range, that make depth wrong or invalid. All findings are warnings:
 /// `range-beyond-image`, `saturated`, `no-texture`, `same-image`, `pair-swapped`, `vertical-offset`, `unrelated`.
 #[must_use]
-pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
+pub fn inspect(pair: &RectifiedPair<'_>, parameters: &Parameters) -> Vec<Finding> {
     let (width, height) = (pair.width() as usize, pair.height() as usize);
     let last = parameters.max_disparity_px() as usize;
     let (left, right) = (pair.left(), pair.right());
     let grey = [&left, &right].map(grey_levels);
-    let look = Look {
+    let inspection = PairInspection {
         width,
         height,
         left: &grey[0],
@@ -81,12 +81,12 @@ pub fn inspect(pair: &Pair<'_>, parameters: &Parameters) -> Vec<Finding> {
             "use larger images, or a smaller disparityShift",
         ));
     }
-    findings.extend(saturated("left image", look.left));
-    findings.extend(saturated("right image", look.right));
-    let points = look.points(look.left);
-    match look.unmatchable(&points) {
+    findings.extend(saturated("left image", inspection.left));
+    findings.extend(saturated("right image", inspection.right));
+    let points = inspection.points(inspection.left);
+    match inspection.unmatchable(&points) {
         Some(finding) => findings.push(finding),
-        None => findings.extend(look.misplaced(&points)),
+        None => findings.extend(inspection.misplaced(&points)),
     }
     findings
 }
@@ -96,10 +96,10 @@ fn warning(code: &'static str, place: &str, message: String, remedy: impl Into<M
 }
 
 /// Returns the 8-bit grey levels of an image.
-fn grey_levels<'a>(image: &Luminance<'a>) -> Cow<'a, [u8]> {
+fn grey_levels<'a>(image: &LuminanceImage<'a>) -> Cow<'a, [u8]> {
     match image {
-        Luminance::Bits8(image) => Cow::Borrowed(image.pixels()),
-        Luminance::Bits10(image) => image
+        LuminanceImage::Bits8(image) => Cow::Borrowed(image.pixels()),
+        LuminanceImage::Bits10(image) => image
             .pixels()
             .iter()
             .map(|&level| (level.min(1023) >> 2) as u8)
@@ -160,7 +160,7 @@ fn vertical_offset(profiles: &Profiles, offsets: &[(usize, isize)]) -> Option<Fi
     ))
 }
 
-struct Look<'a> {
+struct PairInspection<'a> {
     width: usize,
     height: usize,
     left: &'a [u8],
@@ -169,7 +169,7 @@ struct Look<'a> {
     reach: usize,
 }
 
-impl<'a> Look<'a> {
+impl<'a> PairInspection<'a> {
     /// Returns why the images cannot be compared: too little texture, or no difference.
     fn unmatchable(&self, points: &[[usize; 2]]) -> Option<Finding> {
         let counts = [

@@ -1,6 +1,6 @@
 //! The integer types of costs: narrower ones process more values at a time.
 
-/// A cost or a sum of costs. Sums do not overflow: [`Plan`](super::plan::Plan) chooses the width.
+/// A cost or a sum of costs. Sums do not overflow: [`PassPlan`](super::plan::PassPlan) chooses the width.
 pub(super) trait Lane: Copy + Ord + Default + std::fmt::Debug + Send + Sync + 'static {
     /// The largest value.
     const MAX: Self;

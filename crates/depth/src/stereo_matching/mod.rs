@@ -61,11 +61,11 @@ mod reasons;
 mod refine;
 mod rvc4;
 mod scan;
+mod scan_input;
 mod select;
-mod view;
 
 pub use inspect::{VERTICAL_OFFSET, inspect};
-pub use pair::{Luminance, Pair, PairError};
+pub use pair::{LuminanceImage, RectifiedPair, RectifiedPairError};
 pub use parameters::{
     AdaptiveMedian, AdaptivePenalty, CensusKernel, ConfidenceMetrics, DisparityWidth, HoleFilling,
     Interpolation, Parameters, platform_of,
@@ -78,10 +78,10 @@ use oaktwin_camera::StereoGeometry;
 use oaktwin_image::{Image, ZDepth};
 use oaktwin_simd::Level;
 
-use self::census::Source;
+use self::census::CensusInput;
 use self::out::Out;
 use self::pass::Workspace;
-use self::plan::Plan;
+use self::plan::PassPlan;
 use crate::ParameterError;
 use crate::disparity::{DepthTable, Fixed};
 
@@ -146,13 +146,13 @@ impl StereoMatching {
 
     /// Returns the disparity and the confidence of a pair, before filters.
     #[must_use]
-    pub fn disparity(&self, pair: &Pair<'_>) -> Matched {
+    pub fn disparity(&self, pair: &RectifiedPair<'_>) -> Matched {
         self.disparity_at(Level::detect(), pair, false).matched
     }
 
     /// Returns the depth of the left image in metres, rounded to millimetres, up to 65.535 m; 0 is invalid.
     #[must_use]
-    pub fn sense(&self, pair: &Pair<'_>) -> ZDepth {
+    pub fn sense(&self, pair: &RectifiedPair<'_>) -> ZDepth {
         self.depth(&self.disparity(pair).disparity, 1.0, pair.width())
     }
 
@@ -181,29 +181,29 @@ impl StereoMatching {
         ZDepth(out)
     }
 
-    fn disparity_at(&self, level: Level, pair: &Pair<'_>, explains: bool) -> Passed {
+    fn disparity_at(&self, level: Level, pair: &RectifiedPair<'_>, explains: bool) -> Passed {
         let p = &self.parameters;
         let (width, height) = (pair.width() as usize, pair.height() as usize);
         let levels = [pair.left().levels(), pair.right().levels()];
         let bits = pair.left().bits();
-        let sources = levels.each_ref().map(|levels| Source {
+        let sources = levels.each_ref().map(|levels| CensusInput {
             width,
             height,
             bits,
             levels,
         });
         let mut memory = self.take();
-        let plan = Plan::new(p, width);
+        let plan = PassPlan::new(p, width);
         let Passed { mut matched, lost } = pass(level, &plan, &sources, &mut memory, explains);
         if p.extended_disparity && width > 1 && height > 1 {
             let halves = sources.each_ref().map(extended::halve);
-            let sources = halves.each_ref().map(|(width, height, levels)| Source {
+            let sources = halves.each_ref().map(|(width, height, levels)| CensusInput {
                 width: *width,
                 height: *height,
                 bits,
                 levels,
             });
-            let half_plan = Plan {
+            let half_plan = PassPlan {
                 invalid_edge: plan.invalid_edge / 2,
                 ..plan.clone()
             };
@@ -234,8 +234,8 @@ impl StereoMatching {
 
 fn pass(
     level: Level,
-    plan: &Plan,
-    sources: &[Source<'_>; 2],
+    plan: &PassPlan,
+    sources: &[CensusInput<'_>; 2],
     memory: &mut Workspace,
     explains: bool,
 ) -> Passed {

@@ -2,26 +2,26 @@ use oaktwin_image::{Image, ImageView};
 
 /// The image of a monochrome camera.
 #[derive(Clone, Copy, Debug)]
-pub enum Luminance<'a> {
+pub enum LuminanceImage<'a> {
     /// 0 to 255.
     Bits8(ImageView<'a, u8>),
     /// 0 to 1023; larger values are clamped.
     Bits10(ImageView<'a, u16>),
 }
 
-impl<'a> From<ImageView<'a, u8>> for Luminance<'a> {
+impl<'a> From<ImageView<'a, u8>> for LuminanceImage<'a> {
     fn from(image: ImageView<'a, u8>) -> Self {
         Self::Bits8(image)
     }
 }
 
-impl<'a> From<ImageView<'a, u16>> for Luminance<'a> {
+impl<'a> From<ImageView<'a, u16>> for LuminanceImage<'a> {
     fn from(image: ImageView<'a, u16>) -> Self {
         Self::Bits10(image)
     }
 }
 
-impl Luminance<'_> {
+impl LuminanceImage<'_> {
     /// The width, px.
     #[must_use]
     pub fn width(&self) -> u32 {
@@ -78,29 +78,32 @@ impl Luminance<'_> {
 
 /// A rectified pair: a point of the scene is on the same row of both images, in the right one farther left.
 #[derive(Clone, Copy, Debug)]
-pub struct Pair<'a> {
-    left: Luminance<'a>,
-    right: Luminance<'a>,
+pub struct RectifiedPair<'a> {
+    left: LuminanceImage<'a>,
+    right: LuminanceImage<'a>,
 }
 
 /// An invalid pair of images.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("stereo pair: {what}; {remedy}")]
-pub struct PairError {
+pub struct RectifiedPairError {
     /// What is wrong.
     pub what: String,
     /// How to fix it.
     pub remedy: &'static str,
 }
 
-impl<'a> Pair<'a> {
+impl<'a> RectifiedPair<'a> {
     /// Creates a pair from the rectified left and right images.
     ///
     /// # Errors
     /// Returns an error if their sizes or numbers of bits differ, or if they have no pixels.
-    pub fn new(left: impl Into<Luminance<'a>>, right: impl Into<Luminance<'a>>) -> Result<Self, PairError> {
+    pub fn new(
+        left: impl Into<LuminanceImage<'a>>,
+        right: impl Into<LuminanceImage<'a>>,
+    ) -> Result<Self, RectifiedPairError> {
         let (left, right) = (left.into(), right.into());
-        let error = |what, remedy| Err(PairError { what, remedy });
+        let error = |what, remedy| Err(RectifiedPairError { what, remedy });
         if (left.width(), left.height()) != (right.width(), right.height()) {
             return error(
                 format!(
@@ -131,13 +134,13 @@ impl<'a> Pair<'a> {
 
     /// The left image, for whose pixels disparities are computed.
     #[must_use]
-    pub fn left(&self) -> Luminance<'a> {
+    pub fn left(&self) -> LuminanceImage<'a> {
         self.left
     }
 
     /// The right image.
     #[must_use]
-    pub fn right(&self) -> Luminance<'a> {
+    pub fn right(&self) -> LuminanceImage<'a> {
         self.right
     }
 

@@ -1,4 +1,6 @@
-use oaktwin_base::parameter::{Hexadecimal, Kind, ParameterError, Platform, Value, View, choice, parameters};
+use oaktwin_base::parameter::{
+    FieldText, Hexadecimal, Kind, ParameterError, Platform, Value, choice, parameters,
+};
 use oaktwin_camera::StereoGeometry;
 
 use crate::disparity::{DepthRounding, Fixed, FractionalBits, Subpixel, SubpixelSwitch};
@@ -76,7 +78,7 @@ parameters! {
         /// two captures) R² is 0.94 with `LINES`, 0.87 with `PARABOLA_5` and 0.79 with `PARABOLA`; the texture of the
         /// board was chosen by the same curve, with `LINES`.
         interpolation: Interpolation = Interpolation::default()
-            => ("subpixelInterpolation".own("fit to the vendor's error curve")),
+            => ("subpixelInterpolation".chosen("fit to the vendor's error curve")),
         /// Whether images of half the size are matched too, for near surfaces.
         extended_disparity: bool = false => ("extendedDisparity"),
         /// The first disparity of the search range.
@@ -118,11 +120,11 @@ parameters! {
         /// The side of the block over which costs are averaged. `DepthAI` calls its aggregation semi-global *block*
         /// matching and does not publish the block: 5, with `penaltyShift` 4, has no more wrong pixels than OpenCV on
         /// rendered pairs with noise; a block of 1 has half as many again.
-        block_size_px: u32 = 5 => ("blockSize".unit("px").range(1.0..=7.0).step(2.0).own("rendered pairs")),
+        block_size_px: u32 = 5 => ("blockSize".unit("px").range(1.0..=7.0).step(2.0).chosen("rendered pairs")),
         /// The rows of that block, an odd number, or 0 for as many as columns. Pictures of five RVC2 units have holes that are wide
         /// and low, which one row reproduces (with 3 `paths` and `penaltyShift` 2); but then more pixels of rendered pairs are
         /// wrong than with OpenCV.
-        block_rows_px: u32 = 0 => ("blockRows".unit("px").range(0.0..=7.0).own("rendered pairs")),
+        block_rows_px: u32 = 0 => ("blockRows".unit("px").range(0.0..=7.0).chosen("rendered pairs")),
         /// The divisor of the summed costs.
         division_factor: u8 = 1 => ("divisionFactor".range(1.0..=255.0).typical(1.0..=8.0)),
         /// The platform whose penalties and steps are used; parameters of the other one have no effect.
@@ -137,7 +139,7 @@ parameters! {
         vertical_p2: u32 = 500 => ("verticalPenaltyCostP2".on(Platform::Rvc2)),
         /// The number of bits that the penalties are shifted right by: see `blockSize`.
         penalty_shift: u32 = 4
-            => ("penaltyShift".unit("bits").range(0.0..=15.0).on(Platform::Rvc2).own("rendered pairs")),
+            => ("penaltyShift".unit("bits").range(0.0..=15.0).on(Platform::Rvc2).chosen("rendered pairs")),
         /// The penalty for a step of one disparity.
         p1: AdaptivePenalty = AdaptivePenalty { adaptive: true, default: 11, edge: 10, smooth: 22 } => {
             /// Whether P1 depends on the image.
@@ -235,7 +237,7 @@ parameters! {
         /// The number of aggregation paths: 3 along rows and from above; 4 from below too; 5 along rows, from above and
         /// from above diagonally; 6 from below too; 8 all. On the vendor's error curve R² is 0.92 with 3, 0.94 with 4 and
         /// 5, 0.95 with 8; with 8, slanted surfaces become stepped, and matching takes longer.
-        paths: u32 = 4 => ("paths" as Paths.own("the vendor's error curve and slanted surfaces")),
+        paths: u32 = 4 => ("paths" as Paths.chosen("the vendor's error curve and slanted surfaces")),
         /// The rounding of depth to whole millimetres.
         depth_rounding: DepthRounding = DepthRounding::default() => ("depthRounding".estimate()),
     }
@@ -249,7 +251,7 @@ parameters! {
 /// The confidence threshold of `DepthAI` 2.
 struct CountingDown;
 
-impl View<u8> for CountingDown {
+impl FieldText<u8> for CountingDown {
     const KIND: Kind = Kind::Integer;
 
     fn set(field: &mut u8, text: &str) -> Option<()> {
@@ -265,7 +267,7 @@ impl View<u8> for CountingDown {
 /// A number of aggregation paths.
 struct Paths;
 
-impl View<u32> for Paths {
+impl FieldText<u32> for Paths {
     const KIND: Kind = Kind::Text("3, 4, 5, 6 or 8");
 
     fn set(field: &mut u32, text: &str) -> Option<()> {

@@ -7,13 +7,13 @@
 use oaktwin_base::interrupt;
 use oaktwin_simd::Level;
 
-use super::census::{Census, Source};
+use super::census::{Census, CensusInput};
 use super::lanes::{Lane, Short};
 use super::out::Out;
-use super::plan::{Plan, Width};
+use super::plan::{PassPlan, Width};
 use super::rvc4;
 use super::scan::Scan;
-use super::view::View;
+use super::scan_input::ScanInput;
 
 /// The buffers of a pass, reused for the next one.
 #[derive(Clone, Debug, Default)]
@@ -47,8 +47,8 @@ impl<P: Lane, H: Lane, S: Lane> Default for Scans<P, H, S> {
 /// Matches two images of the same size.
 pub(super) fn run(
     level: Level,
-    plan: &Plan,
-    images: [&Source<'_>; 2],
+    plan: &PassPlan,
+    images: [&CensusInput<'_>; 2],
     memory: &mut Workspace,
     Out {
         disparity,
@@ -61,7 +61,7 @@ pub(super) fn run(
         || left.make(level, plan, images[0], false),
         || right.make(level, plan, images[1], true),
     );
-    let view = View {
+    let view = ScanInput {
         level,
         plan,
         census: [left, right],
@@ -88,7 +88,7 @@ pub(super) fn run(
 }
 
 impl<P: Lane, H: Lane, S: Lane> Scans<P, H, S> {
-    fn run<const D: usize>(&mut self, view: View<'_>, out: Out<'_>) {
+    fn run<const D: usize>(&mut self, view: ScanInput<'_>, out: Out<'_>) {
         let Out {
             disparity,
             confidence,

@@ -76,7 +76,7 @@ pub(super) enum Sums<'a, H, S> {
 }
 
 /// One row of a scan, with `PATHS` paths: along the row, then the paths of [`FROM_ROW`].
-pub(super) struct Row<'a, P, H, S, const D: usize, const PATHS: usize> {
+pub(super) struct ScanRow<'a, P, H, S, const D: usize, const PATHS: usize> {
     /// The costs of each pixel, candidates innermost.
     pub(super) costs: &'a [P],
     /// The sums in the layout of `costs`.
@@ -89,7 +89,7 @@ pub(super) struct Row<'a, P, H, S, const D: usize, const PATHS: usize> {
     pub(super) is_mirrored: bool,
 }
 
-impl<P: Lane, H: Lane, S: Lane, const D: usize, const PATHS: usize> Row<'_, P, H, S, D, PATHS> {
+impl<P: Lane, H: Lane, S: Lane, const D: usize, const PATHS: usize> ScanRow<'_, P, H, S, D, PATHS> {
     /// Returns the slot of the first pixel for each path. Costs stay in their slots while pixels move from one slot to
     /// the next with each row, so that a pixel reads its predecessor's costs from the slot that it writes to.
     #[inline(always)]
@@ -99,7 +99,9 @@ impl<P: Lane, H: Lane, S: Lane, const D: usize, const PATHS: usize> Row<'_, P, H
     }
 }
 
-impl<P: Lane, H: Lane, S: Lane, const D: usize, const PATHS: usize> Kernel for Row<'_, P, H, S, D, PATHS> {
+impl<P: Lane, H: Lane, S: Lane, const D: usize, const PATHS: usize> Kernel
+    for ScanRow<'_, P, H, S, D, PATHS>
+{
     type Output = ();
 
     #[inline(always)]

@@ -21,7 +21,7 @@ pub(super) struct Zone {
 
 /// The settings of one pass.
 #[derive(Clone, Debug)]
-pub(super) struct Plan {
+pub(super) struct PassPlan {
     pub(super) zones: Vec<Zone>,
     pub(super) candidates: usize,
     /// The disparity of each candidate, px.
@@ -158,7 +158,7 @@ impl Parameters {
     }
 }
 
-impl Plan {
+impl PassPlan {
     /// Creates the plan of a pass over images `width` px wide.
     pub(super) fn new(p: &Parameters, width: usize) -> Self {
         let window = match p.kernel_size {

@@ -3,13 +3,13 @@
 use oaktwin_image::Image;
 use oaktwin_simd::Level;
 
-use super::{Matched, Pair, Parameters, Passed, StereoMatching};
+use super::{Matched, Parameters, Passed, RectifiedPair, StereoMatching};
 use crate::preset::Platform;
 use crate::reason::{Reason, ReasonCodes};
 
 impl StereoMatching {
     /// Returns the disparity and the confidence of a pair, and why pixels have no disparity.
-    pub(crate) fn explained(&self, pair: &Pair<'_>) -> (Matched, ReasonCodes) {
+    pub(crate) fn explained(&self, pair: &RectifiedPair<'_>) -> (Matched, ReasonCodes) {
         let Passed { matched, lost } = self.disparity_at(Level::detect(), pair, true);
         let (width, height) = (matched.disparity.width(), matched.disparity.height());
         let codes = Image::new(width, height, lost).unwrap_or_else(|| Image::filled(width, height, 0));

@@ -4,9 +4,9 @@ use oaktwin_simd::{self as simd, Kernel, Level};
 
 use super::out::Out;
 use super::parameters::Interpolation;
-use super::plan::Plan;
+use super::plan::PassPlan;
 use super::rvc4::{LOST, OCCLUDED};
-use super::select::Found;
+use super::select::RowWinners;
 use crate::Reason;
 
 /// The value for a pixel without a disparity in the right image.
@@ -23,7 +23,7 @@ pub(super) struct Refined {
 
 /// Computes a row's disparities, in steps from the shift with 0 for invalid, and its confidence 255 (s₂ − s₁) / s₂. For
 /// RVC4, the disparities of all winners are kept, with [bits](LOST) that mark the rejected ones.
-pub(super) fn row(level: Level, plan: &Plan, found: &Found, memory: &mut Refined, out: Out<'_>) {
+pub(super) fn row(level: Level, plan: &PassPlan, found: &RowWinners, memory: &mut Refined, out: Out<'_>) {
     let Out {
         disparity,
         confidence,
@@ -66,7 +66,7 @@ pub(super) fn row(level: Level, plan: &Plan, found: &Found, memory: &mut Refined
 }
 
 /// Returns why a winner does not [hold](holds), or [`Reason::Measured`] if it does.
-fn reason(plan: &Plan, found: &Found, memory: &Refined, x: usize) -> Reason {
+fn reason(plan: &PassPlan, found: &RowWinners, memory: &Refined, x: usize) -> Reason {
     let own = found
         .best
         .get(x)
@@ -85,7 +85,7 @@ fn reason(plan: &Plan, found: &Found, memory: &Refined, x: usize) -> Reason {
 
 /// Returns a winner's disparity, in steps from the shift.
 #[inline(always)]
-fn fixed(plan: &Plan, candidate: usize, fraction: f32) -> u16 {
+fn fixed(plan: &PassPlan, candidate: usize, fraction: f32) -> u16 {
     let own = plan.disparities[candidate];
     // The distance to the neighbour on the side of the fraction.
     let toward = if fraction < 0.0 {
@@ -106,7 +106,7 @@ fn fixed(plan: &Plan, candidate: usize, fraction: f32) -> u16 {
 }
 
 /// Returns a winner's disparity with its bits.
-fn marked(plan: &Plan, found: &Found, memory: &Refined, x: usize) -> u16 {
+fn marked(plan: &PassPlan, found: &RowWinners, memory: &Refined, x: usize) -> u16 {
     let candidate = usize::from(found.best[x]);
     let own = plan.disparities[candidate];
     let apart = apart(memory, own, x);
@@ -127,7 +127,7 @@ fn apart(memory: &Refined, own: u16, x: usize) -> Option<u16> {
 
 /// Whether a winner is inside both images, not in the invalid edge, and passes the left-right check, if enabled.
 #[inline(always)]
-fn holds(plan: &Plan, own: u16, x: usize, apart: Option<u16>) -> bool {
+fn holds(plan: &PassPlan, own: u16, x: usize, apart: Option<u16>) -> bool {
     let agrees = match plan.check {
         Some(threshold) => apart.is_some_and(|apart| apart <= threshold),
         None => usize::from(own) <= x,

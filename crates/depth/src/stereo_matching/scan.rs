@@ -5,11 +5,11 @@ use oaktwin_simd::{self as simd, Kernel, Level};
 use super::cost::Blocks;
 use super::lanes::Lane;
 use super::out::Out;
-use super::paths::{FROM_ROW, Penalties, Row, Slots, Sums};
+use super::paths::{FROM_ROW, Penalties, ScanRow, Slots, Sums};
 use super::plan;
 use super::refine::{self, NONE, Refined};
-use super::select::{Found, RightKeys, Select};
-use super::view::View;
+use super::scan_input::ScanInput;
+use super::select::{RightKeys, RowWinners, Select};
 
 /// The sums of one scan for a row.
 enum Half<'a, H> {
@@ -30,7 +30,7 @@ pub(super) struct Scan<P: Lane, S: Lane> {
     /// The sums of all paths.
     sums: Vec<S>,
     penalties: [Vec<[P; 2]>; 1 + FROM_ROW],
-    found: Found,
+    found: RowWinners,
     right: RightKeys<S::Key>,
     refined: Refined,
 }
@@ -44,7 +44,7 @@ impl<P: Lane, S: Lane> Default for Scan<P, S> {
             costs: Vec::new(),
             sums: Vec::new(),
             penalties: Default::default(),
-            found: Found::default(),
+            found: RowWinners::default(),
             right: RightKeys::default(),
             refined: Refined::default(),
         }
@@ -53,7 +53,7 @@ impl<P: Lane, S: Lane> Default for Scan<P, S> {
 
 impl<P: Lane, S: Lane> Scan<P, S> {
     /// Resets the scan to before its first row.
-    pub(super) fn begin(&mut self, view: View<'_>) {
+    pub(super) fn begin(&mut self, view: ScanInput<'_>) {
         let candidates = view.plan.candidates;
         self.number = 0;
         for slots in &mut self.slots {
@@ -67,7 +67,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
     /// Writes the path costs of the next row to `half`.
     pub(super) fn begin_row<H: Lane, const D: usize>(
         &mut self,
-        view: View<'_>,
+        view: ScanInput<'_>,
         y: usize,
         is_up: bool,
         half: &mut [H],
@@ -79,7 +79,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
     /// Adds the path costs of the next row to the other scan's, and finds disparity and confidence.
     pub(super) fn finish_row<H: Lane, const D: usize>(
         &mut self,
-        view: View<'_>,
+        view: ScanInput<'_>,
         y: usize,
         is_up: bool,
         half: &[H],
@@ -90,13 +90,13 @@ impl<P: Lane, S: Lane> Scan<P, S> {
         self.find::<D>(view, out);
     }
 
-    fn make_costs(&mut self, view: View<'_>, y: usize, is_up: bool) {
+    fn make_costs(&mut self, view: ScanInput<'_>, y: usize, is_up: bool) {
         let is_first = self.number == 0;
         self.blocks.row(view, y, [is_first, is_up], &mut self.costs);
         self.set_penalties(view, y, is_up);
     }
 
-    fn follow<H: Lane, const D: usize>(&mut self, view: View<'_>, is_up: bool, half: Half<'_, H>) {
+    fn follow<H: Lane, const D: usize>(&mut self, view: ScanInput<'_>, is_up: bool, half: Half<'_, H>) {
         match view.plan.paths[usize::from(is_up)] {
             1 => self.follow_paths::<H, D, 1>(view.level, is_up, half),
             2 => self.follow_paths::<H, D, 2>(view.level, is_up, half),
@@ -112,7 +112,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
         half: Half<'_, H>,
     ) {
         let penalties = self.penalties.each_ref().map(|pairs| Penalties { pairs });
-        let row = Row::<P, H, S, D, PATHS> {
+        let row = ScanRow::<P, H, S, D, PATHS> {
             costs: &self.costs,
             sums: match half {
                 Half::Left(half) => Sums::Half(half),
@@ -127,7 +127,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
     }
 
     /// Sets the penalties of each pixel, in the order of the scan.
-    fn set_penalties(&mut self, view: View<'_>, y: usize, is_up: bool) {
+    fn set_penalties(&mut self, view: ScanInput<'_>, y: usize, is_up: bool) {
         let table = match &view.plan.penalties {
             plan::Penalties::Fixed([along, from_row]) => {
                 let pairs = [along, from_row, from_row, from_row];
@@ -165,7 +165,7 @@ impl<P: Lane, S: Lane> Scan<P, S> {
     }
 
     /// Finds the disparities and the confidence of a row from its sums.
-    fn find<const D: usize>(&mut self, view: View<'_>, out: Out<'_>) {
+    fn find<const D: usize>(&mut self, view: ScanInput<'_>, out: Out<'_>) {
         let plan = view.plan;
         let sums = &mut self.sums;
         if plan.division > 1 {

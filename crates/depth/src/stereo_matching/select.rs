@@ -4,11 +4,11 @@ use oaktwin_simd::Kernel;
 
 use super::lanes::Lane;
 use super::paths::{chunk, chunk_mut};
-use super::plan::{MOST, Plan, Zone};
+use super::plan::{MOST, PassPlan, Zone};
 
 /// The winners of a row.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Found {
+pub(super) struct RowWinners {
     /// The winning candidate.
     pub(super) best: Vec<u8>,
     /// The sums of the winner and of two candidates on each side; those beyond the range are undefined.
@@ -17,7 +17,7 @@ pub(super) struct Found {
     pub(super) second: Vec<u16>,
 }
 
-impl Found {
+impl RowWinners {
     pub(super) fn resize(&mut self, width: usize) {
         self.best.resize(width, 0);
         self.second.resize(width, 0);
@@ -41,7 +41,7 @@ impl<K> Default for RightKeys<K> {
 
 /// The keys of a zone.
 #[derive(Clone, Copy, Debug)]
-struct Place<'a> {
+struct ZoneKeys<'a> {
     zone: &'a Zone,
     /// The index of its first key.
     start: usize,
@@ -49,7 +49,7 @@ struct Place<'a> {
     phase: usize,
 }
 
-impl Place<'_> {
+impl ZoneKeys<'_> {
     /// Returns the index of the first key of the pixel `place` places from the end of the right image.
     #[inline(always)]
     fn index(&self, place: usize) -> usize {
@@ -60,17 +60,17 @@ impl Place<'_> {
 }
 
 /// Returns the places of the keys of each zone.
-fn layout(zones: &[Zone], width: usize) -> impl Iterator<Item = Place<'_>> {
+fn layout(zones: &[Zone], width: usize) -> impl Iterator<Item = ZoneKeys<'_>> {
     zones.iter().scan(0, move |first, zone| {
         let phase = (width + zone.first).div_ceil(zone.step) + zone.count;
         let start = *first;
         *first += phase * zone.step;
-        Some(Place { zone, start, phase })
+        Some(ZoneKeys { zone, start, phase })
     })
 }
 
 impl<K: Copy + Ord> RightKeys<K> {
-    pub(super) fn reset(&mut self, plan: &Plan, width: usize, last: K) {
+    pub(super) fn reset(&mut self, plan: &PassPlan, width: usize, last: K) {
         let room = layout(&plan.zones, width).map(|own| own.start + own.phase * own.zone.step);
         let room = room.last().unwrap_or(0);
         self.keys.clear();
@@ -78,14 +78,14 @@ impl<K: Copy + Ord> RightKeys<K> {
     }
 
     /// Passes the smallest key of each right pixel to `take`, from right to left.
-    pub(super) fn read(&self, plan: &Plan, width: usize, mut take: impl FnMut(usize, K)) {
+    pub(super) fn read(&self, plan: &PassPlan, width: usize, mut take: impl FnMut(usize, K)) {
         if plan.zones.len() == 1 {
             for (place, &key) in self.keys.iter().take(width).enumerate() {
                 take(width - 1 - place, key);
             }
             return;
         }
-        let zones: Vec<Place<'_>> = layout(&plan.zones, width).collect();
+        let zones: Vec<ZoneKeys<'_>> = layout(&plan.zones, width).collect();
         for place in 0..width {
             let keys = zones
                 .iter()
@@ -108,9 +108,9 @@ const BESIDE: [u8; 2 * MOST + 1] = {
 
 /// Finds the winners of a row.
 pub(super) struct Select<'a, S: Lane, const D: usize> {
-    pub(super) plan: &'a Plan,
+    pub(super) plan: &'a PassPlan,
     pub(super) sums: &'a [S],
-    pub(super) found: &'a mut Found,
+    pub(super) found: &'a mut RowWinners,
     /// The keys of the right image, if its disparities are needed.
     pub(super) right: Option<&'a mut RightKeys<S::Key>>,
 }
@@ -125,13 +125,13 @@ impl<S: Lane, const D: usize> Kernel for Select<'_, S, D> {
     #[inline(always)]
     fn run(self) {
         let width = self.sums.len() / D;
-        let Found { best, around, second } = self.found;
+        let RowWinners { best, around, second } = self.found;
         if best.len() < width || second.len() < width || around.iter().any(|row| row.len() < width) {
             return;
         }
         let [a, b, c, d, e] = around;
         let mut right = self.right.map(|right| right.keys.as_mut_slice());
-        let zones: Vec<Place<'_>> = layout(&self.plan.zones, width).collect();
+        let zones: Vec<ZoneKeys<'_>> = layout(&self.plan.zones, width).collect();
         let stride = width.div_ceil(APART).max(D + 1);
         for start in 0..stride {
             let mut x = start;
@@ -185,7 +185,7 @@ impl<S: Lane, const D: usize> Kernel for Select<'_, S, D> {
 
 /// Updates the keys of the right image for several zones, at the pixel `place` places from its end.
 #[inline(always)]
-fn zoned<K: Copy + Ord>(zones: &[Place<'_>], place: usize, keys: &[K], right: &mut [K]) {
+fn zoned<K: Copy + Ord>(zones: &[ZoneKeys<'_>], place: usize, keys: &[K], right: &mut [K]) {
     for own in zones {
         let (start, first) = (own.zone.start, own.index(place + own.zone.first));
         match own.zone.count {

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::scale::Scale;
 use super::sense::BAND;
 use super::texture::{self, Texture};
-use super::{Parameters, Shot};
+use super::{DepthShot, Parameters};
 
 /// The memory of one thread.
 #[derive(Default)]
@@ -18,7 +18,7 @@ struct Scratch {
 
 /// Returns the confidence that [`Parameters::confidence_threshold`] is compared with, 0 to 255, also of pixels that are lost for
 /// another reason; `None` without a colour image.
-pub(super) fn confidence(parameters: &Parameters, shot: &Shot<'_>) -> Option<Image<u16>> {
+pub(super) fn confidence(parameters: &Parameters, shot: &DepthShot<'_>) -> Option<Image<u16>> {
     let (picture, depth) = (shot.rgb()?, shot.depth());
     let mut levels = Image::filled(picture.width(), picture.height(), 0);
     let scale = Scale::new(parameters, shot);

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use oaktwin_simd::{self as simd, Kernel, Level};
 
-use crate::random::{Plane, box_muller};
+use crate::random::{RandomPlane, box_muller};
 
 /// The numbers of the field: small integers, so that sums are exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,7 +75,13 @@ impl Field {
     ///
     /// Each word of a row makes two normal numbers: of 32 words, word i makes pixels i and 32 + i of 64. The upper 16 bits
     /// are the radius, the lower the angle.
-    pub(super) fn rows(&mut self, level: Level, plane: &Plane, rows: Range<u32>, numbers: Numbers) -> &[u16] {
+    pub(super) fn rows(
+        &mut self,
+        level: Level,
+        plane: &RandomPlane,
+        rows: Range<u32>,
+        numbers: Numbers,
+    ) -> &[u16] {
         let pixels = rows.len() * self.width;
         self.numbers.resize(pixels, 0);
         match numbers {

@@ -70,7 +70,7 @@ use self::sense::Job;
 use crate::disparity::DepthTable;
 use crate::random::Stream;
 use crate::reason::ReasonCodes;
-use crate::{ParameterError, Shot};
+use crate::{DepthShot, ParameterError};
 
 /// The engine, with checked parameters.
 #[derive(Clone, PartialEq)]
@@ -107,23 +107,23 @@ impl StereoNoise {
     /// Measures a shot as the disparity image before filters: units of 2⁻ⁿ matcher pixels with n bits of
     /// [`Subpixel`], without the [shift](Parameters::disparity_shift_px); 0 where nothing was measured.
     #[must_use]
-    pub fn disparity(&self, shot: &Shot<'_>, random: &Stream) -> Image<u16> {
+    pub fn disparity(&self, shot: &DepthShot<'_>, random: &Stream) -> Image<u16> {
         self.image(shot, random, |fixed, _, out| out.copy_from_slice(fixed))
     }
 
     /// Measures a shot without filters: metres, whole millimetres, 0 where nothing was measured.
     #[must_use]
-    pub fn sense(&self, shot: &Shot<'_>, random: &Stream) -> ZDepth {
+    pub fn sense(&self, shot: &DepthShot<'_>, random: &Stream) -> ZDepth {
         ZDepth(self.image(shot, random, |fixed, _, out| self.table.look_up(fixed, out)))
     }
 
     /// Returns the confidence of each pixel, 0 to 255; `None` without a colour image.
-    pub(crate) fn confidence(&self, shot: &Shot<'_>) -> Option<Image<u16>> {
+    pub(crate) fn confidence(&self, shot: &DepthShot<'_>) -> Option<Image<u16>> {
         confidence::confidence(&self.parameters, shot)
     }
 
     /// Returns why pixels of [`StereoNoise::disparity`] have no value.
-    pub(crate) fn reasons(&self, shot: &Shot<'_>, random: &Stream) -> ReasonCodes {
+    pub(crate) fn reasons(&self, shot: &DepthShot<'_>, random: &Stream) -> ReasonCodes {
         let depth = shot.depth();
         let mut codes = Image::filled(depth.width(), depth.height(), 0);
         let job = Job::new(self, shot, random).with_reasons();
@@ -151,7 +151,7 @@ impl StereoNoise {
 
     fn image<T: Copy + Default + Send>(
         &self,
-        shot: &Shot<'_>,
+        shot: &DepthShot<'_>,
         random: &Stream,
         finish: impl Fn(&[u16], &[u8], &mut [T]) + Sync,
     ) -> Image<T> {

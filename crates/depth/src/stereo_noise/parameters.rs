@@ -2,7 +2,7 @@ use oaktwin_base::parameter::{Platform, parameters};
 use oaktwin_camera::StereoGeometry;
 
 use crate::disparity::{DepthRounding, Fixed, FractionalBits, Subpixel, SubpixelSwitch};
-use crate::random::{Stage, Stream, standard_normal};
+use crate::random::{NoiseStage, Stream, standard_normal};
 
 parameters! {
     /// The geometry and the errors of a stereo camera. Lengths in pixels are in matcher pixels, pixels of an image
@@ -31,7 +31,7 @@ parameters! {
         disparity_shift_px: u32 = 0 => ("disparityShift".unit("px").range(0.0..=1024.0).typical(0.0..=128.0)),
         /// Whether pixels that the right camera cannot see are lost: shadows to the left of near surfaces, and a band at
         /// the left border.
-        occlusion: bool = true => ("occlusion".own("the geometry of a stereo pair")),
+        occlusion: bool = true => ("occlusion".chosen("the geometry of a stereo pair")),
         /// Whether the left-right check is enabled. It rejects a band beside the shadow of near surfaces that the matching
         /// window widens (`edgeDilation`).
         left_right_check: bool = true => ("leftRightCheck"),
@@ -56,7 +56,7 @@ parameters! {
         /// The amplitude of the error that repeats with every pixel of disparity (a); 0.2 px by default for widths of up
         /// to 640 px.
         pixel_locking_px: f64 = 0.13
-            => ("pixelLocking".unit("px").range(0.0..=1.0).typical(0.0..=0.5).own("fit to the vendor's error curves")),
+            => ("pixelLocking".unit("px").range(0.0..=1.0).typical(0.0..=0.5).chosen("fit to the vendor's error curves")),
         /// The standard deviation of a pixel's disparity over time (σ).
         jitter_px: f64 = 0.05 => ("jitter".common(4).unit("px").range(0.0..=10.0).typical(0.0..=0.5).estimate()),
         /// The factor of bias, pixel locking and jitter of surfaces nearer than 6 m; it grows to 1 at 7 m. On RVC4 it is 0.75: the
@@ -99,7 +99,7 @@ impl Parameters {
     /// Returns the same parameters with the random bias of one unit.
     #[must_use]
     pub fn of_device(mut self, device_seed: u64) -> Self {
-        let plane = Stream::new(device_seed, "").plane(Stage::DeviceBias, 0, 0);
+        let plane = Stream::new(device_seed, "").plane(NoiseStage::DeviceBias, 0, 0);
         let [a, b, ..] = plane.words(0, 0);
         self.bias_px = DEVICE_BIAS_SIGMA_PX * standard_normal(a, b)[0];
         self

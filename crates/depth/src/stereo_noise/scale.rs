@@ -4,7 +4,7 @@ use super::field::Numbers;
 use super::parameters::{CLOSE_RANGE_M, Parameters};
 use super::texture::{Light, TextureScale};
 use super::window::MAX_SIDE;
-use crate::Shot;
+use crate::DepthShot;
 
 /// The parameters for images of one width, in image pixels where noted, else in matcher pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,7 +50,7 @@ impl Scale {
         clippy::cast_sign_loss,
         reason = "checked parameters; rows are single precision"
     )]
-    pub(super) fn new(p: &Parameters, shot: &Shot<'_>) -> Self {
+    pub(super) fn new(p: &Parameters, shot: &DepthShot<'_>) -> Self {
         let image_width = shot.depth().width();
         let image_px = f64::from(image_width) / f64::from(p.width_px);
         let window = ((f64::from(p.window_px) * image_px).round() as usize).clamp(1, MAX_SIDE);

@@ -12,8 +12,8 @@ use super::scale::Scale;
 use super::shadow::{NEARER, Rows, Shadow};
 use super::texture::{self, GAIN, Texture};
 use super::window::{WindowSum, field_width};
-use crate::Shot;
-use crate::random::{Plane, Stage, Stream};
+use crate::DepthShot;
+use crate::random::{NoiseStage, RandomPlane, Stream};
 use crate::reason::Reason;
 
 /// The rows that one thread processes. The first one also sums the windows of the rows before it.
@@ -34,8 +34,8 @@ pub(super) struct Job<'a> {
     scale: Scale,
     depth: ImageView<'a, f32>,
     picture: Option<ImageView<'a, [u8; 4]>>,
-    jitter: Plane,
-    dropout: Plane,
+    jitter: RandomPlane,
+    dropout: RandomPlane,
     /// Whether the reasons for invalid pixels are recorded.
     explains: bool,
     level: Level,
@@ -65,15 +65,15 @@ pub(super) struct Scratch {
 }
 
 impl<'a> Job<'a> {
-    pub(super) fn new(sensor: &'a StereoNoise, shot: &Shot<'a>, random: &Stream) -> Self {
+    pub(super) fn new(sensor: &'a StereoNoise, shot: &DepthShot<'a>, random: &Stream) -> Self {
         let p = sensor.parameters();
         Self {
             sensor,
             scale: Scale::new(p, shot),
             depth: shot.depth(),
             picture: shot.rgb().filter(|_| p.confidence_threshold > 0),
-            jitter: random.plane(Stage::Jitter, shot.frame, shot.item),
-            dropout: random.plane(Stage::Dropout, shot.frame, shot.item),
+            jitter: random.plane(NoiseStage::Jitter, shot.frame, shot.item),
+            dropout: random.plane(NoiseStage::Dropout, shot.frame, shot.item),
             explains: false,
             level: Level::detect(),
         }

@@ -11,8 +11,8 @@
 //!    and pixels steeper than 89° on both sides count as facing the camera. The albedo at 940 nm is estimated as the luma of
 //!    the colour image (not its linear value, as dark surfaces reflect more at 940 nm), at least 0.02; without a colour image
 //!    it is [`Parameters::albedo`].
-//! 2. **Phasors.** C·A·e^{iφ} for each frequency, φ = 4π·f·r/c. If surfaces move ([`Shot::with_radial_velocity`],
-//!    [`Shot::with_radial_velocities`]), each frequency sees them at the middle of its measurements; the last one of the higher frequency is now. With
+//! 2. **Phasors.** C·A·e^{iφ} for each frequency, φ = 4π·f·r/c. If surfaces move ([`DepthShot::with_radial_velocity`],
+//!    [`DepthShot::with_radial_velocities`]), each frequency sees them at the middle of its measurements; the last one of the higher frequency is now. With
 //!    [`Parameters::multipath`], indirect light is added: one bounce between the visible surfaces, in 40 × 30 patches at
 //!    most, without occlusion. It moves concave corners away and rounds them: two walls at 90° whose edge is 1.5 m away, with
 //!    an albedo of 0.5, by 30 mm at 0.2 m from the edge, with 0.9 by 51 mm, and less at the edge itself.
@@ -67,7 +67,7 @@ use self::unwrap::{Unwrapping, range_m, turn_m};
 use crate::filter::DepthConfidence;
 use crate::random::Stream;
 use crate::reason::ReasonCodes;
-use crate::{ParameterError, Shot};
+use crate::{DepthShot, ParameterError};
 
 /// The engine, with checked parameters.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,7 +79,7 @@ pub struct TimeOfFlight {
 
 /// All outputs of the engine.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Output {
+pub struct TimeOfFlightOutput {
     /// Metres, whole millimetres; 0 where nothing was measured. Distance along the ray without
     /// [`Parameters::enable_optical_correction`].
     pub distance: ZDepth,
@@ -126,7 +126,7 @@ impl TimeOfFlight {
 
     /// Measures the distance of a shot: metres, whole millimetres, 0 where nothing was measured.
     #[must_use]
-    pub fn sense(&self, shot: &Shot<'_>, random: &Stream) -> ZDepth {
+    pub fn sense(&self, shot: &DepthShot<'_>, random: &Stream) -> ZDepth {
         let mut out = Image::filled(shot.depth().width(), shot.depth().height(), 0.0);
         Job::new(self, shot, random).distance(out.pixels_mut());
         ZDepth(out)
@@ -134,9 +134,9 @@ impl TimeOfFlight {
 
     /// Measures all outputs of a shot.
     #[must_use]
-    pub fn output(&self, shot: &Shot<'_>, random: &Stream) -> Output {
+    pub fn output(&self, shot: &DepthShot<'_>, random: &Stream) -> TimeOfFlightOutput {
         let (width, height) = (shot.depth().width(), shot.depth().height());
-        let mut out = Output {
+        let mut out = TimeOfFlightOutput {
             distance: ZDepth(Image::filled(width, height, 0.0)),
             amplitude: Image::filled(width, height, 0),
             confidence: Image::filled(width, height, 0),
@@ -147,7 +147,11 @@ impl TimeOfFlight {
 
     /// Measures a shot as [`TimeOfFlight::sense`] does, and returns the confidence of each pixel as [`DepthConfidence::of`]
     /// does.
-    pub(crate) fn sense_with_confidence(&self, shot: &Shot<'_>, random: &Stream) -> (ZDepth, Image<u16>) {
+    pub(crate) fn sense_with_confidence(
+        &self,
+        shot: &DepthShot<'_>,
+        random: &Stream,
+    ) -> (ZDepth, Image<u16>) {
         let output = self.output(shot, random);
         let mut confidence = output.amplitude;
         let depths = millimetres::from_metres(&output.distance.0);
@@ -158,7 +162,7 @@ impl TimeOfFlight {
     }
 
     /// Returns why pixels of [`TimeOfFlight::sense`] have no value.
-    pub(crate) fn reasons(&self, shot: &Shot<'_>, random: &Stream) -> ReasonCodes {
+    pub(crate) fn reasons(&self, shot: &DepthShot<'_>, random: &Stream) -> ReasonCodes {
         let depth = shot.depth();
         let mut codes = Image::filled(depth.width(), depth.height(), 0);
         Job::new(self, shot, random).reasons(codes.pixels_mut());

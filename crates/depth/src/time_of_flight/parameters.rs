@@ -1,6 +1,6 @@
-use oaktwin_base::parameter::{Kind, ParameterError, Platform, Value, View, parameters};
+use oaktwin_base::parameter::{FieldText, Kind, ParameterError, Platform, Value, parameters};
 
-use crate::random::{Stage, Stream, standard_normal};
+use crate::random::{NoiseStage, Stream, standard_normal};
 
 parameters! {
     /// The measurement and the errors of a time-of-flight camera.
@@ -68,7 +68,7 @@ parameters! {
         multipath: f64 = 0.0 => ("multipath".common(5).range(0.0..=10.0).typical(0.0..=2.0).estimate()),
         /// The velocity of all surfaces away from the camera, where the input has none for each pixel.
         radial_velocity_m_s: f64 = 0.0
-            => ("radialVelocity".unit("m/s").range(-100.0..=100.0).typical(-3.0..=3.0).own("a still scene")),
+            => ("radialVelocity".unit("m/s").range(-100.0..=100.0).typical(-3.0..=3.0).chosen("a still scene")),
         /// The time from one measurement to the next; a frame takes two.
         measurement_interval_s: f64 = 1.0 / 60.0 => ("measurementInterval".unit("s").range(0.0..=1.0).typical(0.0..=0.1)),
         /// The minimum amplitude; a pixel with less is lost. The default is twice the noise of darkness.
@@ -104,7 +104,7 @@ impl Parameters {
     /// Returns the same parameters with the random constant error of one unit.
     #[must_use]
     pub fn of_device(mut self, device_seed: u64) -> Self {
-        let plane = Stream::new(device_seed, "").plane(Stage::DeviceBias, 0, 0);
+        let plane = Stream::new(device_seed, "").plane(NoiseStage::DeviceBias, 0, 0);
         let [a, b, ..] = plane.words(0, 0);
         self.bias_m = DEVICE_BIAS_SIGMA_M * standard_normal(a, b)[0];
         self
@@ -126,7 +126,7 @@ impl Parameters {
 /// Two frequencies, the lower first.
 struct Ascending;
 
-impl View<[f64; 2]> for Ascending {
+impl FieldText<[f64; 2]> for Ascending {
     const KIND: Kind = Kind::Text("two numbers separated by a comma, the lower first");
 
     fn set(field: &mut [f64; 2], text: &str) -> Option<()> {
@@ -146,7 +146,7 @@ impl View<[f64; 2]> for Ascending {
 /// A principal point, or `center`.
 struct PrincipalPoint;
 
-impl View<Option<[f64; 2]>> for PrincipalPoint {
+impl FieldText<Option<[f64; 2]>> for PrincipalPoint {
     const KIND: Kind = Kind::Text("center, or two numbers separated by a comma");
 
     fn set(field: &mut Option<[f64; 2]>, text: &str) -> Option<()> {
@@ -169,7 +169,7 @@ impl View<Option<[f64; 2]>> for PrincipalPoint {
 /// A number of electrons, or `indoor` or `outdoor`.
 struct Ambient;
 
-impl View<f64> for Ambient {
+impl FieldText<f64> for Ambient {
     const KIND: Kind = Kind::Text("indoor, outdoor, or a number");
 
     fn set(field: &mut f64, text: &str) -> Option<()> {

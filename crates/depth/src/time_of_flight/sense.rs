@@ -5,13 +5,13 @@ use oaktwin_simd::{self as simd, Level};
 use rayon::prelude::*;
 
 use super::light::{Albedos, CHANNELS, Echoes, InverseDepth, Lamp, LightRow, Returns};
-use super::multipath::{Add, Multipath, Normals, Surfaces, View};
+use super::multipath::{Add, Multipath, MultipathInput, Normals, Surfaces};
 use super::optics::Optics;
 use super::receive::{Decode, Decoded, Limits, Mix, Receiver, Sample, Sampled, Unwrap};
-use super::{Output, TimeOfFlight};
+use super::{TimeOfFlight, TimeOfFlightOutput};
 use crate::filter::DepthConfidence;
-use crate::random::{Plane, Stage, Stream};
-use crate::{Reason, Shot};
+use crate::random::{NoiseStage, RandomPlane, Stream};
+use crate::{DepthShot, Reason};
 
 /// The rows that one thread processes. The first and the last also require the rows beyond.
 const BAND: usize = 48;
@@ -25,8 +25,8 @@ pub(super) struct Job<'a> {
     velocities: Option<[ImageView<'a, f32>; 2]>,
     returns: Option<&'a annotation::Returns>,
     /// The random numbers of this frame's measurements, and of the previous frame's if they are shared.
-    measurements: [Option<Plane>; 2],
-    fixed_pattern: Option<Plane>,
+    measurements: [Option<RandomPlane>; 2],
+    fixed_pattern: Option<RandomPlane>,
     multipath: Option<Multipath>,
     level: Level,
 }
@@ -64,7 +64,7 @@ pub(super) struct Scratch {
 }
 
 /// A finished row.
-pub(super) struct Row<'a> {
+pub(super) struct SensedRow<'a> {
     /// Millimetres.
     pub(super) depth: &'a [u16],
     pub(super) amplitude: &'a [u16],
@@ -73,7 +73,7 @@ pub(super) struct Row<'a> {
     decoded: Decoded<'a>,
 }
 
-impl Row<'_> {
+impl SensedRow<'_> {
     /// Writes the depth in metres.
     pub(super) fn metres(&self, out: &mut [f32]) {
         for (out, &millimetres) in out.iter_mut().zip(self.depth) {
@@ -95,10 +95,10 @@ impl Row<'_> {
 }
 
 impl<'a> Job<'a> {
-    pub(super) fn new(sensor: &'a TimeOfFlight, shot: &Shot<'a>, random: &Stream) -> Self {
+    pub(super) fn new(sensor: &'a TimeOfFlight, shot: &DepthShot<'a>, random: &Stream) -> Self {
         let p = sensor.parameters();
         let depth = shot.depth();
-        let plane = |frame| random.plane(Stage::Correlation, frame, shot.item);
+        let plane = |frame| random.plane(NoiseStage::Correlation, frame, shot.item);
         let shares = p.enable_phase_shuffle_temporal_filter && !p.enable_burst_mode;
         let has_pattern = !p.enable_fppn_correction && p.fixed_pattern_m > 0.0;
         let job = Self {
@@ -113,7 +113,7 @@ impl<'a> Job<'a> {
                 shares.then(|| plane(shot.frame.wrapping_sub(1))),
             ],
             // The same for every frame of the device.
-            fixed_pattern: has_pattern.then(|| random.plane(Stage::FixedPattern, 0, 0)),
+            fixed_pattern: has_pattern.then(|| random.plane(NoiseStage::FixedPattern, 0, 0)),
             multipath: None,
             level: Level::detect(),
         };
@@ -124,7 +124,7 @@ impl<'a> Job<'a> {
         let c = self.sensor.constants();
         let is_asked = c.multipath > 0.0 && !self.depth.pixels().is_empty();
         self.multipath = is_asked.then(|| {
-            let view = View {
+            let view = MultipathInput {
                 depth: self.depth,
                 picture: self.picture,
                 albedo: c.albedo,
@@ -176,7 +176,7 @@ impl<'a> Job<'a> {
     }
 
     /// Computes all outputs.
-    pub(super) fn output(&self, out: &mut Output) {
+    pub(super) fn output(&self, out: &mut TimeOfFlightOutput) {
         let (band, width) = ((BAND * self.width()).max(1), self.width().max(1));
         let distance = out.distance.0.pixels_mut().par_chunks_mut(band);
         let amplitude = out.amplitude.pixels_mut().par_chunks_mut(band);
@@ -202,7 +202,13 @@ impl<'a> Job<'a> {
     }
 
     /// Computes `count` rows from `first` and passes each to `finish`.
-    pub(super) fn rows(&self, s: &mut Scratch, first: usize, count: usize, mut finish: impl FnMut(Row<'_>)) {
+    pub(super) fn rows(
+        &self,
+        s: &mut Scratch,
+        first: usize,
+        count: usize,
+        mut finish: impl FnMut(SensedRow<'_>),
+    ) {
         if count == 0 || self.width() == 0 {
             return;
         }
@@ -216,7 +222,7 @@ impl<'a> Job<'a> {
             }
             if y >= first + 2 {
                 s.measure(self, y - 2);
-                finish(Row {
+                finish(SensedRow {
                     depth: &s.depth,
                     amplitude: &s.amplitude,
                     confidence: &s.confidence,

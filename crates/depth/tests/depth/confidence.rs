@@ -9,9 +9,9 @@
 
 use oaktwin_depth::engines::{SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, TIME_OF_FLIGHT};
 use oaktwin_depth::random::Stream;
-use oaktwin_depth::stereo_matching::{Luminance, Pair};
+use oaktwin_depth::stereo_matching::{LuminanceImage, RectifiedPair};
 use oaktwin_depth::time_of_flight::TimeOfFlight;
-use oaktwin_depth::{Capture, EngineKind, Input, Sensor, Shot};
+use oaktwin_depth::{Capture, DepthShot, EngineKind, Input, Sensor};
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Annotator;
 
@@ -65,7 +65,9 @@ fn picture() -> Image<[u8; 4]> {
 #[test]
 fn stereo_noise_reports_the_texture_that_its_threshold_tests() {
     let (depth, picture) = (wall(2.0), picture());
-    let shot = Shot::new((&depth).into()).with_rgb((&picture).into()).unwrap();
+    let shot = DepthShot::new((&depth).into())
+        .with_rgb((&picture).into())
+        .unwrap();
     let (_, levels) = sure(sensor(&STEREO_NOISE, &[("occlusion", "false")], &[]), shot, &[]);
     let luma = |x: usize, y: usize| i64::from(picture.pixels()[y * WIDTH as usize + x][0]);
     let (width, height) = (WIDTH as usize, HEIGHT as usize);
@@ -106,14 +108,16 @@ fn stereo_noise_reports_the_texture_that_its_threshold_tests() {
             assert_eq!(*metres > 0.0, *level >= threshold, "{metres} {level}");
         }
     }
-    let without = sensor(&STEREO_NOISE, &[], &[]).capture(Shot::new((&depth).into()), &[CONFIDENCE]);
+    let without = sensor(&STEREO_NOISE, &[], &[]).capture(DepthShot::new((&depth).into()), &[CONFIDENCE]);
     assert_eq!(without.unwrap().extra::<Image<u16>>(CONFIDENCE), None);
 }
 
 #[test]
 fn single_view_reports_the_confidence_of_the_sample_in_a_pixel() {
     let (depth, picture) = (wall(2.0), picture());
-    let shot = Shot::new((&depth).into()).with_rgb((&picture).into()).unwrap();
+    let shot = DepthShot::new((&depth).into())
+        .with_rgb((&picture).into())
+        .unwrap();
     for at in ["source", "target"] {
         for range in ["0", "1", "2"] {
             let parameters = [
@@ -166,7 +170,7 @@ fn time_of_flight_reports_the_amplitude_for_its_distance() {
         row[60..110].fill(3.0);
         row[150..170].fill(f32::INFINITY);
     }
-    let shot = Shot::new((&depth).into());
+    let shot = DepthShot::new((&depth).into());
     let engine = sensor(&TIME_OF_FLIGHT, &[], &[]);
     let (capture, levels) = sure(engine.clone(), shot, &[Annotator::DepthSensorReason]);
     let own: &TimeOfFlight = engine.engine().downcast_ref().unwrap();
@@ -204,9 +208,9 @@ fn matching_reports_the_confidence_of_its_costs() {
         Image::new(WIDTH, HEIGHT, pixels.map(|pixel| random(pixel) as u8).collect()).unwrap()
     };
     let [left, right] = [texture(0), texture(6)];
-    let pair = Pair::new(
-        Luminance::Bits8((&left).into()),
-        Luminance::Bits8((&right).into()),
+    let pair = RectifiedPair::new(
+        LuminanceImage::Bits8((&left).into()),
+        LuminanceImage::Bits8((&right).into()),
     )
     .unwrap();
     for filters in [&[][..], &["decimation:factor=2"]] {
@@ -224,7 +228,9 @@ fn matching_reports_the_confidence_of_its_costs() {
 #[test]
 fn decimation_makes_it_as_small_as_the_distance() {
     let (depth, picture) = (wall(2.0), picture());
-    let shot = Shot::new((&depth).into()).with_rgb((&picture).into()).unwrap();
+    let shot = DepthShot::new((&depth).into())
+        .with_rgb((&picture).into())
+        .unwrap();
     for kind in [&SINGLE_VIEW, &STEREO_NOISE, &TIME_OF_FLIGHT] {
         let (_, levels) = sure(sensor(kind, &[], &["decimation:factor=3"]), shot, &[]);
         assert!(levels.width() < WIDTH / 2, "{kind}");

@@ -4,8 +4,8 @@
 
 use oaktwin_depth::engines::{SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, TIME_OF_FLIGHT};
 use oaktwin_depth::filter::NAMES;
-use oaktwin_depth::stereo_matching::{Luminance, Pair};
-use oaktwin_depth::{Capture, EngineKind, Input, Reason, ReasonCodes, Sensor, Shot, reason};
+use oaktwin_depth::stereo_matching::{LuminanceImage, RectifiedPair};
+use oaktwin_depth::{Capture, DepthShot, EngineKind, Input, Reason, ReasonCodes, Sensor, reason};
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Annotator;
 
@@ -142,7 +142,9 @@ fn codes_are_zero_exactly_where_something_was_measured() {
             let mut sensor = sensor(kind, parameters, filters);
             for frame in 0..3 {
                 let depth = anything(frame);
-                let mut shot = Shot::new((&depth).into()).with_rgb((&picture).into()).unwrap();
+                let mut shot = DepthShot::new((&depth).into())
+                    .with_rgb((&picture).into())
+                    .unwrap();
                 shot.frame = frame.into();
                 explained(&mut sensor, shot);
             }
@@ -171,8 +173,8 @@ fn pair() -> [Image<u8>; 2] {
 
 fn matched(parameters: &[(&str, &str)], filters: &[&str]) -> Image<u8> {
     let images = pair();
-    let [left, right] = images.each_ref().map(|image| Luminance::Bits8(image.into()));
-    let pair = Pair::new(left, right).unwrap();
+    let [left, right] = images.each_ref().map(|image| LuminanceImage::Bits8(image.into()));
+    let pair = RectifiedPair::new(left, right).unwrap();
     explained(&mut sensor(&STEREO_MATCHING, parameters, filters), pair)
 }
 
@@ -223,7 +225,7 @@ fn matching_reports_each_cause() {
 
 fn noise_at(depth: &Image<f32>, parameters: &[(&str, &str)], filters: &[&str], x: u32) -> String {
     let picture = texture();
-    let shot = Shot::new(depth.into()).with_rgb((&picture).into()).unwrap();
+    let shot = DepthShot::new(depth.into()).with_rgb((&picture).into()).unwrap();
     let codes = explained(&mut sensor(&STEREO_NOISE, parameters, filters), shot);
     reason::legend()[&at(&codes, x)].name.clone()
 }
@@ -265,7 +267,7 @@ fn stereo_noise_reports_each_cause() {
 
     let plain = Image::filled(WIDTH, HEIGHT, [90, 90, 90, 255]);
     let depth = wall(2.0);
-    let shot = Shot::new((&depth).into()).with_rgb((&plain).into()).unwrap();
+    let shot = DepthShot::new((&depth).into()).with_rgb((&plain).into()).unwrap();
     let codes = explained(&mut sensor(&STEREO_NOISE, &[], &[]), shot);
     assert_eq!(at(&codes, 200), Reason::NoTexture.code());
 }
@@ -281,7 +283,7 @@ fn single_view_reports_each_cause() {
     ];
     let name = |depth: &Image<f32>, more: &[(&str, &str)], x: u32| {
         let picture = texture();
-        let shot = Shot::new(depth.into()).with_rgb((&picture).into()).unwrap();
+        let shot = DepthShot::new(depth.into()).with_rgb((&picture).into()).unwrap();
         let parameters = [&fixed[..], more].concat();
         let codes = explained(&mut sensor(&SINGLE_VIEW, &parameters, &[]), shot);
         reason::legend()[&at(&codes, x)].name.clone()
@@ -312,7 +314,7 @@ fn single_view_reports_each_cause() {
 
     let plain = Image::filled(WIDTH, HEIGHT, [90, 90, 90, 255]);
     let depth = wall(2.0);
-    let shot = Shot::new((&depth).into()).with_rgb((&plain).into()).unwrap();
+    let shot = DepthShot::new((&depth).into()).with_rgb((&plain).into()).unwrap();
     let codes = explained(
         &mut sensor(
             &SINGLE_VIEW,
@@ -330,7 +332,7 @@ fn time_of_flight_reports_each_cause() {
         let depth = wall(metres);
         let codes = explained(
             &mut sensor(&TIME_OF_FLIGHT, parameters, filters),
-            Shot::new((&depth).into()),
+            DepthShot::new((&depth).into()),
         );
         reason::legend()[&at(&codes, 160)].name.clone()
     };
@@ -347,7 +349,7 @@ fn time_of_flight_reports_each_cause() {
     ];
     let codes = explained(
         &mut sensor(&TIME_OF_FLIGHT, &strict, &[]),
-        Shot::new((&depth).into()),
+        DepthShot::new((&depth).into()),
     );
     assert!(codes.pixels().contains(&Reason::WrappedPhase.code()));
 }

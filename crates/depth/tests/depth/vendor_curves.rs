@@ -12,7 +12,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use oaktwin_camera::StereoGeometry;
-use oaktwin_depth::Shot;
+use oaktwin_depth::DepthShot;
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::stereo_noise::{Parameters, StereoNoise};
 use oaktwin_image::Image;
@@ -45,7 +45,7 @@ fn error_percent(sensor: &StereoNoise, distance_m: f64) -> f64 {
     let width = board.width() as usize;
     let random = Stream::new(1, "left");
     let medians = (0..10).map(|frame| {
-        let mut shot = Shot::new((&board).into());
+        let mut shot = DepthShot::new((&board).into());
         shot.frame = frame;
         let distance = sensor.sense(&shot, &random);
         let rows = distance.0.pixels().chunks_exact(width);

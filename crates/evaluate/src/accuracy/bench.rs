@@ -4,13 +4,13 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use crate::measure::r_squared;
 use rayon::prelude::*;
 
-use super::measured::Curve;
-use super::test_rig::{Effort, TestRig, Work};
+use super::measured::MeasuredCurve;
+use super::test_rig::{Effort, RunControl, TestRig};
 use super::units::{Prepared, intrinsics, rigs};
 use super::vendor::protocol_deviations;
 use super::{
-    AccuracyError, Bands, ComparedPoint, Comparison, Devices, Measurement, Options, Report, Row, Verdict,
-    distances,
+    AccuracyError, AccuracyOptions, AccuracyReport, AccuracyRow, Bands, ComparedPoint, Comparison, Devices,
+    Measurement, Verdict, distances,
 };
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_catalog::{Twin, TwinDepthSensor};
@@ -20,7 +20,7 @@ use oaktwin_pipeline::sensor::depth_sensor;
 /// A depth sensor of a twin, ready to be measured.
 #[derive(Debug)]
 pub struct Bench {
-    pub(super) report: Report,
+    pub(super) report: AccuracyReport,
     rigs: Vec<TestRig>,
     pub(super) is_absolute: bool,
     from_m: f64,
@@ -31,7 +31,7 @@ impl Bench {
     ///
     /// # Errors
     /// Returns an error if an option is invalid.
-    pub fn new(twin: &Twin, options: &Options) -> Result<(Self, Vec<Finding>), AccuracyError> {
+    pub fn new(twin: &Twin, options: &AccuracyOptions) -> Result<(Self, Vec<Finding>), AccuracyError> {
         options.check()?;
         let mut twin = twin.clone();
         let depth = depth_sensor(&twin, options.sensor.as_deref())?.clone();
@@ -59,7 +59,7 @@ impl Bench {
             Some(distances) => distances.clone(),
             None => default_distances(rig, &depth, published.as_ref())?,
         };
-        let report = Report {
+        let report = AccuracyReport {
             model: twin.device.name.clone(),
             sensor: depth.spec.prim.clone(),
             engine: options.engine.engine_for(depth.spec.kind).name.to_string(),
@@ -74,7 +74,10 @@ impl Bench {
             captures: options.captures,
             protocol_deviations: protocol_deviations(rig, options, depth.spec.kind, own_width_px),
             published,
-            distances: distances.iter().map(|&z| Row::new(z, &[], None)).collect(),
+            distances: distances
+                .iter()
+                .map(|&z| AccuracyRow::new(z, &[], None))
+                .collect(),
             measured: None,
             passed: false,
         };
@@ -95,7 +98,7 @@ impl Bench {
     /// measurement.
     pub fn measure(
         mut self,
-        measured: Option<(&Path, &Curve)>,
+        measured: Option<(&Path, &MeasuredCurve)>,
         watch: &Watch<'_>,
     ) -> Result<Measurement, AccuracyError> {
         self.is_absolute = measured.is_none_or(|(_, curve)| curve.is_absolute);
@@ -129,7 +132,7 @@ impl Bench {
         distances: &[f64],
         effort: Effort,
         watch: &Watch<'_>,
-    ) -> Result<Vec<Row>, AccuracyError> {
+    ) -> Result<Vec<AccuracyRow>, AccuracyError> {
         let done = AtomicU64::new(0);
         if let Some(first) = distances.first() {
             self.rigs.iter().for_each(|rig| rig.prepare(*first));
@@ -140,7 +143,7 @@ impl Bench {
                 let total = distances.len() as u64;
                 let progress = |done| Progress { done, total };
                 let wants_more = || watch(progress(done.load(Ordering::Relaxed))).is_continue();
-                let work = Work {
+                let work = RunControl {
                     effort,
                     wants_more: &wants_more,
                 };
@@ -149,7 +152,7 @@ impl Bench {
                 if watch(progress(done.fetch_add(1, Ordering::Relaxed) + 1)).is_break() {
                     return Err(AccuracyError::Interrupted);
                 }
-                let mut row = Row::new(distance_m, &units, self.report.published.as_ref());
+                let mut row = AccuracyRow::new(distance_m, &units, self.report.published.as_ref());
                 if let Devices::Factory { .. } = self.report.devices {
                     row = row.with_band(&units);
                 }
@@ -159,7 +162,7 @@ impl Bench {
             .collect()
     }
 
-    fn comparison(&self, path: &Path, curve: &Curve, rows: &[Row]) -> Comparison {
+    fn comparison(&self, path: &Path, curve: &MeasuredCurve, rows: &[AccuracyRow]) -> Comparison {
         let points: Vec<ComparedPoint> = curve
             .points
             .iter()

@@ -10,7 +10,7 @@ use oaktwin_image::annotation::Annotator;
 use oaktwin_image::{Image, noise};
 use oaktwin_pipeline::render::AnnotateOptions;
 use oaktwin_scene::{
-    Attribute, Instance, Light, LightKind, Material, MaterialSpan, Mesh, Scene, Texture, TextureSource,
+    Instance, Light, LightKind, Material, MaterialSpan, Mesh, MeshAttribute, Scene, Texture, TextureSource,
     TextureUse, Up,
 };
 
@@ -94,7 +94,7 @@ fn scene(intrinsics: &Intrinsics, distance_m: f64, (grain_px, beyond_px): (f64, 
     let mesh = Mesh {
         positions: corners.map(position).to_vec(),
         triangles: vec![[0, 1, 2], [0, 2, 3]],
-        uvs: Some(Attribute::Vertex(corners.map(uv).to_vec())),
+        uvs: Some(MeshAttribute::Vertex(corners.map(uv).to_vec())),
         materials: vec![MaterialSpan {
             end: 2,
             material: Some(0),

@@ -2,7 +2,7 @@
 
 use super::AccuracyError;
 use crate::list::{self, InvalidItem, tidy};
-use crate::table::{Row, Wrong, wrong};
+use crate::table::{CsvRow, TableProblem, wrong};
 
 /// The minimum distance of a depth image in whole millimetres.
 const NEAREST_M: f64 = 0.001;
@@ -34,7 +34,7 @@ pub(super) fn check(distance_m: f64) -> Result<f64, &'static str> {
 }
 
 /// Parses the distance in a row of a table.
-pub(crate) fn in_row<const N: usize>(row: &Row<N>, at: usize) -> Result<f64, Wrong> {
+pub(crate) fn in_row<const N: usize>(row: &CsvRow<N>, at: usize) -> Result<f64, TableProblem> {
     let distance_m = row.number(at)?;
     check(distance_m).map_err(|what| {
         wrong(

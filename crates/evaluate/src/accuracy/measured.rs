@@ -3,13 +3,13 @@
 use std::path::Path;
 
 use super::{AccuracyError, distances};
-use crate::table::{self, Row, Wrong, wrong};
+use crate::table::{self, CsvRow, TableProblem, wrong};
 
 const DISTANCE: &str = "distance_m";
 const ERROR: &str = "depth_error_percent";
 const MAX_PERCENT: f64 = 1e6;
 
-/// A measured error; see [`Curve`].
+/// A measured error; see [`MeasuredCurve`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
     /// The true distance in metres.
@@ -20,7 +20,7 @@ pub struct Point {
 
 /// A measured curve of errors over distance.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Curve {
+pub struct MeasuredCurve {
     /// The points in the order of the file.
     pub points: Vec<Point>,
     /// Whether the errors are absolute: none is negative.
@@ -31,7 +31,7 @@ pub struct Curve {
 ///
 /// # Errors
 /// Returns an error if the file cannot be read, a column is missing, a number is invalid, or there are no rows.
-pub fn read(path: &Path) -> Result<Curve, AccuracyError> {
+pub fn read(path: &Path) -> Result<MeasuredCurve, AccuracyError> {
     of_text(path, &table::text(path, "a measured curve")?)
 }
 
@@ -39,13 +39,13 @@ pub fn read(path: &Path) -> Result<Curve, AccuracyError> {
 ///
 /// # Errors
 /// Returns an error if a column is missing, a number is invalid, or there are no rows.
-pub fn of_text(path: &Path, text: &str) -> Result<Curve, AccuracyError> {
+pub fn of_text(path: &Path, text: &str) -> Result<MeasuredCurve, AccuracyError> {
     let points = parse(text).map_err(|wrong| wrong.of(path))?;
     let is_absolute = points.iter().all(|point| point.error_percent >= 0.0);
-    Ok(Curve { points, is_absolute })
+    Ok(MeasuredCurve { points, is_absolute })
 }
 
-fn parse(text: &str) -> Result<Vec<Point>, Wrong> {
+fn parse(text: &str) -> Result<Vec<Point>, TableProblem> {
     let rows = table::rows(text, [DISTANCE, ERROR])?;
     let points = rows.iter().map(|row| {
         Ok(Point {
@@ -57,7 +57,7 @@ fn parse(text: &str) -> Result<Vec<Point>, Wrong> {
 }
 
 /// Parses an error: of −100 %, nothing is in front of the camera.
-fn error_in_row(row: &Row<2>) -> Result<f64, Wrong> {
+fn error_in_row(row: &CsvRow<2>) -> Result<f64, TableProblem> {
     let error_percent = row.number(1)?;
     match error_percent > -100.0 && error_percent <= MAX_PERCENT {
         true => Ok(error_percent),

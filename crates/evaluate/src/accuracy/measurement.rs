@@ -1,5 +1,5 @@
 use super::test_rig::Effort;
-use super::{AccuracyError, Bench, Report, plot};
+use super::{AccuracyError, AccuracyReport, Bench, plot};
 use crate::figure::Figure;
 use oaktwin_pipeline::progress::Watch;
 
@@ -17,7 +17,7 @@ pub struct Measurement {
 impl Measurement {
     /// Returns the results.
     #[must_use]
-    pub fn report(&self) -> &Report {
+    pub fn report(&self) -> &AccuracyReport {
         &self.bench.report
     }
 

@@ -36,8 +36,8 @@ pub use distances::{FARTHEST_M, parse as parse_distances};
 pub use error::AccuracyError;
 pub use measurement::Measurement;
 pub use optics::MeasuredOptics;
-pub use options::Options;
-pub use report::{ComparedPoint, Comparison, Devices, Reading, Report, Row, Verdict};
+pub use options::AccuracyOptions;
+pub use report::{AccuracyReport, AccuracyRow, ComparedPoint, Comparison, Devices, Reading, Verdict};
 
 /// The default number of devices.
 pub const DEVICES: u32 = 200;

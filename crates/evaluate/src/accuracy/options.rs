@@ -6,7 +6,7 @@ const MAX_DEVICES: u32 = 5000;
 
 /// The settings of a measurement.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Options {
+pub struct AccuracyOptions {
     /// The depth sensor by prim or kind (`stereo`, `tof`); by default the last one, which is the device's own.
     pub sensor: Option<String>,
     /// The engine and its settings.
@@ -29,7 +29,7 @@ pub struct Options {
     pub from_m: f64,
 }
 
-impl Default for Options {
+impl Default for AccuracyOptions {
     fn default() -> Self {
         Self {
             sensor: None,
@@ -45,7 +45,7 @@ impl Default for Options {
     }
 }
 
-impl Options {
+impl AccuracyOptions {
     /// Returns an error if an option is out of range.
     pub(super) fn check(&self) -> Result<(), AccuracyError> {
         let wrong = |option, what: String, remedy| Err(AccuracyError::Option { option, what, remedy });

@@ -1,7 +1,7 @@
 //! The figure of error over distance.
 
-use super::{Band, Bands, Comparison, Devices, Reading, Report, Row};
-use crate::figure::{Axis, Figure, Layer, Shape};
+use super::{AccuracyReport, AccuracyRow, Band, Bands, Comparison, Devices, Reading};
+use crate::figure::{Figure, FigureAxis, FigureLayer, FigureShape};
 use oaktwin_catalog::Source;
 
 const CURVE: [u8; 3] = [27, 94, 170];
@@ -11,7 +11,7 @@ const MEASURED: [u8; 3] = [190, 40, 70];
 const BANDS: [[u8; 3]; 2] = [[70, 150, 90], [130, 130, 140]];
 
 /// Draws a report. The errors are absolute if they are medians of several devices or compared with absolute measured errors.
-pub(super) fn figure(report: &Report, curve: &[Row], is_absolute: bool) -> Figure {
+pub(super) fn figure(report: &AccuracyReport, curve: &[AccuracyRow], is_absolute: bool) -> Figure {
     let many = report.devices.are_many();
     let is_absolute = is_absolute && (many || report.measured.is_some());
     let value = |error: Option<f64>| match error {
@@ -49,36 +49,40 @@ pub(super) fn figure(report: &Report, curve: &[Row], is_absolute: bool) -> Figur
     );
 
     let mut layers = bands(report.published.as_ref(), range[0] < 0.0);
-    let mut add = |label: String, color: [u8; 3], shape: Shape| {
-        layers.push(Layer { label, color, shape });
+    let mut add = |label: String, color: [u8; 3], shape: FigureShape| {
+        layers.push(FigureLayer { label, color, shape });
     };
     if !band.is_empty() {
-        add("5 to 95 % of the devices".to_owned(), SPREAD, Shape::Area(band));
+        add(
+            "5 to 95 % of the devices".to_owned(),
+            SPREAD,
+            FigureShape::Area(band),
+        );
     }
     if !spread.is_empty() {
         let label = "the middle half of the devices".to_owned();
-        add(label, CURVE, Shape::Area(spread));
+        add(label, CURVE, FigureShape::Area(spread));
     }
     if range[0] < 0.0 {
         let zero = vec![[0.0, 0.0], [2.0 * far, 0.0]];
-        add(String::new(), [60; 3], Shape::Line(zero));
+        add(String::new(), [60; 3], FigureShape::Line(zero));
     }
     let names = names(report);
-    add(names[0].clone(), CURVE, Shape::Line(own));
+    add(names[0].clone(), CURVE, FigureShape::Line(own));
     if !other.is_empty() {
-        add(names[1].clone(), OTHER, Shape::Line(other));
+        add(names[1].clone(), OTHER, FigureShape::Line(other));
     }
     if let Some(comparison) = &report.measured {
-        add(measured_label(comparison), MEASURED, Shape::Dots(measured));
+        add(measured_label(comparison), MEASURED, FigureShape::Dots(measured));
     }
     Figure {
         title: format!("{}: depth error over distance", report.model),
         subtitle: subtitle(report),
-        x: Axis {
+        x: FigureAxis {
             label: "true distance [m]".to_owned(),
             range: [0.0, (far * 1.02).max(0.1)],
         },
-        y: Axis {
+        y: FigureAxis {
             label: if is_absolute {
                 "absolute error of the region's median [%]".to_owned()
             } else {
@@ -102,7 +106,7 @@ fn measured_label(comparison: &Comparison) -> String {
     format!("measured (R2 = {r2}{from})")
 }
 
-fn names(report: &Report) -> [String; 2] {
+fn names(report: &AccuracyReport) -> [String; 2] {
     if report.engine == "single-view" {
         let carried = "depth copied: exact by construction".to_owned();
         let recomputed = "depth recomputed from its disparity".to_owned();
@@ -121,7 +125,7 @@ fn names(report: &Report) -> [String; 2] {
     [name, String::new()]
 }
 
-fn subtitle(report: &Report) -> String {
+fn subtitle(report: &AccuracyReport) -> String {
     let method = if report.protocol_deviations.is_empty() {
         "the vendor's method".to_owned()
     } else {
@@ -143,7 +147,7 @@ fn subtitle(report: &Report) -> String {
 }
 
 /// Returns one layer for each condition, from the widest band to the narrowest.
-fn bands(published: Option<&Bands>, is_signed: bool) -> Vec<Layer> {
+fn bands(published: Option<&Bands>, is_signed: bool) -> Vec<FigureLayer> {
     let Some(published) = published else {
         return Vec::new();
     };
@@ -174,10 +178,10 @@ fn bands(published: Option<&Bands>, is_signed: bool) -> Vec<Layer> {
         let label = condition.map_or_else(|| source.to_owned(), |condition| format!("{source}, {condition}"));
         layers.insert(
             0,
-            Layer {
+            FigureLayer {
                 label,
                 color,
-                shape: Shape::Steps(steps),
+                shape: FigureShape::Steps(steps),
             },
         );
     }

@@ -8,7 +8,7 @@ use super::test_rig::{Measured, MeasuredUnit};
 
 /// The accuracy of a twin.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Report {
+pub struct AccuracyReport {
     /// The name of the model.
     pub model: String,
     /// The prim of the depth sensor.
@@ -21,7 +21,7 @@ pub struct Report {
     pub carries_depth: Option<bool>,
     /// The measured devices.
     pub devices: Devices,
-    /// The focal length in pixels of an image that is [`Report::image_width_px`] wide.
+    /// The focal length in pixels of an image that is [`AccuracyReport::image_width_px`] wide.
     pub focal_length_px: f64,
     /// The width of the whole depth image.
     pub image_width_px: u32,
@@ -40,7 +40,7 @@ pub struct Report {
     /// The published accuracy, if there is any.
     pub published: Option<Bands>,
     /// The results in order of distance.
-    pub distances: Vec<Row>,
+    pub distances: Vec<AccuracyRow>,
     /// The comparison with a measured curve.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub measured: Option<Comparison>,
@@ -48,7 +48,7 @@ pub struct Report {
     pub passed: bool,
 }
 
-impl Report {
+impl AccuracyReport {
     /// Whether Isaac Sim's sensor carries the rendered depth along, as it does by default.
     #[must_use]
     pub fn is_carried(&self) -> bool {
@@ -81,7 +81,7 @@ pub enum Devices {
 
 /// The results at a distance.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Row {
+pub struct AccuracyRow {
     /// The true distance.
     pub distance_m: f64,
     /// The sensor's measurement; for several devices the medians.
@@ -190,7 +190,7 @@ pub struct ComparedPoint {
     pub twin_error_percent: Option<f64>,
 }
 
-impl Row {
+impl AccuracyRow {
     pub(super) fn new(distance_m: f64, units: &[MeasuredUnit], published: Option<&Bands>) -> Self {
         let own: Vec<Measured> = units.iter().map(|unit| unit.own).collect();
         let other: Vec<Measured> = units.iter().filter_map(|unit| unit.other).collect();

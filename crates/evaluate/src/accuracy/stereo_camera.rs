@@ -2,7 +2,7 @@
 
 use oaktwin_depth::ParameterError;
 use oaktwin_depth::imager::{Imager, Parameters, Recorded};
-use oaktwin_depth::random::{Stage, Stream};
+use oaktwin_depth::random::{NoiseStage, Stream};
 
 use super::board::Board;
 use oaktwin_camera::math::{DMat3, DVec3};
@@ -63,7 +63,7 @@ impl StereoCamera {
             .expose(&lights.map(|light| (ImageView::from(light), intrinsics)));
         let [left, right] = lights;
         [(left, &self.random[0]), (right, &self.random[1])].map(|(light, random)| {
-            let noise = random.plane(Stage::Exposure, frame, item);
+            let noise = random.plane(NoiseStage::Exposure, frame, item);
             self.imager.record(light.into(), intrinsics, exposure, &noise)
         })
     }

@@ -8,15 +8,15 @@ use oaktwin_depth::DriftedPair;
 use oaktwin_depth::filter::Chain;
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::single_view::{Assumptions, Depth, SingleView};
-use oaktwin_depth::stereo_matching::{Pair, PairError};
+use oaktwin_depth::stereo_matching::{RectifiedPair, RectifiedPairError};
 use oaktwin_image::{Image, ImageView, ZDepth};
-use oaktwin_pipeline::sensor::{Engine, Input, ParameterError, Sensor, Shot};
+use oaktwin_pipeline::sensor::{DepthShot, Engine, Input, ParameterError, Sensor};
 use rayon::prelude::*;
 
 use super::AccuracyError;
 use super::board::{self, Board};
 use super::stereo_camera::StereoCamera;
-use crate::measure::{Optics, Quality, Region, Vendor, quality, vendor};
+use crate::measure::{ImageRegion, Optics, Quality, Vendor, quality, vendor};
 
 /// The margin around the measured region in which textures affect it, besides windows and neighbourhoods, px.
 const AROUND_PX: u32 = 4;
@@ -29,7 +29,7 @@ pub(super) struct TestRig {
     /// The intrinsics of the whole depth image.
     pub(super) intrinsics: Intrinsics,
     /// The measured region of the depth image.
-    pub(super) region: Region,
+    pub(super) region: ImageRegion,
     pub(super) units: Vec<Unit>,
     /// The number of the first unit, which distinguishes their noise.
     pub(super) first: u32,
@@ -79,12 +79,12 @@ pub(super) struct Effort {
 
 /// A measurement that may be interrupted.
 #[derive(Clone, Copy)]
-pub(super) struct Work<'a> {
+pub(super) struct RunControl<'a> {
     pub(super) effort: Effort,
     pub(super) wants_more: &'a (dyn Fn() -> bool + Sync),
 }
 
-impl Work<'_> {
+impl RunControl<'_> {
     fn check(&self) -> Result<(), AccuracyError> {
         match (self.wants_more)() {
             true => Ok(()),
@@ -106,7 +106,7 @@ impl TestRig {
     pub(super) fn measure(
         &self,
         distance_m: f64,
-        work: Work<'_>,
+        work: RunControl<'_>,
     ) -> Result<Vec<MeasuredUnit>, AccuracyError> {
         let part = self.part(distance_m);
         let scenery = Scenery::new(self, &part, distance_m);
@@ -164,7 +164,7 @@ impl TestRig {
         item: u32,
         scenery: &Scenery<'_>,
         part: &Part,
-        work: Work<'_>,
+        work: RunControl<'_>,
     ) -> Result<Measured, AccuracyError> {
         let cropped = engine.crop(self.intrinsics.size.width, &part.intrinsics)?;
         let engine = cropped.unwrap_or_else(|| Arc::clone(engine));
@@ -217,7 +217,7 @@ impl TestRig {
         };
         let within = |range: &Range<u32>, start: u32| range.start - start..range.end - start;
         Part {
-            region: Region {
+            region: ImageRegion {
                 columns: within(&self.region.columns, columns.start),
                 rows: within(&self.region.rows, rows.start),
             },
@@ -294,7 +294,7 @@ impl<'a> Scenery<'a> {
         unit: &Unit,
         item: u32,
         part: &Part,
-        work: Work<'_>,
+        work: RunControl<'_>,
     ) -> Result<Vec<ZDepth>, AccuracyError> {
         let count = work.effort.captures;
         if let Some((board, stereo_camera, left)) = &self.pair {
@@ -303,7 +303,7 @@ impl<'a> Scenery<'a> {
                 work.check()?;
                 let [left, right] =
                     stereo_camera.record([left, &right], &part.intrinsics, (frame.into(), item));
-                let pair = Pair::new(&left, &right).map_err(region_error)?;
+                let pair = RectifiedPair::new(&left, &right).map_err(region_error)?;
                 Ok(sensor.capture(Input::Pair(pair), &[])?.distance)
             });
             return captures.collect();
@@ -311,7 +311,7 @@ impl<'a> Scenery<'a> {
         let Some((depth, picture)) = &self.sight else {
             return Ok(Vec::new());
         };
-        let shot = Shot::new(depth.into());
+        let shot = DepthShot::new(depth.into());
         let mut shot = shot.with_rgb(picture.into()).unwrap_or(shot);
         let captures = (0..count).map(|frame| {
             work.check()?;
@@ -323,7 +323,7 @@ impl<'a> Scenery<'a> {
 }
 
 /// Converts the error of a rendered pair that cannot be matched.
-fn region_error(error: PairError) -> ParameterError {
+fn region_error(error: RectifiedPairError) -> ParameterError {
     ParameterError {
         name: "region".to_owned(),
         what: error.what,
@@ -342,12 +342,12 @@ struct Part {
     columns: Range<u32>,
     rows: Range<u32>,
     /// The measured region of the part.
-    region: Region,
+    region: ImageRegion,
 }
 
 impl Part {
     /// Returns the region and the intrinsics in the sensor's output image, which filters may have decimated.
-    fn in_image(&self, image: Option<&ZDepth>) -> (Region, Intrinsics) {
+    fn in_image(&self, image: Option<&ZDepth>) -> (ImageRegion, Intrinsics) {
         let own = self.intrinsics.size;
         let size = image.map_or(own, |image| ImageSize::new(image.0.width(), image.0.height()));
         if size == own {
@@ -358,7 +358,7 @@ impl Part {
             let narrow = |place: u64| u32::try_from(place).unwrap_or(u32::MAX);
             narrow(at(range.start))..narrow(at(range.end))
         };
-        let region = Region {
+        let region = ImageRegion {
             columns: scaled(&self.region.columns, size.width, own.width),
             rows: scaled(&self.region.rows, size.height, own.height),
         };

@@ -5,13 +5,13 @@ use super::*;
 use oaktwin_catalog::Catalog;
 use oaktwin_pipeline::sensor::{SINGLE_VIEW, STEREO_MATCHING, SensorOptions};
 
-fn bench(model: &str, options: &Options) -> Bench {
+fn bench(model: &str, options: &AccuracyOptions) -> Bench {
     let catalog = Catalog::builtin();
     let twin = catalog.nominal(catalog.device(model).unwrap());
     Bench::new(&twin, options).unwrap().0
 }
 
-fn measured(model: &str, options: &Options) -> Report {
+fn measured(model: &str, options: &AccuracyOptions) -> AccuracyReport {
     bench(model, options)
         .measure(None, &|_| ControlFlow::Continue(()))
         .unwrap()
@@ -42,13 +42,13 @@ fn r_squared_of(file: &str, engine: SensorOptions, optics: MeasuredOptics, from_
     let path = PathBuf::from(data).join("data/accuracy").join(file);
     let curve = measured::read(&path).unwrap();
     assert!(curve.is_absolute);
-    let options = Options {
+    let options = AccuracyOptions {
         engine,
         distances_m: Some(vec![3.0]),
         captures: 2,
         optics,
         from_m,
-        ..Options::default()
+        ..AccuracyOptions::default()
     };
     let measurement = bench("oak-d-pro-poe", &options)
         .measure(Some((&path, &curve)), &|_| ControlFlow::Continue(()))
@@ -97,10 +97,10 @@ fn agrees_with_the_vendors_measured_curve_at_480p() {
 #[test]
 fn the_median_device_is_within_the_bands() {
     for model in ["oak-d-pro-poe", "oak-d-pro-w-poe", "oak4-d", "oak4-d-wide"] {
-        let options = Options {
+        let options = AccuracyOptions {
             distances_m: Some(vec![0.7, 1.53, 3.07, 3.41, 3.96, 4.7, 6.4, 6.9, 7.97, 8.2, 8.9]),
             captures: 1,
-            ..Options::default()
+            ..AccuracyOptions::default()
         };
         let report = measured(model, &options);
         assert_eq!(report.devices, Devices::Population { count: 200 });
@@ -121,11 +121,11 @@ fn the_median_device_is_within_the_bands() {
 /// On its own, a bias of β px causes a relative error of z β / (f b), up to the disparity step of 1/32 px.
 #[test]
 fn bias_matches_the_closed_form() {
-    let options = Options {
+    let options = AccuracyOptions {
         engine: with_parameters(&[("bias", "-0.25"), ("pixelLocking", "0"), ("jitter", "0")]),
         distances_m: Some(vec![2.0, 5.0, 9.0]),
         captures: 2,
-        ..Options::default()
+        ..AccuracyOptions::default()
     };
     let report = measured("oak4-d", &options);
     for row in &report.distances {
@@ -143,12 +143,12 @@ fn bias_matches_the_closed_form() {
 /// Jitter appears as temporal noise and as plane-fit RMS in pixels.
 #[test]
 fn recovers_the_jitter() {
-    let options = Options {
+    let options = AccuracyOptions {
         engine: with_parameters(&[("bias", "0"), ("pixelLocking", "0"), ("jitter", "0.2")]),
         distances_m: Some(vec![4.0]),
         captures: 40,
         region: 0.1,
-        ..Options::default()
+        ..AccuracyOptions::default()
     };
     let report = measured("oak4-d", &options);
     let row = &report.distances[0];
@@ -166,13 +166,13 @@ fn recovers_the_jitter() {
 /// disparity.
 #[test]
 fn both_readings_of_the_time_of_flight_parameters() {
-    let options = Options {
+    let options = AccuracyOptions {
         distances_m: Some(vec![0.2, 5.0]),
         engine: SensorOptions {
             engine: Some((&SINGLE_VIEW).into()),
             ..SensorOptions::default()
         },
-        ..Options::default()
+        ..AccuracyOptions::default()
     };
     let report = measured("oak-d-tof", &options);
     assert_eq!(report.carries_depth, Some(true));
@@ -191,7 +191,7 @@ fn both_readings_of_the_time_of_flight_parameters() {
     assert!(near.invalid_if_recomputed.unwrap() < 1e-9);
     assert!((far.invalid_if_recomputed.unwrap() - 0.5).abs() < 0.1, "{far:?}");
 
-    let recomputed = Options {
+    let recomputed = AccuracyOptions {
         engine: SensorOptions {
             engine: Some((&SINGLE_VIEW).into()),
             ..with_parameters(&[("depth", "recomputed")])
@@ -206,10 +206,10 @@ fn both_readings_of_the_time_of_flight_parameters() {
 
 #[test]
 fn time_of_flight_is_within_its_bands() {
-    let options = Options {
+    let options = AccuracyOptions {
         distances_m: Some(vec![0.25, 1.0, 2.5, 5.0]),
         devices: Some(5),
-        ..Options::default()
+        ..AccuracyOptions::default()
     };
     let report = measured("oak-d-tof", &options);
     assert_eq!((&*report.engine, report.carries_depth), ("time-of-flight", None));
@@ -221,17 +221,20 @@ fn time_of_flight_is_within_its_bands() {
 
 #[test]
 fn selects_the_requested_devices() {
-    let devices = |options: &Options| bench("oak4-d", options).report.devices;
+    let devices = |options: &AccuracyOptions| bench("oak4-d", options).report.devices;
     let seeded = SensorOptions {
         device_seed: Some(7),
         ..SensorOptions::default()
     };
-    let with = |engine: SensorOptions, devices: Option<u32>| Options {
+    let with = |engine: SensorOptions, devices: Option<u32>| AccuracyOptions {
         engine,
         devices,
-        ..Options::default()
+        ..AccuracyOptions::default()
     };
-    assert_eq!(devices(&Options::default()), Devices::Population { count: 200 });
+    assert_eq!(
+        devices(&AccuracyOptions::default()),
+        Devices::Population { count: 200 }
+    );
     assert_eq!(
         devices(&with(SensorOptions::default(), Some(30))),
         Devices::Population { count: 30 }
@@ -249,11 +252,11 @@ fn selects_the_requested_devices() {
 
 #[test]
 fn result_does_not_depend_on_the_thread_count() {
-    let options = Options {
+    let options = AccuracyOptions {
         distances_m: Some(vec![1.0, 4.0]),
         devices: Some(5),
         captures: 2,
-        ..Options::default()
+        ..AccuracyOptions::default()
     };
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new()
@@ -269,10 +272,10 @@ fn result_does_not_depend_on_the_thread_count() {
 
 #[test]
 fn nothing_is_measured_at_close_range() {
-    let options = Options {
+    let options = AccuracyOptions {
         distances_m: Some(vec![0.2, 0.5]),
         devices: Some(3),
-        ..Options::default()
+        ..AccuracyOptions::default()
     };
     let report = measured("oak4-d", &options);
     assert!(
@@ -289,8 +292,8 @@ fn nothing_is_measured_at_close_range() {
 fn rejects_invalid_options() {
     let catalog = Catalog::builtin();
     let twin = catalog.nominal(catalog.device("oak-d-tof").unwrap());
-    let error = |change: &dyn Fn(&mut Options)| {
-        let mut options = Options::default();
+    let error = |change: &dyn Fn(&mut AccuracyOptions)| {
+        let mut options = AccuracyOptions::default();
         change(&mut options);
         Bench::new(&twin, &options).unwrap_err().to_string()
     };
@@ -300,9 +303,9 @@ fn rejects_invalid_options() {
     assert!(error(&|o| o.from_m = -1.0).contains("from"));
     assert!(error(&|o| o.distances_m = Some(vec![1.0, f64::NAN])).contains("NaN"));
     assert!(error(&|o| o.sensor = Some("steroe".to_owned())).contains("did you mean 'stereo'?"));
-    let stereo = Options {
+    let stereo = AccuracyOptions {
         sensor: Some("stereo".to_owned()),
-        ..Options::default()
+        ..AccuracyOptions::default()
     };
     assert_eq!(Bench::new(&twin, &stereo).unwrap().0.report.published, None);
 }
@@ -325,12 +328,12 @@ fn drift_has_the_errors_of_its_closed_forms() {
             ("baseline=750", (1.01, 0.0)),
             ("focalLength=10000", (1.01, 0.0)),
         ] {
-            let options = Options {
+            let options = AccuracyOptions {
                 engine: drifted(&engine, drift),
                 distances_m: Some(vec![2.0]),
                 devices: Some(1),
                 captures: 2,
-                ..Options::default()
+                ..AccuracyOptions::default()
             };
             let report = measured("oak-d-pro-poe", &options);
             // In units of the focal length, the disparity at 2 m is b/z.
@@ -350,12 +353,12 @@ fn drift_has_the_errors_of_its_closed_forms() {
 #[test]
 fn pitch_costs_density() {
     let fill = |engine: &SensorOptions, drift: &str| {
-        let options = Options {
+        let options = AccuracyOptions {
             engine: drifted(engine, drift),
             distances_m: Some(vec![2.0]),
             devices: Some(1),
             captures: 1,
-            ..Options::default()
+            ..AccuracyOptions::default()
         };
         measured("oak-d-pro-poe", &options).distances[0].reading.fill_rate
     };
@@ -371,13 +374,13 @@ fn pitch_costs_density() {
 #[test]
 fn a_population_has_a_range_that_grows_with_drift() {
     let range = |drift: &str| {
-        let options = Options {
+        let options = AccuracyOptions {
             engine: drifted(&SensorOptions::default(), drift),
             population: true,
             devices: Some(60),
             distances_m: Some(vec![1.0, 4.0]),
             captures: 1,
-            ..Options::default()
+            ..AccuracyOptions::default()
         };
         let report = measured("oak-d-pro-poe", &options);
         assert_eq!(report.devices, Devices::Factory { count: 60 });

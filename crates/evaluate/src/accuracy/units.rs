@@ -4,14 +4,14 @@ use std::sync::{Arc, OnceLock};
 
 use super::stereo_camera::StereoCamera;
 use super::test_rig::{TestRig, Unit};
-use super::{AccuracyError, DEVICES, Devices, MATCHING_DEVICES, Options};
-use crate::measure::Region;
+use super::{AccuracyError, AccuracyOptions, DEVICES, Devices, MATCHING_DEVICES};
+use crate::measure::ImageRegion;
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_base::parameter::Table;
 use oaktwin_calibration::population::Population;
 use oaktwin_camera::{Intrinsics, StereoDrift};
 use oaktwin_catalog::{Origin, Twin, TwinDepthSensor};
-use oaktwin_depth::random::{Numbers, Stage, Stream};
+use oaktwin_depth::random::{NoiseStage, Numbers, Stream};
 use oaktwin_pipeline::sensor::{EngineInput, ParameterError, SensorOptions, sensor};
 
 /// The units to measure, in front of the board.
@@ -26,7 +26,7 @@ pub(super) struct Prepared {
 pub(super) fn rigs(
     twin: &Twin,
     depth: &TwinDepthSensor,
-    options: &Options,
+    options: &AccuracyOptions,
     scale: f64,
 ) -> Result<Prepared, AccuracyError> {
     if options.population {
@@ -71,7 +71,7 @@ pub(super) fn rigs(
 fn population(
     twin: &Twin,
     depth: &TwinDepthSensor,
-    options: &Options,
+    options: &AccuracyOptions,
     scale: f64,
 ) -> Result<Prepared, AccuracyError> {
     if twin.origin != Origin::Nominal {
@@ -114,7 +114,8 @@ fn population(
 
 /// Draws the drift of a unit, whose components are normal with these standard deviations, cut at three.
 fn drawn(spread: &StereoDrift, seed: u64, number: u32) -> StereoDrift {
-    let mut numbers = Numbers::new(Stream::new(seed, "drift").plane(Stage::Population, number.into(), 0));
+    let mut numbers =
+        Numbers::new(Stream::new(seed, "drift").plane(NoiseStage::Population, number.into(), 0));
     let mut drift = StereoDrift::default();
     for row in StereoDrift::rows() {
         let deviation = (row.numbers)(spread).first().copied().unwrap_or_default();
@@ -167,7 +168,7 @@ pub(super) fn intrinsics(twin: &Twin, depth: &TwinDepthSensor) -> Result<Intrins
 fn rig(
     twin: &Twin,
     depth: &TwinDepthSensor,
-    options: &Options,
+    options: &AccuracyOptions,
     (units, first): (Vec<Unit>, u32),
     drift: StereoDrift,
     scale: f64,
@@ -189,6 +190,6 @@ fn rig(
         units,
         first,
         random: Stream::new(options.engine.seed, &depth.spec.prim),
-        region: Region::centred(intrinsics.size.width, intrinsics.size.height, options.region),
+        region: ImageRegion::centred(intrinsics.size.width, intrinsics.size.height, options.region),
     })
 }

@@ -1,13 +1,13 @@
 use oaktwin_depth::stereo_noise::Subpixel;
 
 use super::test_rig::TestRig;
-use super::{CAPTURES, Options};
+use super::{AccuracyOptions, CAPTURES};
 use oaktwin_catalog::DepthKind;
 
 /// Lists the ways in which the measurement deviates from the vendor's protocol.
 pub(super) fn protocol_deviations(
     rig: &TestRig,
-    options: &Options,
+    options: &AccuracyOptions,
     kind: DepthKind,
     own_width_px: Option<u32>,
 ) -> Vec<String> {

@@ -5,7 +5,7 @@ use oaktwin_pipeline::progress::{Progress, Watch};
 use oaktwin_pipeline::render::Renderer;
 use oaktwin_scene::Scene;
 
-use super::look::{Look, look};
+use super::assessment::{CandidateOutcomes, assess_points};
 use super::report::{
     CandidateCoverage, Coverage, Occluder, OwnRobot, PointOutcomes, SampledRegion, Selected, Shares,
 };
@@ -31,7 +31,7 @@ const MAX_OCCLUDERS: usize = 5;
 
 /// The settings of a measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
+pub struct CoverageOptions {
     /// The number of points on the surface, up to [`MAX_SAMPLES`].
     pub samples: u32,
     /// The largest error of a point that counts as measured; `None` for any.
@@ -40,7 +40,7 @@ pub struct Options {
     pub keeps_points: bool,
 }
 
-impl Default for Options {
+impl Default for CoverageOptions {
     fn default() -> Self {
         Self {
             samples: SAMPLES,
@@ -50,7 +50,7 @@ impl Default for Options {
     }
 }
 
-impl Options {
+impl CoverageOptions {
     pub(super) fn check(&self, candidates: usize) -> Result<(), CoverageError> {
         let wrong = |option, what: String| Err(message![opt(option), format!(": {what}")].into());
         if self.samples == 0 || self.samples > MAX_SAMPLES {
@@ -102,7 +102,7 @@ pub fn measure(
     renderer: &Renderer,
     region: &Region,
     candidates: &[Candidate<'_>],
-    options: &Options,
+    options: &CoverageOptions,
     watch: &Watch<'_>,
 ) -> Result<Coverage, CoverageError> {
     options.check(candidates.len())?;
@@ -115,11 +115,11 @@ pub fn measure(
             is_interrupted = true;
             break;
         }
-        let mut seen = look(renderer, candidate, &samples.points)?;
+        let mut assessed = assess_points(renderer, candidate, &samples.points)?;
         if let Some(tolerance) = options.tolerance_mm {
-            seen.reject_errors_above(tolerance * 1e-3);
+            assessed.reject_errors_above(tolerance * 1e-3);
         }
-        tally.add(renderer.scene(), candidate, seen, None);
+        tally.add(renderer.scene(), candidate, assessed, None);
     }
     if !is_interrupted {
         // Nothing is left to be interrupted.
@@ -160,13 +160,13 @@ impl Tally {
         &mut self,
         scene: &Scene,
         candidate: &Candidate<'_>,
-        look: Look,
+        assessed: CandidateOutcomes,
         own_robot: Option<OwnRobot>,
     ) {
-        for (best, outcome) in self.best.iter_mut().zip(&look.outcomes) {
+        for (best, outcome) in self.best.iter_mut().zip(&assessed.outcomes) {
             *best = (*best).min(*outcome);
         }
-        for ((sum, number), error) in self.errors.iter_mut().zip(&look.errors_m) {
+        for ((sum, number), error) in self.errors.iter_mut().zip(&assessed.errors_m) {
             if !error.is_nan() {
                 *sum += f64::from(*error);
                 *number += 1;
@@ -183,15 +183,18 @@ impl Tally {
             orientation: pose.quaternion().to_array(),
             height_m: pose.translation.dot(up),
             tilt_deg: (-axis.dot(up)).clamp(-1.0, 1.0).asin().to_degrees(),
-            shares: Shares::new(&look.outcomes, look.errors_m.iter().copied().map(f64::from)),
-            occluders: occluders(scene, &look.occluders, look.outcomes.len()),
+            shares: Shares::new(
+                &assessed.outcomes,
+                assessed.errors_m.iter().copied().map(f64::from),
+            ),
+            occluders: occluders(scene, &assessed.occluders, assessed.outcomes.len()),
             own_robot,
         });
-        self.measured.push(Bits::new(&look.outcomes));
-        add_new(&mut self.findings, look.findings);
+        self.measured.push(Bits::new(&assessed.outcomes));
+        add_new(&mut self.findings, assessed.findings);
         if self.keeps_points {
-            self.outcomes.push(look.outcomes);
-            self.errors_m.push(look.errors_m);
+            self.outcomes.push(assessed.outcomes);
+            self.errors_m.push(assessed.errors_m);
         }
     }
 

@@ -2,12 +2,12 @@
 //!
 //! Points are distributed evenly over the surface of a [`Region`] of a scene. For each [`Candidate`], an OAK at a pose, the depth
 //! sensor's image is simulated, and a ray decides whether a point is visible. The shares of the points that are seen and measured,
-//! the errors of the measurements and the [reasons](Reason) of the losses rank the candidates.
+//! the errors of the measurements and the [reasons](OutcomeRow) of the losses rank the candidates.
 //!
 //! ```
 //! use oaktwin_camera::math::DVec3;
 //! use oaktwin_catalog::Catalog;
-//! use oaktwin_evaluate::coverage::{self, Candidate, MeasuringRig, Options, Region};
+//! use oaktwin_evaluate::coverage::{self, Candidate, MeasuringRig, CoverageOptions, Region};
 //! use oaktwin_pipeline::render::{Renderer, RigSpec, look_at};
 //! use oaktwin_scene::{Instance, Scene, shape};
 //! use std::ops::ControlFlow;
@@ -31,17 +31,17 @@
 //! let region = Region { objects: vec!["/World/Plate".to_owned()], ..Region::default() };
 //! let renderer = Renderer::new(scene);
 //! let go_on = |_| ControlFlow::Continue(());
-//! let coverage = coverage::measure(&renderer, &region, &[aside, ahead], &Options::default(), &go_on)?;
+//! let coverage = coverage::measure(&renderer, &region, &[aside, ahead], &CoverageOptions::default(), &go_on)?;
 //! assert_eq!(coverage.ranking, [1, 0]);
 //! assert_eq!(coverage.candidates[1].shares.seen, 1.0);
 //! assert_eq!(coverage.candidates[0].shares.lost["outside_view"], 1.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod assessment;
 mod clip;
 mod error;
 mod lights;
-mod look;
 mod measure;
 mod motion;
 mod motion_picture;
@@ -62,12 +62,12 @@ mod vantage;
 
 pub use error::CoverageError;
 pub use lights::{InLight, InLights, LIGHTS};
-pub use measure::{MAX_CANDIDATES, MAX_SAMPLES, Options, SAMPLES, measure};
+pub use measure::{CoverageOptions, MAX_CANDIDATES, MAX_SAMPLES, SAMPLES, measure};
 pub use motion::{Carrier, MotionCoverage, MountCoverage, measure_motion};
-pub use outcome::{Outcome, Reason, reasons};
+pub use outcome::{Outcome, OutcomeRow, reasons};
 pub use patches::{MAX_TRIANGLES, PATCHES, Patches};
 pub use picture::picture;
-pub use placement::{Base, Placement, Sweep};
+pub use placement::{Base, Placement, PlacementSweep};
 pub use region::Region;
 pub use report::{
     CandidateCoverage, Coverage, Occluder, OwnRobot, PointOutcomes, SampledRegion, Selected, Shares,

@@ -9,10 +9,10 @@ use oaktwin_pipeline::render::{Backend, Renderer};
 use oaktwin_robot::PlacedRobot;
 use serde::Serialize;
 
-use super::look::{Look, look};
+use super::assessment::{CandidateOutcomes, assess_points};
 use super::measure::{Tally, ranking};
 use super::report::{OwnRobot, SampledRegion, Selected};
-use super::{Candidate, CandidateCoverage, CoverageError, Options, Region, Samples, Shares};
+use super::{Candidate, CandidateCoverage, CoverageError, CoverageOptions, Region, Samples, Shares};
 
 /// A robot that moves through postures, and may carry an OAK.
 #[derive(Clone, Copy, Debug)]
@@ -109,15 +109,20 @@ impl Carrier<'_> {
     }
 
     /// Returns what a candidate sees of the robot, and does not see because of it.
-    fn own_robot(&self, renderer: &Renderer, candidate: &Candidate<'_>, seen: &Look) -> OwnRobot {
+    fn own_robot(
+        &self,
+        renderer: &Renderer,
+        candidate: &Candidate<'_>,
+        assessed: &CandidateOutcomes,
+    ) -> OwnRobot {
         let (share, links) = self.own_links(renderer, candidate);
-        let hidden = seen.occluders.iter();
+        let hidden = assessed.occluders.iter();
         let hidden = hidden.filter(|&(&instance, _)| self.robot.link_of(instance as usize).is_some());
         let hidden: u32 = hidden.map(|(_, &count)| count).sum();
         OwnRobot {
             share,
             links,
-            hides: f64::from(hidden) / seen.outcomes.len().max(1) as f64,
+            hides: f64::from(hidden) / assessed.outcomes.len().max(1) as f64,
         }
     }
 }
@@ -132,7 +137,7 @@ pub fn measure_motion(
     region: &Region,
     carrier: &Carrier<'_>,
     mounts: &[Candidate<'_>],
-    options: &Options,
+    options: &CoverageOptions,
     watch: &Watch<'_>,
 ) -> Result<MotionCoverage, CoverageError> {
     let count = mounts.len().saturating_mul(carrier.postures.len());
@@ -154,12 +159,12 @@ pub fn measure_motion(
                 break 'postures;
             }
             let candidate = carrier.carried(&links, posture, mount);
-            let mut seen = look(renderer, &candidate, &samples.points)?;
+            let mut assessed = assess_points(renderer, &candidate, &samples.points)?;
             if let Some(tolerance) = options.tolerance_mm {
-                seen.reject_errors_above(tolerance * 1e-3);
+                assessed.reject_errors_above(tolerance * 1e-3);
             }
-            let own = carrier.own_robot(renderer, &candidate, &seen);
-            tally.add(renderer.scene(), &candidate, seen, Some(own));
+            let own = carrier.own_robot(renderer, &candidate, &assessed);
+            tally.add(renderer.scene(), &candidate, assessed, Some(own));
             done += 1;
         }
     }

@@ -10,7 +10,7 @@ pub struct Outcome(pub u8);
 
 /// A row of the table of outcomes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Reason {
+pub struct OutcomeRow {
     /// The code.
     pub code: u8,
     /// The name in reports.
@@ -54,27 +54,27 @@ const OWN: [(Outcome, &str, &str); 7] = [
     ),
 ];
 
-static REASONS: LazyLock<Vec<Reason>> = LazyLock::new(|| {
-    let own = OWN.map(|(Outcome(code), name, doc)| Reason {
+static REASONS: LazyLock<Vec<OutcomeRow>> = LazyLock::new(|| {
+    let own = OWN.map(|(Outcome(code), name, doc)| OutcomeRow {
         code,
         name: name.to_owned(),
         doc: doc.to_owned(),
     });
     // The reasons of the sensor's pixels have their own codes.
-    let of_pixels = reason::legend().into_iter().map(|(code, label)| Reason {
+    let of_pixels = reason::legend().into_iter().map(|(code, label)| OutcomeRow {
         code,
         name: label.name,
         doc: label.documentation,
     });
-    let is_lost = |reason: &Reason| reason.code != Outcome::MEASURED.0;
-    let mut reasons: Vec<Reason> = own.into_iter().chain(of_pixels.filter(is_lost)).collect();
+    let is_lost = |reason: &OutcomeRow| reason.code != Outcome::MEASURED.0;
+    let mut reasons: Vec<OutcomeRow> = own.into_iter().chain(of_pixels.filter(is_lost)).collect();
     reasons.sort_by_key(|reason| reason.code);
     reasons
 });
 
 /// Returns the outcomes in the order of their codes; the first means that the point is measured.
 #[must_use]
-pub fn reasons() -> &'static [Reason] {
+pub fn reasons() -> &'static [OutcomeRow] {
     &REASONS
 }
 

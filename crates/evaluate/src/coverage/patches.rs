@@ -4,7 +4,7 @@ use oaktwin_base::diagnostic::{message, opt};
 use oaktwin_camera::math::DVec3;
 use oaktwin_pipeline::render::Renderer;
 
-use super::look::look;
+use super::assessment::assess_points;
 use super::surface::{Part, parts};
 use super::{Candidate, CoverageError, Outcome, Region, SurfacePoint};
 
@@ -53,11 +53,11 @@ impl Patches {
                     .map(|&[a, b, c]| SurfacePoint::new(scene, place, part.corners, (a + b + c) / 3.0)),
             );
         }
-        let seen = look(renderer, candidate, &points)?;
+        let assessed = assess_points(renderer, candidate, &points)?;
         Ok(Self {
             corners,
-            outcomes: seen.outcomes,
-            errors_m: seen.errors_m,
+            outcomes: assessed.outcomes,
+            errors_m: assessed.errors_m,
         })
     }
 }

@@ -5,11 +5,11 @@ use oaktwin_camera::{Camera, ImageSize, PixelPoint, Usd};
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_image::contact_sheet::{GAP, INK, PAPER, paste};
-use oaktwin_image::text::{self, Style};
+use oaktwin_image::text::{self, TextStyle};
 use oaktwin_pipeline::render::{AnnotateOptions, Backend, Renderer, View};
 use oaktwin_render::Hit;
 
-use super::look::look;
+use super::assessment::assess_points;
 use super::vantage::vantage;
 use super::{Candidate, CoverageError, Outcome, Region, Samples, Shares, SurfacePoint, reasons};
 
@@ -50,7 +50,7 @@ pub fn picture(
     let samples = Samples::new(renderer.scene(), region, VIEW_SAMPLES)?;
     let members = region.instances(renderer.scene())?;
     let own = own_view(candidate);
-    let outcomes = look(renderer, candidate, &samples.points)?.outcomes;
+    let outcomes = assess_points(renderer, candidate, &samples.points)?.outcomes;
     let outside = vantage(
         renderer,
         &samples.points,
@@ -116,7 +116,7 @@ fn painted(
             points.push(point);
         }
     }
-    let outcomes = look(renderer, candidate, &points)?.outcomes;
+    let outcomes = assess_points(renderer, candidate, &points)?.outcomes;
     let mut image = frame.rgb.map_or_else(
         || Image::filled(seen.hits.width(), seen.hits.height(), PAPER),
         |rgb| rgb.map(|pixel| [grey(*pixel, 0.5); 3]),
@@ -289,7 +289,7 @@ pub(super) fn sheet(
     let first = GAP + 2 * line;
     let bottom = first + HEIGHT + GAP;
     let mut sheet = Image::filled(width, bottom + line + GAP, PAPER);
-    let style = Style {
+    let style = TextStyle {
         height: TEXT as f32,
         color: INK,
     };

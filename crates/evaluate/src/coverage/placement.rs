@@ -27,7 +27,7 @@ pub enum Base {
 
 /// A sweep: every combination of a pose, a height and a tilt.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Sweep {
+pub struct PlacementSweep {
     /// The heights along the scene's up axis in metres; if empty, the heights of the poses.
     pub heights_m: Vec<f64>,
     /// The angles in degrees by which the body's x axis points below the horizontal; they keep its heading and remove its roll. If
@@ -44,7 +44,7 @@ pub struct Placement {
     pub world_from_body: RigidTransform,
 }
 
-impl Sweep {
+impl PlacementSweep {
     /// Creates a sweep from lists of numbers and ranges `FROM:TO:STEP`, separated by commas.
     ///
     /// # Errors

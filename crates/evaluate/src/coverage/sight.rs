@@ -18,7 +18,7 @@ pub(super) struct Sight {
 }
 
 /// The line of sight to a point inside the image.
-pub(super) struct Line {
+pub(super) struct SightLine {
     ray: Ray,
     pub(super) point_in_camera: DVec3,
     pub(super) pixel: (u32, u32),
@@ -26,7 +26,7 @@ pub(super) struct Line {
     pub(super) obstacle: Option<Hit>,
 }
 
-impl Line {
+impl SightLine {
     /// The unit direction towards the camera.
     pub(super) fn backwards(&self) -> DVec3 {
         -self.ray.direction.normalize_or_zero()
@@ -42,8 +42,8 @@ impl Sight {
     }
 
     /// Returns the line of sight to each point; `None` for points outside the view.
-    pub(super) fn lines(&self, renderer: &Renderer, points: &[SurfacePoint]) -> Vec<Option<Line>> {
-        let mut lines: Vec<Option<Line>> = points.par_iter().map(|point| self.line(point)).collect();
+    pub(super) fn lines(&self, renderer: &Renderer, points: &[SurfacePoint]) -> Vec<Option<SightLine>> {
+        let mut lines: Vec<Option<SightLine>> = points.par_iter().map(|point| self.line(point)).collect();
         let rays: Vec<Ray> = lines.iter().flatten().map(|line| line.ray).collect();
         let mut hits = renderer.cast_rays(&rays).into_iter();
         for (line, point) in lines.iter_mut().zip(points) {
@@ -58,7 +58,7 @@ impl Sight {
     }
 
     /// Returns the line of sight to a point as if nothing hid it.
-    fn line(&self, point: &SurfacePoint) -> Option<Line> {
+    fn line(&self, point: &SurfacePoint) -> Option<SightLine> {
         let camera = &self.view.camera;
         let point_in_camera = self.camera_from_world.transform_point3(point.position);
         let at = camera.project(point_in_camera)?.to::<Usd>();
@@ -81,7 +81,7 @@ impl Sight {
             reason = "inside the image"
         )]
         let pixel = (at.x as u32, at.y as u32);
-        Some(Line {
+        Some(SightLine {
             ray: Ray {
                 origin,
                 direction: point.position - origin,

@@ -9,8 +9,8 @@ use plotters::prelude::{
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, RGBColor, ShapeStyle, TextStyle, WHITE};
 
-use super::clip::{Frame, runs};
-use super::{Figure, FigureError, Layer, Shape};
+use super::clip::{AxisRanges, runs};
+use super::{Figure, FigureError, FigureLayer, FigureShape};
 
 const INK: RGBColor = RGBColor(30, 33, 38);
 const PALE_INK: RGBColor = RGBColor(95, 100, 108);
@@ -112,7 +112,7 @@ impl<DB: DrawingBackend> Page<'_, DB> {
     }
 
     fn plot(&self, figure: &Figure, top: u32) -> Result<(), FigureError> {
-        let frame = Frame::of(figure);
+        let frame = AxisRanges::of(figure);
         let mut chart = ChartBuilder::on(self.area)
             .margin_top(self.units(top))
             .margin_right(self.units(RIGHT))
@@ -145,10 +145,15 @@ impl<DB: DrawingBackend> Page<'_, DB> {
         Ok(())
     }
 
-    fn layer(&self, chart: &mut Chart<'_, DB>, frame: Frame, layer: &Layer) -> Result<(), FigureError> {
+    fn layer(
+        &self,
+        chart: &mut Chart<'_, DB>,
+        frame: AxisRanges,
+        layer: &FigureLayer,
+    ) -> Result<(), FigureError> {
         let color = color(layer);
         match &layer.shape {
-            Shape::Steps(steps) => {
+            FigureShape::Steps(steps) => {
                 for &[from, to, low, high] in steps {
                     let corners = vec![[from, low], [from, high], [to, high], [to, low]];
                     fill(chart, frame, corners, color.mix(STEP_OPACITY))?;
@@ -159,19 +164,19 @@ impl<DB: DrawingBackend> Page<'_, DB> {
                     }
                 }
             }
-            Shape::Area(points) => {
+            FigureShape::Area(points) => {
                 for run in runs(points) {
                     let there = run.iter().map(|&[x, _, high]| [x, high]);
                     let back = run.iter().rev().map(|&[x, low, _]| [x, low]);
                     fill(chart, frame, there.chain(back).collect(), color.mix(AREA_OPACITY))?;
                 }
             }
-            Shape::Line(points) => {
+            FigureShape::Line(points) => {
                 for run in runs(points) {
                     stroke(chart, frame, run, color.stroke_width(self.tenths(LINE)))?;
                 }
             }
-            Shape::Dots(points) => {
+            FigureShape::Dots(points) => {
                 let dots = points.iter().filter(|point| frame.contains(**point));
                 let radius = self.tenths(DOT);
                 let dots = dots.map(|&[x, y]| Circle::new((x, y), radius, color.filled()));
@@ -182,10 +187,10 @@ impl<DB: DrawingBackend> Page<'_, DB> {
     }
 
     /// Returns the entries of the legend, in rows that fit the width.
-    fn legend_rows<'f>(&self, figure: &'f Figure) -> Result<Vec<Vec<(&'f Layer, u32)>>, FigureError> {
+    fn legend_rows<'f>(&self, figure: &'f Figure) -> Result<Vec<Vec<(&'f FigureLayer, u32)>>, FigureError> {
         let (width, _) = self.area.dim_in_pixel();
         let available = width / self.scale - LEFT;
-        let mut rows: Vec<Vec<(&Layer, u32)>> = Vec::new();
+        let mut rows: Vec<Vec<(&FigureLayer, u32)>> = Vec::new();
         let mut used = 0;
         for layer in figure.layers.iter().filter(|layer| !layer.label.is_empty()) {
             let style = self.style(TEXT, INK);
@@ -207,7 +212,7 @@ impl<DB: DrawingBackend> Page<'_, DB> {
         Ok(rows)
     }
 
-    fn legend_row(&self, row: &[(&Layer, u32)], y: u32) -> Result<(), FigureError> {
+    fn legend_row(&self, row: &[(&FigureLayer, u32)], y: u32) -> Result<(), FigureError> {
         for (layer, offset) in row {
             let x = LEFT + offset;
             self.sample(layer, [x, y])?;
@@ -217,7 +222,7 @@ impl<DB: DrawingBackend> Page<'_, DB> {
     }
 
     /// Draws a sample of a layer's style, 30 px long.
-    fn sample(&self, layer: &Layer, [x, y]: [u32; 2]) -> Result<(), FigureError> {
+    fn sample(&self, layer: &FigureLayer, [x, y]: [u32; 2]) -> Result<(), FigureError> {
         let color = color(layer);
         let at = |dx: u32, dy: i32| (self.units(x + dx), self.units(y) + dy * self.units(1));
         let bar = |opacity: f64| Rectangle::new([at(0, -6), at(SAMPLE, 6)], color.mix(opacity).filled());
@@ -228,13 +233,13 @@ impl<DB: DrawingBackend> Page<'_, DB> {
             )
         };
         match layer.shape {
-            Shape::Steps(_) => {
+            FigureShape::Steps(_) => {
                 self.area.draw(&bar(STEP_OPACITY)).map_err(failed)?;
                 self.area.draw(&line(-6, EDGE)).map_err(failed)
             }
-            Shape::Area(_) => self.area.draw(&bar(AREA_OPACITY)).map_err(failed),
-            Shape::Line(_) => self.area.draw(&line(0, LINE)).map_err(failed),
-            Shape::Dots(_) => [5, 15, 25].into_iter().try_for_each(|dx| {
+            FigureShape::Area(_) => self.area.draw(&bar(AREA_OPACITY)).map_err(failed),
+            FigureShape::Line(_) => self.area.draw(&line(0, LINE)).map_err(failed),
+            FigureShape::Dots(_) => [5, 15, 25].into_iter().try_for_each(|dx| {
                 let dot = Circle::new(at(dx, 0), self.tenths(DOT), color.filled());
                 self.area.draw(&dot).map_err(failed)
             }),
@@ -242,14 +247,14 @@ impl<DB: DrawingBackend> Page<'_, DB> {
     }
 }
 
-fn color(layer: &Layer) -> RGBColor {
+fn color(layer: &FigureLayer) -> RGBColor {
     let [r, g, b] = layer.color;
     RGBColor(r, g, b)
 }
 
 fn fill<DB: DrawingBackend>(
     chart: &mut Chart<'_, DB>,
-    frame: Frame,
+    frame: AxisRanges,
     corners: Vec<[f64; 2]>,
     color: plotters::style::RGBAColor,
 ) -> Result<(), FigureError> {
@@ -266,7 +271,7 @@ fn fill<DB: DrawingBackend>(
 
 fn stroke<DB: DrawingBackend>(
     chart: &mut Chart<'_, DB>,
-    frame: Frame,
+    frame: AxisRanges,
     points: &[[f64; 2]],
     style: ShapeStyle,
 ) -> Result<(), FigureError> {

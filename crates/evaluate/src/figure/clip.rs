@@ -6,12 +6,12 @@ type Point = [f64; 2];
 
 /// The ranges of a figure's axes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
+pub(super) struct AxisRanges {
     pub(super) low: Point,
     pub(super) high: Point,
 }
 
-impl Frame {
+impl AxisRanges {
     /// Returns the ranges of a figure; one that is empty or not finite gets a length of 1.
     pub(super) fn of(figure: &Figure) -> Self {
         let [x, y] = [&figure.x, &figure.y].map(|axis| {

@@ -1,8 +1,8 @@
-use super::clip::{Frame, runs};
-use super::{Axis, Figure, Layer, Shape, image, svg};
+use super::clip::{AxisRanges, runs};
+use super::{Figure, FigureAxis, FigureLayer, FigureShape, image, svg};
 
-fn figure(title: &str, shape: Shape) -> Figure {
-    let axis = |label: &str| Axis {
+fn figure(title: &str, shape: FigureShape) -> Figure {
+    let axis = |label: &str| FigureAxis {
         label: label.to_owned(),
         range: [0.0, 1.0],
     };
@@ -11,7 +11,7 @@ fn figure(title: &str, shape: Shape) -> Figure {
         subtitle: String::new(),
         x: axis("x"),
         y: axis("y"),
-        layers: vec![Layer {
+        layers: vec![FigureLayer {
             label: "layer".to_owned(),
             color: [200, 30, 30],
             shape,
@@ -21,7 +21,7 @@ fn figure(title: &str, shape: Shape) -> Figure {
 
 #[test]
 fn escapes_text() {
-    let svg = svg(&[figure("<4 m & more\u{1}", Shape::Line(Vec::new()))]).unwrap();
+    let svg = svg(&[figure("<4 m & more\u{1}", FigureShape::Line(Vec::new()))]).unwrap();
     assert!(svg.contains("&lt;4 m &amp; more"), "{svg}");
     assert!(!svg.contains('\u{1}') && svg.trim_end().ends_with("</svg>"));
     assert!(svg.starts_with("<svg width=\"960\" height=\"560\""), "{svg}");
@@ -29,8 +29,8 @@ fn escapes_text() {
 
 #[test]
 fn stacks_figures_and_draws_the_same_bytes_twice() {
-    let one = figure("upper", Shape::Line(vec![[0.0, 0.0], [1.0, 1.0]]));
-    let two = figure("lower", Shape::Dots(vec![[0.5, 0.5]]));
+    let one = figure("upper", FigureShape::Line(vec![[0.0, 0.0], [1.0, 1.0]]));
+    let two = figure("lower", FigureShape::Dots(vec![[0.5, 0.5]]));
     let both = [one.clone(), two];
     let text = svg(&both).unwrap();
     assert!(text.contains("upper") && text.contains("lower") && text.contains("height=\"1120\""));
@@ -48,10 +48,10 @@ fn stacks_figures_and_draws_the_same_bytes_twice() {
 fn skips_values_that_are_not_finite_and_clips_the_rest() {
     let wild = vec![[f64::NAN, 0.5], [0.5, f64::INFINITY], [1e300, -1e300], [0.1, 0.2]];
     for shape in [
-        Shape::Line(wild.clone()),
-        Shape::Dots(wild),
-        Shape::Area(vec![[0.0, 0.1, f64::NAN], [0.5, 0.1, 0.2]]),
-        Shape::Steps(vec![[0.0, 1e300, 0.0, 0.5]]),
+        FigureShape::Line(wild.clone()),
+        FigureShape::Dots(wild),
+        FigureShape::Area(vec![[0.0, 0.1, f64::NAN], [0.5, 0.1, 0.2]]),
+        FigureShape::Steps(vec![[0.0, 1e300, 0.0, 0.5]]),
     ] {
         let figure = figure("", shape);
         let svg = svg(std::slice::from_ref(&figure)).unwrap();
@@ -64,7 +64,7 @@ fn skips_values_that_are_not_finite_and_clips_the_rest() {
             .count();
         assert!(red > 0);
     }
-    let mut flat = figure("", Shape::Line(vec![[0.0, 0.0], [1.0, 1.0]]));
+    let mut flat = figure("", FigureShape::Line(vec![[0.0, 0.0], [1.0, 1.0]]));
     flat.y.range = [1.0, 1.0];
     assert!(!svg(&[flat.clone()]).unwrap().contains("NaN"));
     flat.y.range = [f64::NAN, 1.0];
@@ -73,7 +73,7 @@ fn skips_values_that_are_not_finite_and_clips_the_rest() {
 
 #[test]
 fn clips_lines_and_polygons_to_the_axes() {
-    let frame = Frame::of(&figure("", Shape::Line(Vec::new())));
+    let frame = AxisRanges::of(&figure("", FigureShape::Line(Vec::new())));
     let pieces = frame.line(&[[-1.0, 0.5], [0.5, 0.5], [0.5, 2.0], [0.75, 2.0], [0.75, 0.0]]);
     assert_eq!(
         pieces,

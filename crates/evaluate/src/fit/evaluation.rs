@@ -9,23 +9,23 @@ use rayon::prelude::*;
 use super::method::{Fitted, Method};
 use super::point::{OfTarget, Point};
 use super::recording::TargetRecording;
-use super::report::{Curve, FittedPoint};
-use super::target::{self, Look, Observation};
-use super::work::Work;
+use super::report::{FitQuality, FittedPoint};
+use super::state::FitState;
+use super::target::{self, EvaluationSettings, Observation};
 use super::{FitError, findings, points};
 use oaktwin_base::diagnostic::{message, opt};
 use oaktwin_pipeline::progress::{Progress, Watch};
 
-impl Work<'_> {
+impl FitState<'_> {
     /// Evaluates all images: the noise, the targets, and the errors where the true distance is known.
-    pub(super) fn look(
+    pub(super) fn evaluate(
         &mut self,
         recordings: &[TargetRecording],
         method: &mut dyn Method,
         watch: &Watch<'_>,
     ) -> Result<Vec<OfTarget>, FitError> {
         let (focal_length_px, width_px) = method.focal_length_px();
-        let look = Look {
+        let settings = EvaluationSettings {
             error_domain: method.error_domain(),
             step: method.step(),
             focal_of_width: focal_length_px / f64::from(width_px),
@@ -34,36 +34,36 @@ impl Work<'_> {
             is_truncated: method.is_truncated(),
         };
         let (done, total) = (AtomicU64::new(0), recordings.len() as u64);
-        let look_at = |recording| {
-            let seen = target::look(recording, &look)?;
+        let observe = |recording| {
+            let observations = target::observe(recording, &settings)?;
             let done = done.fetch_add(1, Ordering::Relaxed) + 1;
             match watch(Progress { done, total }) {
-                ControlFlow::Continue(()) => Ok(seen),
+                ControlFlow::Continue(()) => Ok(observations),
                 ControlFlow::Break(()) => Err(FitError::Interrupted),
             }
         };
-        let seen: Vec<Observation> = recordings
+        let observations: Vec<Observation> = recordings
             .par_iter()
-            .map(look_at)
+            .map(observe)
             .collect::<Result<_, FitError>>()?;
-        points::of_one_size(&seen, recordings)?;
-        findings::of_targets(&seen, look.error_domain, &mut self.findings);
-        if seen.iter().all(|one| one.values() == 0) {
+        points::of_one_size(&observations, recordings)?;
+        findings::of_targets(&observations, settings.error_domain, &mut self.findings);
+        if observations.iter().all(|one| one.values() == 0) {
             return Err(FitError::Option(message![
                 self.report.sources.join(", "),
                 ": the centre of every image is invalid; record again, or increase ",
                 opt("region")
             ]));
         }
-        method.noise(&seen, self);
+        method.noise(&observations, self);
         self.keep_determined();
-        let tilts = points::tilts(&seen, method, &mut self.findings)?;
+        let tilts = points::tilts(&observations, method, &mut self.findings)?;
         self.report.tilt_deg = tilts.common_deg();
-        self.report.targets = seen
+        self.report.targets = observations
             .iter()
             .map(|one| points::target(one, &tilts, method))
             .collect();
-        Ok(points::of_targets(&seen, &tilts, method))
+        Ok(points::of_targets(&observations, &tilts, method))
     }
 
     /// Fits the systematic error to the points.
@@ -103,7 +103,7 @@ impl Work<'_> {
     }
 
     /// Returns the quality of the curve; `None` if its residuals are no numbers.
-    fn goodness(&self, found: &dyn Fitted) -> Option<Curve> {
+    fn goodness(&self, found: &dyn Fitted) -> Option<FitQuality> {
         let used: Vec<&FittedPoint> = self.report.points.iter().filter(|point| point.is_used).collect();
         let rms = |of: &dyn Fn(&FittedPoint) -> f64| {
             (used.iter().map(|point| of(point).powi(2)).sum::<f64>() / used.len() as f64).sqrt()
@@ -113,7 +113,7 @@ impl Work<'_> {
             .filter_map(|point| Some([point.error_percent, point.fitted_percent?]))
             .collect();
         let (solution, is_known) = found.solution();
-        let curve = Curve {
+        let curve = FitQuality {
             points: used.len(),
             rms: rms(&|point| point.error - point.fitted.unwrap_or(f64::NAN)),
             rms_percent: rms(&|point| point.error_percent - point.fitted_percent.unwrap_or(f64::NAN)),

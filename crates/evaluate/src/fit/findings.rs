@@ -10,7 +10,11 @@ const MIN_FILL_RATE: f64 = 0.5;
 /// The share of mismatches above which a target is reported.
 const MAX_MISMATCH_RATE: f64 = 0.05;
 
-pub(super) fn of_targets(seen: &[Observation], error_domain: ErrorDomain, findings: &mut Vec<Finding>) {
+pub(super) fn of_targets(
+    observations: &[Observation],
+    error_domain: ErrorDomain,
+    findings: &mut Vec<Finding>,
+) {
     let [brighter, filled] = match error_domain {
         ErrorDomain::Disparity { .. } => [
             "give the target more texture, or the region another size",
@@ -21,7 +25,7 @@ pub(super) fn of_targets(seen: &[Observation], error_domain: ErrorDomain, findin
             "does the target fill the region? in low light, phases are unwrapped to wrong periods",
         ],
     };
-    for one in seen {
+    for one in observations {
         let mut add = |code, message: String, remedy| {
             findings.push(Finding::new(code, Level::Warning, &one.name, message, remedy));
         };

@@ -5,9 +5,9 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-use oaktwin_depth::Shot;
+use oaktwin_depth::DepthShot;
 
-use super::{Options, Report, TABLE, fit};
+use super::{FitOptions, FitReport, TABLE, fit};
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::ImageSize;
 use oaktwin_catalog::{Catalog, Twin};
@@ -36,13 +36,13 @@ pub(super) fn record(
     folder: &Path,
     boards: impl IntoIterator<Item = (Image<f32>, f64)>,
     frames: u64,
-    sense: impl Fn(&Shot<'_>) -> ZDepth,
+    sense: impl Fn(&DepthShot<'_>) -> ZDepth,
 ) {
     let mut table = "file,distance_m\n".to_owned();
     for (number, (depth, said_m)) in (0u32..).zip(boards) {
         let mut values = Vec::new();
         for frame in 0..frames {
-            let mut shot = Shot::new((&depth).into());
+            let mut shot = DepthShot::new((&depth).into());
             shot.frame = frame;
             shot.item = number;
             values.extend_from_slice(sense(&shot).0.pixels());
@@ -63,8 +63,8 @@ pub(super) fn record(
 pub(super) fn fitted(
     model: &str,
     paths: &[&Path],
-    options: &Options,
-) -> Result<(Report, Vec<Finding>, ParameterFile), String> {
+    options: &FitOptions,
+) -> Result<(FitReport, Vec<Finding>, ParameterFile), String> {
     let paths: Vec<PathBuf> = paths.iter().map(|path| path.to_path_buf()).collect();
     let (fit, findings) = fit(&twin(model), &paths, options, &|_| ControlFlow::Continue(()))
         .map_err(|error| error.to_string())?;
@@ -74,4 +74,14 @@ pub(super) fn fitted(
     fs::write(&file, fit.report().toml()).unwrap();
     let read = ParameterFile::read(&file).unwrap();
     Ok((fit.report().clone(), findings, read))
+}
+
+/// Whether the interval of a fitted parameter contains its true value.
+pub(super) fn has(report: &FitReport, name: &str, truth: f64) -> bool {
+    let [low, high] = report.parameter(name).unwrap().interval_95.unwrap();
+    (low..=high).contains(&truth)
+}
+
+pub(super) fn codes(findings: &[Finding]) -> Vec<&str> {
+    findings.iter().map(|finding| finding.code).collect()
 }

@@ -292,9 +292,9 @@ fn inverted(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
 mod tests {
     use super::*;
 
-    struct Line<'a>(&'a [[f64; 2]]);
+    struct StraightLine<'a>(&'a [[f64; 2]]);
 
-    impl Problem for Line<'_> {
+    impl Problem for StraightLine<'_> {
         fn points(&self) -> usize {
             self.0.len()
         }
@@ -315,7 +315,7 @@ mod tests {
                 [x, 1.0 + 2.0 * x + off]
             })
             .collect();
-        let solution = solve(&Line(&points), &[0.0, 0.0], false);
+        let solution = solve(&StraightLine(&points), &[0.0, 0.0], false);
         assert!((solution.parameters[1] - 2.0).abs() < 1e-6, "{solution:?}");
         assert!((solution.parameters[0] - 1.0).abs() < 1e-6);
         // s² = 8·0.01/6; the variance of the slope is s²/Σ(x − x̄)² = s²/42.
@@ -323,7 +323,7 @@ mod tests {
         assert!((solution.error(1).unwrap() / expected - 1.0).abs() < 1e-4);
         assert_eq!(solution.freedom, 6);
         // If the points scatter less than their known errors, the known errors determine the interval.
-        let known = solve(&Line(&points), &[0.0, 0.0], true);
+        let known = solve(&StraightLine(&points), &[0.0, 0.0], true);
         assert!((known.error(1).unwrap() / (1.0f64 / 42.0).sqrt() - 1.0).abs() < 1e-4);
     }
 
@@ -336,15 +336,19 @@ mod tests {
             })
             .collect();
         points[4][1] = 100.0;
-        let solution = solve(&Line(&points), &[0.0, 0.0], false);
+        let solution = solve(&StraightLine(&points), &[0.0, 0.0], false);
         assert!((solution.parameters[0] - 3.0).abs() < 0.02, "{solution:?}");
     }
 
     #[test]
     fn indistinguishable_parameters_have_no_error() {
-        let solution = solve(&Line(&[[2.0, 1.0], [2.0, 1.1], [2.0, 0.9]]), &[0.0, 0.0], false);
+        let solution = solve(
+            &StraightLine(&[[2.0, 1.0], [2.0, 1.1], [2.0, 0.9]]),
+            &[0.0, 0.0],
+            false,
+        );
         assert!(solution.covariance.is_none(), "{solution:?}");
-        assert!(solve(&Line(&[]), &[0.0, 0.0], true).covariance.is_none());
+        assert!(solve(&StraightLine(&[]), &[0.0, 0.0], true).covariance.is_none());
     }
 
     #[test]

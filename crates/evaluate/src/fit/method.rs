@@ -5,9 +5,9 @@ use std::fmt::Debug;
 use super::error_domain::ErrorDomain;
 use super::least_squares::Solution;
 use super::point::{OfTarget, Point};
-use super::report::Report;
+use super::report::FitReport;
+use super::state::FitState;
 use super::target::Observation;
-use super::work::Work;
 
 /// An engine that can be fitted.
 pub(super) trait Method: Sync {
@@ -24,7 +24,7 @@ pub(super) trait Method: Sync {
     /// The parts that require images.
     fn noise_names(&self) -> &'static [&'static str];
     /// Estimates the noise of pixels over time.
-    fn noise(&mut self, seen: &[Observation], work: &mut Work<'_>);
+    fn noise(&mut self, observations: &[Observation], state: &mut FitState<'_>);
     /// Returns the variance of a pixel over time, including the effect of steps.
     fn variance(&self, one: &Observation) -> Option<f64>;
     /// Returns the variance of the mean of a number of values due to noise.
@@ -32,13 +32,13 @@ pub(super) trait Method: Sync {
     /// Returns the variance of such a mean due to rounding.
     fn variance_of_rounding(&self, one: &Observation) -> f64;
     /// Whether a point is fitted; if not, the reason is added to the findings.
-    fn is_used(&self, _point: &OfTarget, _work: &mut Work<'_>) -> bool {
+    fn is_used(&self, _point: &OfTarget, _work: &mut FitState<'_>) -> bool {
         true
     }
     /// Fits the systematic error.
-    fn systematic(&self, used: &[Point], work: &mut Work<'_>) -> Option<Box<dyn Fitted>>;
+    fn systematic(&self, used: &[Point], state: &mut FitState<'_>) -> Option<Box<dyn Fitted>>;
     /// Adds known parameters, which describe the unit as much as the fitted ones.
-    fn given(&self, _work: &mut Work<'_>) {}
+    fn given(&self, _work: &mut FitState<'_>) {}
 }
 
 /// A fitted curve of errors over distance.
@@ -52,9 +52,9 @@ pub(super) trait Fitted: Debug + Send + Sync {
     /// Returns depths that are close enough to draw the curve.
     fn places(&self, near_m: f64, far_m: f64) -> Vec<f64>;
     /// Returns a short description of the curve.
-    fn name(&self, report: &Report) -> String;
+    fn name(&self, report: &FitReport) -> String;
     /// Returns a short description of the noise.
-    fn noise(&self, report: &Report) -> String;
+    fn noise(&self, report: &FitReport) -> String;
     /// Returns the solution, and whether the standard errors of the points were known.
     fn solution(&self) -> (&Solution, bool);
 }

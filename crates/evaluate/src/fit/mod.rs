@@ -40,13 +40,13 @@ mod point;
 mod points;
 mod recording;
 mod report;
+mod state;
 mod stereo_noise;
 mod target;
 mod time_of_flight;
-mod work;
 
 pub use recording::TABLE;
-pub use report::{Curve, FittedPoint, NotFound, Parameter, Report, Target};
+pub use report::{FitQuality, FitReport, FittedPoint, NotFound, Parameter, TargetReport};
 
 use crate::accuracy::{AccuracyError, MeasuredOptics, REGION};
 use crate::figure::Figure;
@@ -61,13 +61,13 @@ use oaktwin_pipeline::progress::Watch;
 use oaktwin_pipeline::sensor::{ParameterError, SensorOptions, Technology, depth_sensor, sensor};
 use recording::Recording;
 pub use recording::{Recordings, TargetImages};
+use state::FitState;
 use stereo_noise::Stereo;
 use time_of_flight::Tof;
-use work::Work;
 
 /// The settings of a fit.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Options {
+pub struct FitOptions {
     /// The depth sensor by prim or kind; by default the engine's, or the device's own.
     pub sensor: Option<String>,
     /// The engine and its known parameters, such as its subpixel bits.
@@ -84,7 +84,7 @@ pub struct Options {
     pub fits_focal_length: bool,
 }
 
-impl Default for Options {
+impl Default for FitOptions {
     fn default() -> Self {
         Self {
             sensor: None,
@@ -121,14 +121,14 @@ pub enum FitError {
 /// A fit, from which a figure can be drawn.
 #[derive(Debug)]
 pub struct Fit {
-    report: Report,
+    report: FitReport,
     found: Option<Box<dyn Fitted>>,
 }
 
 impl Fit {
     /// Returns the results.
     #[must_use]
-    pub fn report(&self) -> &Report {
+    pub fn report(&self) -> &FitReport {
         &self.report
     }
 
@@ -147,7 +147,7 @@ impl Fit {
 pub fn fit<'a>(
     twin: &Twin,
     recordings: impl Into<Recordings<'a>>,
-    options: &Options,
+    options: &FitOptions,
     watch: &Watch<'_>,
 ) -> Result<(Fit, Vec<Finding>), FitError> {
     check(options)?;
@@ -181,7 +181,7 @@ pub fn fit<'a>(
     };
     let recording = recordings.open(&depth.spec.prim)?;
     let (focal_length_px, width_px) = method.focal_length_px();
-    let report = Report {
+    let report = FitReport {
         model: twin.device.name.clone(),
         sensor: depth.spec.prim.clone(),
         engine: kind.name.to_string(),
@@ -201,31 +201,31 @@ pub fn fit<'a>(
         points: Vec::new(),
         passed: true,
     };
-    let mut work = Work {
+    let mut state = FitState {
         report,
         options,
         findings: Vec::new(),
     };
     let points = match recording {
         Recording::Curve(path, curve) => {
-            work.report.is_absolute = curve.is_absolute;
-            work.without_images(&path, method.noise_names());
+            state.report.is_absolute = curve.is_absolute;
+            state.without_images(&path, method.noise_names());
             points::of_curve(&curve)
         }
-        Recording::Targets(recordings) => work.look(&recordings, method.as_mut(), watch)?,
+        Recording::Targets(recordings) => state.evaluate(&recordings, method.as_mut(), watch)?,
     };
-    let found = work.systematic(&points, method.as_ref());
-    method.given(&mut work);
-    findings.append(&mut work.findings);
-    work.report.passed = !findings.iter().any(|finding| finding.level != Level::Note);
+    let found = state.systematic(&points, method.as_ref());
+    method.given(&mut state);
+    findings.append(&mut state.findings);
+    state.report.passed = !findings.iter().any(|finding| finding.level != Level::Note);
     let fit = Fit {
-        report: work.report,
+        report: state.report,
         found,
     };
     Ok((fit, findings))
 }
 
-fn check(options: &Options) -> Result<(), FitError> {
+fn check(options: &FitOptions) -> Result<(), FitError> {
     let wrong = |name: &'static str, is: String| Err(FitError::Option(message![opt(name), is]));
     if !(options.region > 0.0 && options.region <= 1.0) {
         let is = format!(

@@ -1,19 +1,19 @@
 //! The figure of a fit: errors, curve and residuals.
 
 use super::method::Fitted;
-use super::report::{FittedPoint, Report, number};
-use crate::figure::{Axis, Figure, Layer, Shape};
+use super::report::{FitReport, FittedPoint, number};
+use crate::figure::{Figure, FigureAxis, FigureLayer, FigureShape};
 
 const CURVE: [u8; 3] = [27, 94, 170];
 const MEASURED: [u8; 3] = [190, 40, 70];
 const LEFT_OUT: [u8; 3] = [160, 164, 170];
 const INK: [u8; 3] = [60; 3];
 
-pub(super) fn figures(report: &Report, found: Option<&dyn Fitted>) -> Vec<Figure> {
+pub(super) fn figures(report: &FitReport, found: Option<&dyn Fitted>) -> Vec<Figure> {
     let (unit, to_one) = report.shown_unit();
     let distances = || report.points.iter().map(|point| point.distance_m);
     let (near, far) = distances().fold((f64::INFINITY, 0.0f64), |(a, b), z| (a.min(z), b.max(z)));
-    let x = Axis {
+    let x = FigureAxis {
         label: "true distance [m]".to_owned(),
         range: [0.0, (far * 1.02).max(0.1)],
     };
@@ -28,18 +28,18 @@ pub(super) fn figures(report: &Report, found: Option<&dyn Fitted>) -> Vec<Figure
     if let Some(found) = found {
         let (curve, band) = curve(found, report, near, far);
         if band.iter().any(|point| point[2] - point[1] > 0.0) {
-            layers.push(layer("95 % of the curve", CURVE, Shape::Area(band)));
+            layers.push(layer("95 % of the curve", CURVE, FigureShape::Area(band)));
         }
         heights.extend(curve.iter().map(|point| point[1]));
-        layers.push(layer(&name(found, report), CURVE, Shape::Line(curve)));
+        layers.push(layer(&name(found, report), CURVE, FigureShape::Line(curve)));
     }
     let measured = pick(true, &|point| Some(to_one * point.error));
     let left_out = pick(false, &|point| Some(to_one * point.error));
     let range = vertical(measured.iter().map(|point| point[1]).chain(heights));
     if !left_out.is_empty() {
-        layers.push(layer("left out", LEFT_OUT, Shape::Dots(left_out)));
+        layers.push(layer("left out", LEFT_OUT, FigureShape::Dots(left_out)));
     }
-    layers.push(layer("measured", MEASURED, Shape::Dots(measured)));
+    layers.push(layer("measured", MEASURED, FigureShape::Dots(measured)));
     let what = if report.is_absolute {
         "absolute error"
     } else {
@@ -55,7 +55,7 @@ pub(super) fn figures(report: &Report, found: Option<&dyn Fitted>) -> Vec<Figure
         title: format!("{}: {what} of {of} over distance", report.model),
         subtitle: subtitle(report, found),
         x: x.clone(),
-        y: Axis {
+        y: FigureAxis {
             label: format!("{what} of {of} [{unit}]{side}"),
             range,
         },
@@ -67,7 +67,7 @@ pub(super) fn figures(report: &Report, found: Option<&dyn Fitted>) -> Vec<Figure
 
 /// Draws the residuals of the fitted curve, in thousandths because longer numbers do not fit beside the axis; `None` without
 /// a curve. The farthest distance is `far`.
-fn residuals(report: &Report, x: &Axis, far: f64) -> Option<Figure> {
+fn residuals(report: &FitReport, x: &FigureAxis, far: f64) -> Option<Figure> {
     let (unit, to_one) = report.shown_unit();
     let used = || report.points.iter().filter(|point| point.is_used);
     let left: Vec<[f64; 2]> = used()
@@ -89,15 +89,15 @@ fn residuals(report: &Report, x: &Axis, far: f64) -> Option<Figure> {
         layers.push(layer(
             "two standard errors of a point",
             MEASURED,
-            Shape::Area(spread),
+            FigureShape::Area(spread),
         ));
     }
-    layers.push(layer("measured minus fitted", MEASURED, Shape::Dots(left)));
+    layers.push(layer("measured minus fitted", MEASURED, FigureShape::Dots(left)));
     Some(Figure {
         title: "Residuals of the fitted curve".to_owned(),
         subtitle: String::new(),
         x: x.clone(),
-        y: Axis {
+        y: FigureAxis {
             label: format!("residual [{unit} / 1000]"),
             range,
         },
@@ -105,19 +105,19 @@ fn residuals(report: &Report, x: &Axis, far: f64) -> Option<Figure> {
     })
 }
 
-fn layer(label: &str, color: [u8; 3], shape: Shape) -> Layer {
-    Layer {
+fn layer(label: &str, color: [u8; 3], shape: FigureShape) -> FigureLayer {
+    FigureLayer {
         label: label.to_owned(),
         color,
         shape,
     }
 }
 
-fn line(far: f64, at: f64) -> Layer {
-    layer("", INK, Shape::Line(vec![[0.0, at], [2.0 * far, at]]))
+fn line(far: f64, at: f64) -> FigureLayer {
+    layer("", INK, FigureShape::Line(vec![[0.0, at], [2.0 * far, at]]))
 }
 
-fn curve(found: &dyn Fitted, report: &Report, near: f64, far: f64) -> (Vec<[f64; 2]>, Vec<[f64; 3]>) {
+fn curve(found: &dyn Fitted, report: &FitReport, near: f64, far: f64) -> (Vec<[f64; 2]>, Vec<[f64; 3]>) {
     let (_, to_one) = report.shown_unit();
     let error_domain = found.error_domain();
     let at = |z: f64, off: f64| {
@@ -137,13 +137,13 @@ fn curve(found: &dyn Fitted, report: &Report, near: f64, far: f64) -> (Vec<[f64;
     (curve, band)
 }
 
-fn name(found: &dyn Fitted, report: &Report) -> String {
+fn name(found: &dyn Fitted, report: &FitReport) -> String {
     let r2 = report.curve.and_then(|curve| curve.r_squared);
     let r2 = r2.map_or(String::new(), |r2| format!(", R2 = {r2:.3}"));
     format!("{}{r2}", found.name(report))
 }
 
-fn subtitle(report: &Report, found: Option<&dyn Fitted>) -> String {
+fn subtitle(report: &FitReport, found: Option<&dyn Fitted>) -> String {
     let noise = found.map_or(String::new(), |found| found.noise(report));
     format!(
         "{}, focal length {} px at {} px, {} points{noise}",

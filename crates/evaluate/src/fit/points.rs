@@ -7,9 +7,9 @@ use super::error_domain::ErrorDomain;
 use super::method::Method;
 use super::point::{OfTarget, Point};
 use super::recording::TargetRecording;
-use super::report::Target;
+use super::report::TargetReport;
 use super::target::{Observation, Sum};
-use crate::accuracy::measured::Curve;
+use crate::accuracy::measured::MeasuredCurve;
 use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 use oaktwin_files::FileError;
 
@@ -21,7 +21,7 @@ const MIN_TILT_DEG: f64 = 0.3;
 const MIN_TILT_ERRORS: f64 = 4.0;
 
 /// Returns the errors of a measured curve.
-pub(super) fn of_curve(curve: &Curve) -> Vec<OfTarget> {
+pub(super) fn of_curve(curve: &MeasuredCurve) -> Vec<OfTarget> {
     let points = curve.points.iter().map(|point| OfTarget {
         target: None,
         point: Point {
@@ -34,8 +34,11 @@ pub(super) fn of_curve(curve: &Curve) -> Vec<OfTarget> {
 }
 
 /// Returns an error if the images differ in size.
-pub(super) fn of_one_size(seen: &[Observation], recordings: &[TargetRecording]) -> Result<(), FitError> {
-    let mut both = seen.iter().zip(recordings);
+pub(super) fn of_one_size(
+    observations: &[Observation],
+    recordings: &[TargetRecording],
+) -> Result<(), FitError> {
+    let mut both = observations.iter().zip(recordings);
     let Some((first, _)) = both.next() else {
         return Ok(());
     };
@@ -56,13 +59,13 @@ pub(super) fn of_one_size(seen: &[Observation], recordings: &[TargetRecording]) 
 /// The rotation of targets: the relative change of inverse depth to the right and down per unit at depth 1.
 pub(super) struct Tilts {
     /// The rotation of each target with its standard error and the scatter of its plane.
-    own: BTreeMap<String, Own>,
+    own: BTreeMap<String, TargetTilt>,
     /// The rotation to apply to the true distances.
     common: Option<[f64; 2]>,
 }
 
 #[derive(Clone, Copy)]
-struct Own {
+struct TargetTilt {
     slope: [f64; 2],
     error: [f64; 2],
     rms: f64,
@@ -81,12 +84,12 @@ fn degrees([right, down]: [f64; 2]) -> f64 {
 /// Estimates the rotation of targets without ground truth images. A periodic error bends the plane through a target that
 /// spans less than a period, so all targets are combined.
 pub(super) fn tilts(
-    seen: &[Observation],
+    observations: &[Observation],
     method: &dyn Method,
     findings: &mut Vec<Finding>,
 ) -> Result<Tilts, FitError> {
     let mut own = BTreeMap::new();
-    for one in seen.iter().filter(|one| !one.places.is_empty()) {
+    for one in observations.iter().filter(|one| !one.cells.is_empty()) {
         let Some(([middle, right, down], rms)) = one.plane() else {
             continue;
         };
@@ -96,7 +99,7 @@ pub(super) fn tilts(
             None => rms * rms * 49.0 / one.values() as f64 + 1e-8,
         };
         let sign = method.error_domain().per_inverse_depth();
-        let of = Own {
+        let of = TargetTilt {
             slope: [sign * right / middle, sign * down / middle],
             error: one.extent().map(|squares| (variance / squares).sqrt() / middle),
             rms,
@@ -151,7 +154,7 @@ pub(super) fn tilts(
 }
 
 /// Reports problems of a target.
-pub(super) fn target(one: &Observation, tilts: &Tilts, method: &dyn Method) -> Target {
+pub(super) fn target(one: &Observation, tilts: &Tilts, method: &dyn Method) -> TargetReport {
     let own = tilts.own.get(&one.name);
     let variance = method.variance(one);
     let step = method.step();
@@ -162,7 +165,7 @@ pub(super) fn target(one: &Observation, tilts: &Tilts, method: &dyn Method) -> T
             let by_time = variance.max(step * step / 12.0) / one.frames as f64;
             (own.rms.powi(2) - by_time).max(0.0).sqrt()
         });
-    Target {
+    TargetReport {
         name: one.name.clone(),
         distance_m: one.distance_m,
         frames: one.frames,
@@ -175,10 +178,10 @@ pub(super) fn target(one: &Observation, tilts: &Tilts, method: &dyn Method) -> T
 }
 
 /// Returns the errors of targets with a known true distance.
-pub(super) fn of_targets(seen: &[Observation], tilts: &Tilts, method: &dyn Method) -> Vec<OfTarget> {
+pub(super) fn of_targets(observations: &[Observation], tilts: &Tilts, method: &dyn Method) -> Vec<OfTarget> {
     let error_domain = method.error_domain();
     let mut points = Vec::new();
-    for (target, one) in seen.iter().enumerate() {
+    for (target, one) in observations.iter().enumerate() {
         let sums = match one.distance_m {
             _ if !one.by_truth.is_empty() => one.by_truth.clone(),
             Some(distance_m) => by_truth(one, error_domain, distance_m, tilts.common),
@@ -211,7 +214,7 @@ pub(super) fn of_targets(seen: &[Observation], tilts: &Tilts, method: &dyn Metho
     points
 }
 
-/// Groups the places of a target by their true value; `distance_m` is the centre's.
+/// Groups the cells of a target by their true value; `distance_m` is the centre's.
 #[expect(clippy::cast_possible_truncation, reason = "values are below 2⁶³ bins")]
 fn by_truth(
     one: &Observation,
@@ -221,15 +224,15 @@ fn by_truth(
 ) -> Vec<Sum> {
     let middle = error_domain.of_depth(distance_m);
     let mut sums: BTreeMap<i64, Sum> = BTreeMap::new();
-    for place in &one.places {
+    for cell in &one.cells {
         let [right, down] = tilt.unwrap_or_default();
-        let turned = distance_m / (1.0 + right * place.at[0] + down * place.at[1]);
+        let turned = distance_m / (1.0 + right * cell.at[0] + down * cell.at[1]);
         let truth = error_domain.of_depth(turned);
         let bin = ((truth - middle) / error_domain.turned_bin()).round() as i64;
         let sum = sums.entry(bin).or_default();
-        sum.truth += truth * place.sum.values as f64;
-        sum.measured += place.sum.measured;
-        sum.values += place.sum.values;
+        sum.truth += truth * cell.sum.values as f64;
+        sum.measured += cell.sum.measured;
+        sum.values += cell.sum.values;
     }
     sums.into_values().collect()
 }

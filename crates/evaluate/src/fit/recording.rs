@@ -7,13 +7,13 @@ use std::sync::Arc;
 
 use super::FitError;
 use crate::accuracy::distances;
-use crate::accuracy::measured::{self, Curve};
+use crate::accuracy::measured::{self, MeasuredCurve};
 use crate::table::{self, wrong};
 use oaktwin_base::diagnostic::nearest;
 use oaktwin_files::FileError;
 use oaktwin_pipeline::input::name::Name;
+use oaktwin_pipeline::input::reader::DepthImageReader;
 use oaktwin_pipeline::input::replicator;
-use oaktwin_pipeline::input::source::Source;
 use oaktwin_pipeline::sense::InputKind;
 
 /// The name of the table of distances in a folder.
@@ -92,7 +92,7 @@ impl TargetImages {
 /// The content of the inputs.
 pub(super) enum Recording {
     /// Errors over distance, without images.
-    Curve(PathBuf, Curve),
+    Curve(PathBuf, MeasuredCurve),
     /// Images in order of distance.
     Targets(Vec<TargetRecording>),
 }
@@ -184,12 +184,12 @@ fn alone(sensed: PathBuf) -> Files {
 
 impl Files {
     /// Opens the measured images. Integer pixels are multiplied by `unit_m`.
-    pub(super) fn open(&self, unit_m: f64) -> Result<Source, FileError> {
+    pub(super) fn open(&self, unit_m: f64) -> Result<DepthImageReader, FileError> {
         match &self.npy {
-            None => Source::open(&self.sensed, unit_m),
+            None => DepthImageReader::open(&self.sensed, unit_m),
             Some(npy) => {
                 let (reader, length) = (Cursor::new(Arc::clone(npy)), npy.len() as u64);
-                Source::read(&self.sensed, Box::new(reader), Some(length), unit_m)
+                DepthImageReader::read(&self.sensed, Box::new(reader), Some(length), unit_m)
             }
         }
     }
@@ -199,7 +199,7 @@ impl Files {
 fn listed(file: &Path) -> Result<Vec<(f64, Named)>, FileError> {
     let text = table::text(file, "a table of distances")?;
     let folder = file.parent().unwrap_or(Path::new(""));
-    let in_table = |wrong: table::Wrong| wrong.of(file);
+    let in_table = |wrong: table::TableProblem| wrong.of(file);
     let mut seen = BTreeMap::new();
     let mut all = Vec::new();
     for row in table::rows(&text, ["file", "distance_m"]).map_err(in_table)? {

@@ -1,4 +1,4 @@
-//! The results of a fit. Units are in the names, or in [`Report::unit`].
+//! The results of a fit. Units are in the names, or in [`FitReport::unit`].
 
 use serde::Serialize;
 
@@ -6,7 +6,7 @@ use oaktwin_pipeline::sensor::EngineKind;
 
 /// The fitted parameters of an engine and their uncertainty.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Report {
+pub struct FitReport {
     /// The name of the model.
     pub model: String,
     /// The prim of the depth sensor.
@@ -19,7 +19,7 @@ pub struct Report {
     pub parameters: Vec<Parameter>,
     /// The parameters that were not fitted, with the reasons.
     pub not_found: Vec<NotFound>,
-    /// The focal length in pixels at [`Report::width_px`]: the fitted one if it was free.
+    /// The focal length in pixels at [`FitReport::width_px`]: the fitted one if it was free.
     pub focal_length_px: f64,
     /// The width of the images in pixels.
     pub width_px: u32,
@@ -34,14 +34,14 @@ pub struct Report {
     /// The distance in metres below which errors were ignored.
     pub from_m: f64,
     /// The quality of the fit; `None` without true distances.
-    pub curve: Option<Curve>,
+    pub curve: Option<FitQuality>,
     /// The rotation of the targets that was applied to the true distances; `None` if they are perpendicular within the
     /// uncertainty.
     pub tilt_deg: Option<f64>,
     /// The input files and folders.
     pub sources: Vec<String>,
     /// The targets; empty for a curve of errors.
-    pub targets: Vec<Target>,
+    pub targets: Vec<TargetReport>,
     /// The points: one per distance, or one per step of disparity of an oblique target.
     pub points: Vec<FittedPoint>,
     /// Whether all parameters were fitted and nothing was reported.
@@ -79,7 +79,7 @@ pub struct NotFound {
 
 /// The quality of a fitted curve.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Curve {
+pub struct FitQuality {
     /// The number of points used.
     pub points: usize,
     /// The root mean square of the residuals.
@@ -96,7 +96,7 @@ pub struct Curve {
 
 /// The measurements of one target.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Target {
+pub struct TargetReport {
     /// The file or folder.
     pub name: String,
     /// The true distance, if it was given.
@@ -119,33 +119,33 @@ pub struct Target {
 /// A measured error and the fitted one.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct FittedPoint {
-    /// The index in [`Report::targets`]; `None` for a curve of errors.
+    /// The index in [`FitReport::targets`]; `None` for a curve of errors.
     pub target: Option<usize>,
     /// The true distance.
     pub distance_m: f64,
     /// The measured error, positive if too far.
     pub error_percent: f64,
-    /// The measured error in [`Report::unit`]; an error of disparity is negative if too far.
+    /// The measured error in [`FitReport::unit`]; an error of disparity is negative if too far.
     pub error: f64,
     /// The standard error.
     #[serde(rename = "standard_error")]
     pub sigma: Option<f64>,
     /// The error of the fitted curve.
     pub fitted_percent: Option<f64>,
-    /// The error of the fitted curve in [`Report::unit`].
+    /// The error of the fitted curve in [`FitReport::unit`].
     pub fitted: Option<f64>,
     /// Whether the point was used.
     pub is_used: bool,
 }
 
-impl Report {
+impl FitReport {
     /// Returns a fitted parameter by name.
     #[must_use]
     pub fn parameter(&self, name: &str) -> Option<&Parameter> {
         self.parameters.iter().find(|parameter| parameter.name == name)
     }
 
-    /// Returns a readable unit, and its number per [`Report::unit`].
+    /// Returns a readable unit, and its number per [`FitReport::unit`].
     #[must_use]
     pub fn shown_unit(&self) -> (&'static str, f64) {
         match self.unit {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::measure::{Autocovariance, Region, median};
+use crate::measure::{Autocovariance, ImageRegion, median};
 
 use super::FitError;
 use super::error_domain::ErrorDomain;
@@ -10,7 +10,7 @@ use super::recording::{Files, TargetRecording};
 use oaktwin_camera::ImageSize;
 use oaktwin_files::FileError;
 use oaktwin_image::Image;
-use oaktwin_pipeline::input::source::Source;
+use oaktwin_pipeline::input::reader::DepthImageReader;
 
 /// The depths of a measurement and of its ground truth, m: others are no measurements.
 const MEASURABLE_M: std::ops::RangeInclusive<f32> = 1e-3..=1e4;
@@ -21,12 +21,12 @@ const MAX_LAGS: usize = 48;
 /// The distance from the region's median, as a multiple of the median deviation, above which a value is a mismatch.
 const MISMATCH: f64 = 6.0;
 
-/// The maximum number of separate places in a region; larger regions are averaged over squares.
-const MAX_PLACES: f64 = 4096.0;
+/// The maximum number of separate cells of a region; larger regions are averaged over squares.
+const MAX_CELLS: f64 = 4096.0;
 
 /// The settings of an evaluation.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Look {
+pub(super) struct EvaluationSettings {
     /// The quantity in which errors are counted.
     pub(super) error_domain: ErrorDomain,
     /// The smallest significant step: values within it are not mismatches.
@@ -41,7 +41,7 @@ pub(super) struct Look {
     pub(super) is_truncated: bool,
 }
 
-/// Sums of values at one place or of one true value.
+/// Sums of values in one cell or of one true value.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Sum {
     pub(super) truth: f64,
@@ -61,7 +61,7 @@ impl Sum {
 
 /// A part of the region, and its position at depth 1 relative to the centre of the region.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct RegionCell {
     pub(super) at: [f64; 2],
     pub(super) sum: Sum,
 }
@@ -77,8 +77,8 @@ pub(super) struct Observation {
     pub(super) fill_rate: f64,
     /// The share of the valid pixels that are mismatches.
     pub(super) mismatch_rate: f64,
-    /// The mean over time at each place; empty if there are images of the ground truth.
-    pub(super) places: Vec<Place>,
+    /// The mean over time of each cell; empty if there are images of the ground truth.
+    pub(super) cells: Vec<RegionCell>,
     /// The sums by true value; empty without images of the ground truth.
     pub(super) by_truth: Vec<Sum>,
     /// The covariance of half of the differences of consecutive frames.
@@ -115,24 +115,24 @@ impl Observation {
     /// Fits a plane to the values: its value at the centre, its slopes to the right and down per unit at depth 1, and the root
     /// mean square of the residuals.
     pub(super) fn plane(&self) -> Option<([f64; 3], f64)> {
-        let places = || self.places.iter().filter(|place| place.sum.values > 0);
+        let cells = || self.cells.iter().filter(|cell| cell.sum.values > 0);
         let (mut weight, mut mean) = (0.0, [0.0; 3]);
-        for place in places() {
-            let w = place.sum.values as f64;
+        for cell in cells() {
+            let w = cell.sum.values as f64;
             weight += w;
             for (sum, value) in mean
                 .iter_mut()
-                .zip([place.at[0], place.at[1], place.sum.mean_measured()])
+                .zip([cell.at[0], cell.at[1], cell.sum.mean_measured()])
             {
                 *sum += w * value;
             }
         }
         let mean = mean.map(|sum| sum / weight);
         let (mut xx, mut xy, mut yy, mut xd, mut yd, mut dd) = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-        for place in places() {
-            let w = place.sum.values as f64;
-            let (x, y) = (place.at[0] - mean[0], place.at[1] - mean[1]);
-            let d = place.sum.mean_measured() - mean[2];
+        for cell in cells() {
+            let w = cell.sum.values as f64;
+            let (x, y) = (cell.at[0] - mean[0], cell.at[1] - mean[1]);
+            let d = cell.sum.mean_measured() - mean[2];
             xx += w * x * x;
             xy += w * x * y;
             yy += w * y * y;
@@ -151,42 +151,41 @@ impl Observation {
         Some(([middle, right, down], rest.sqrt()))
     }
 
-    /// Returns the mean squares of the places' offsets to the right and down.
+    /// Returns the mean squares of the cells' offsets to the right and down.
     pub(super) fn extent(&self) -> [f64; 2] {
-        let weight = self
-            .places
-            .iter()
-            .map(|place| place.sum.values as f64)
-            .sum::<f64>();
+        let weight = self.cells.iter().map(|cell| cell.sum.values as f64).sum::<f64>();
         [0, 1].map(|axis| {
             let squares = self
-                .places
+                .cells
                 .iter()
-                .map(|place| place.sum.values as f64 * place.at[axis].powi(2));
+                .map(|cell| cell.sum.values as f64 * cell.at[axis].powi(2));
             squares.sum::<f64>() / weight
         })
     }
 
     /// Returns the number of valid values in all frames.
     pub(super) fn values(&self) -> u64 {
-        let places = self.places.iter().map(|place| place.sum.values);
-        places.chain(self.by_truth.iter().map(|sum| sum.values)).sum()
+        let cells = self.cells.iter().map(|cell| cell.sum.values);
+        cells.chain(self.by_truth.iter().map(|sum| sum.values)).sum()
     }
 }
 
 /// Evaluates all images of a target.
-pub(super) fn look(recording: &TargetRecording, look: &Look) -> Result<Observation, FitError> {
+pub(super) fn observe(
+    recording: &TargetRecording,
+    settings: &EvaluationSettings,
+) -> Result<Observation, FitError> {
     let mut observer: Option<Observer> = None;
     for files in &recording.files {
-        let mut sensed = files.open(look.unit_m)?;
+        let mut sensed = files.open(settings.unit_m)?;
         let mut truth = files
             .truth
             .as_ref()
-            .map(|path| Source::open(path, look.unit_m))
+            .map(|path| DepthImageReader::open(path, settings.unit_m))
             .transpose()?;
         while let Some(image) = sensed.next_image()? {
             let size = ImageSize::new(image.width(), image.height());
-            let observer = observer.get_or_insert_with(|| Observer::new(*look, size, recording));
+            let observer = observer.get_or_insert_with(|| Observer::new(*settings, size, recording));
             if size != observer.size {
                 return Err(differs(files, size, observer.size, &recording.files[0]).into());
             }
@@ -203,7 +202,7 @@ pub(super) fn look(recording: &TargetRecording, look: &Look) -> Result<Observati
     let observer = observer.ok_or_else(|| {
         FitError::Option(format!("{}: contains no images; remove it", recording.name).into())
     })?;
-    Ok(observer.seen(recording))
+    Ok(observer.observation(recording))
 }
 
 fn differs(files: &Files, size: ImageSize, first: ImageSize, before: &Files) -> FileError {
@@ -227,16 +226,16 @@ fn no_truth(files: &Files) -> FileError {
 }
 
 struct Observer {
-    look: Look,
+    settings: EvaluationSettings,
     size: ImageSize,
-    region: Region,
+    region: ImageRegion,
     lags: usize,
     frames: usize,
     valid: u64,
     mismatches: u64,
     unit_m: f64,
     square: u32,
-    places: Vec<Place>,
+    cells: Vec<RegionCell>,
     by_truth: BTreeMap<i64, Sum>,
     /// The two previous frames.
     before: [Option<(Vec<f32>, Vec<f32>)>; 2],
@@ -245,42 +244,42 @@ struct Observer {
 }
 
 impl Observer {
-    fn new(look: Look, size: ImageSize, recording: &TargetRecording) -> Self {
-        let region = Region::centred(size.width, size.height, look.region);
+    fn new(settings: EvaluationSettings, size: ImageSize, recording: &TargetRecording) -> Self {
+        let region = ImageRegion::centred(size.width, size.height, settings.region);
         let [columns, rows] = [region.columns.len(), region.rows.len()];
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "below an image's side"
         )]
-        let square = ((region.pixels() as f64 / MAX_PLACES).sqrt().ceil() as u32).max(1);
+        let square = ((region.pixels() as f64 / MAX_CELLS).sqrt().ceil() as u32).max(1);
         let has_truth = recording.files.iter().any(|files| files.truth.is_some());
-        let focal_px = look.focal_of_width * f64::from(size.width);
+        let focal_px = settings.focal_of_width * f64::from(size.width);
         let side = |pixels: usize| pixels.div_ceil(square as usize);
-        let place = |i: usize| {
+        let cell = |i: usize| {
             let off = |at: usize, pixels: usize| {
                 let first = at * square as usize;
                 let last = (first + square as usize).min(pixels);
                 ((first + last) as f64 / 2.0 - pixels as f64 / 2.0) / focal_px
             };
             let (x, y) = (i % side(columns).max(1), i / side(columns).max(1));
-            Place {
+            RegionCell {
                 at: [off(x, columns), off(y, rows)],
                 sum: Sum::default(),
             }
         };
         let count = if has_truth { 0 } else { side(columns) * side(rows) };
         Self {
-            look,
+            settings,
             size,
             lags: (columns.min(rows) / 2 + 1).min(MAX_LAGS),
             region,
             frames: 0,
             valid: 0,
             mismatches: 0,
-            unit_m: look.unit_m,
+            unit_m: settings.unit_m,
             square,
-            places: (0..count).map(place).collect(),
+            cells: (0..count).map(cell).collect(),
             by_truth: BTreeMap::new(),
             before: [None, None],
             apart: Autocovariance::new(1),
@@ -294,18 +293,18 @@ impl Observer {
     )]
     fn add(&mut self, image: &Image<f32>, truth: Option<&Image<f32>>) {
         self.frames += 1;
-        let below = if self.look.is_truncated {
+        let below = if self.settings.is_truncated {
             self.unit_m / 2.0
         } else {
             0.0
         };
-        let error_domain = self.look.error_domain;
+        let error_domain = self.settings.error_domain;
         let depths = |image: &Image<f32>| -> Vec<f32> {
             self.region.rows_of(image.into()).flatten().copied().collect()
         };
         let seen = depths(image);
         for &z in &seen {
-            let units = f64::from(z) / self.look.unit_m;
+            let units = f64::from(z) / self.settings.unit_m;
             // Single precision has about seven digits.
             if z.is_finite() && z > 0.0 && (units - units.round()).abs() > 2e-3 + units * 3e-7 {
                 self.unit_m = 0.0;
@@ -328,7 +327,7 @@ impl Observer {
             .map(|(&z, &truth)| (value(z, below) - truth) as f32)
             .collect();
         self.valid += offs.iter().filter(|off| off.is_finite()).count() as u64;
-        self.mismatches += drop_mismatches(&mut offs, self.look.step);
+        self.mismatches += drop_mismatches(&mut offs, self.settings.step);
         let shift: Vec<f32> = truths.iter().map(|&truth| truth as f32).collect();
         let differences = |(before, old_shift): &(Vec<f32>, Vec<f32>)| -> Vec<f32> {
             let half = std::f32::consts::FRAC_1_SQRT_2;
@@ -358,14 +357,14 @@ impl Observer {
             if !off.is_finite() {
                 continue;
             }
-            let sum = if self.places.is_empty() {
+            let sum = if self.cells.is_empty() {
                 self.by_truth
                     .entry((truth / error_domain.bin()) as i64)
                     .or_default()
             } else {
                 let at = (i / columns / square) * columns.div_ceil(square) + i % columns / square;
-                match self.places.get_mut(at) {
-                    Some(place) => &mut place.sum,
+                match self.cells.get_mut(at) {
+                    Some(cell) => &mut cell.sum,
                     None => continue,
                 }
             };
@@ -377,17 +376,17 @@ impl Observer {
         *older = last.replace((offs, shift));
     }
 
-    fn seen(self, recording: &TargetRecording) -> Observation {
+    fn observation(self, recording: &TargetRecording) -> Observation {
         let pixels = (self.region.pixels() * self.frames).max(1);
         let sums = || {
-            self.places
+            self.cells
                 .iter()
-                .map(|place| place.sum)
+                .map(|cell| cell.sum)
                 .chain(self.by_truth.values().copied())
         };
         let values = sums().map(|sum| sum.values).sum::<u64>();
         let mean = sums().map(|sum| sum.measured).sum::<f64>() / values as f64;
-        let depth_m = self.look.error_domain.depth_m(mean);
+        let depth_m = self.settings.error_domain.depth_m(mean);
         Observation {
             name: recording.name.clone(),
             distance_m: recording.distance_m,
@@ -396,12 +395,12 @@ impl Observer {
             fill_rate: self.valid as f64 / pixels as f64,
             mismatch_rate: self.mismatches as f64 / (self.valid as f64).max(1.0),
             by_truth: self.by_truth.into_values().collect(),
-            places: self.places,
+            cells: self.cells,
             pairs: self.pairs,
             apart: self.apart,
             square: self.square,
             depth_m,
-            unit: self.look.error_domain.of_unit(self.unit_m, depth_m),
+            unit: self.settings.error_domain.of_unit(self.unit_m, depth_m),
         }
     }
 }

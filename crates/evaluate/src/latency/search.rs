@@ -73,7 +73,7 @@ impl<'a> Search<'a> {
             .images
             .iter()
             .map(|(t, y)| (self.reference.at(t - latency_s).0, *y));
-        1.0 - Line::new(pairs).correlation.powi(2)
+        1.0 - RegressionLine::new(pairs).correlation.powi(2)
     }
 
     /// Returns the best latency, s.
@@ -122,19 +122,19 @@ impl<'a> Search<'a> {
             (x, speed, *y)
         };
         let rows: Vec<(f64, f64, f64)> = self.images.iter().map(of_image).collect();
-        let line = Line::new(rows.iter().map(|(x, _, y)| (*x, *y)));
+        let line = RegressionLine::new(rows.iter().map(|(x, _, y)| (*x, *y)));
         let residuals: Vec<f64> = rows.iter().map(|(x, _, y)| y - line.at(*x)).collect();
         let squares: f64 = residuals.iter().map(|r| r * r).sum();
         let variance = squares / (rows.len() as f64 - 3.0);
         // The change of positions with the latency, without what the affine function takes up.
         let speeds: Vec<f64> = rows.iter().map(|(_, speed, _)| line.slope * speed).collect();
-        let taken = Line::new(rows.iter().zip(&speeds).map(|((x, ..), speed)| (*x, *speed)));
+        let taken = RegressionLine::new(rows.iter().zip(&speeds).map(|((x, ..), speed)| (*x, *speed)));
         let information: f64 = rows
             .iter()
             .zip(&speeds)
             .map(|((x, ..), speed)| (speed - taken.at(*x)).powi(2))
             .sum();
-        let scatter = Line::new(
+        let scatter = RegressionLine::new(
             speeds
                 .iter()
                 .zip(&residuals)
@@ -153,13 +153,13 @@ impl<'a> Search<'a> {
 }
 
 /// The line of the least squares.
-struct Line {
+struct RegressionLine {
     mean: (f64, f64),
     slope: f64,
     correlation: f64,
 }
 
-impl Line {
+impl RegressionLine {
     fn new(points: impl Iterator<Item = (f64, f64)> + Clone) -> Self {
         let count = points.clone().count().max(1) as f64;
         let sum = points

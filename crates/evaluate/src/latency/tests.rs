@@ -1,7 +1,7 @@
 use std::f64::consts::TAU;
 use std::fs;
 
-use oaktwin_depth::random::{Numbers, Stage, Stream};
+use oaktwin_depth::random::{NoiseStage, Numbers, Stream};
 
 use super::*;
 
@@ -11,7 +11,7 @@ fn place(t: f64) -> f64 {
 }
 
 fn numbers(seed: u64) -> Numbers {
-    Numbers::new(Stream::new(seed, "latency").plane(Stage::Delivery, 0, 0))
+    Numbers::new(Stream::new(seed, "latency").plane(NoiseStage::Delivery, 0, 0))
 }
 
 /// An encoder at 1 kHz, from 0 to 10 s.

@@ -2,7 +2,7 @@ use std::path::Path;
 
 use oaktwin_files::FileError;
 
-use crate::table::{self, Wrong, wrong};
+use crate::table::{self, TableProblem, wrong};
 
 const COLUMNS: [&str; 2] = ["time_s", "position"];
 
@@ -29,7 +29,7 @@ impl Track {
         let column = |at: usize| {
             rows.iter()
                 .map(|row| row.number(at))
-                .collect::<Result<Vec<f64>, Wrong>>()
+                .collect::<Result<Vec<f64>, TableProblem>>()
         };
         let numbers = column(0).and_then(|time_s| Ok((time_s, column(1)?)));
         let (time_s, position) = numbers.map_err(|wrong| wrong.of(path))?;

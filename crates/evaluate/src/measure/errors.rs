@@ -1,6 +1,6 @@
 use oaktwin_image::ImageView;
 
-use super::{Region, is_valid};
+use super::{ImageRegion, is_valid};
 
 /// The number of bins of a histogram: odd, so that one is centred on 0.
 const BINS: usize = 41;
@@ -40,7 +40,7 @@ pub struct Histogram {
 impl Errors {
     /// Compares measured with true depth of the same camera and size, metres.
     #[must_use]
-    pub fn of(truth: ImageView<'_, f32>, measured: ImageView<'_, f32>, region: &Region) -> Self {
+    pub fn of(truth: ImageView<'_, f32>, measured: ImageView<'_, f32>, region: &ImageRegion) -> Self {
         let rows = region.rows_of(truth).zip(region.rows_of(measured));
         let pixels = rows.flat_map(|(truth, measured)| truth.iter().zip(measured));
         let seen: Vec<(f32, f32)> = pixels
@@ -116,7 +116,11 @@ mod tests {
     fn ignores_misses_and_counts_gaps() {
         let truth = Image::new(4, 1, vec![1.0, 2.0, f32::INFINITY, 4.0]).unwrap();
         let measured = Image::new(4, 1, vec![1.01, 0.0, 3.0, 3.8]).unwrap();
-        let errors = Errors::of((&truth).into(), (&measured).into(), &Region::centred(4, 1, 1.0));
+        let errors = Errors::of(
+            (&truth).into(),
+            (&measured).into(),
+            &ImageRegion::centred(4, 1, 1.0),
+        );
         assert_eq!(errors.pixels, 3);
         assert!((errors.fill_rate - 2.0 / 3.0).abs() < 1e-12);
         assert!((errors.p95_absolute_error_m.unwrap() - 0.2).abs() < 1e-6);
@@ -129,7 +133,11 @@ mod tests {
     fn nothing_measured_has_no_errors() {
         let truth = Image::filled(3, 3, 2.0);
         let measured = Image::filled(3, 3, 0.0);
-        let errors = Errors::of((&truth).into(), (&measured).into(), &Region::centred(3, 3, 1.0));
+        let errors = Errors::of(
+            (&truth).into(),
+            (&measured).into(),
+            &ImageRegion::centred(3, 3, 1.0),
+        );
         assert_eq!(
             (errors.pixels, errors.fill_rate, errors.median_error_m),
             (9, 0.0, None)

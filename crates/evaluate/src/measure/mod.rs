@@ -18,9 +18,9 @@ mod vendor;
 
 pub use autocovariance::Autocovariance;
 pub use errors::{Errors, Histogram};
-pub use plane::Plane;
+pub use plane::FittedPlane;
 pub use quality::{Optics, Quality, quality};
-pub use region::Region;
+pub use region::ImageRegion;
 pub use statistics::{median, quantile, r_squared};
 pub use vendor::{TRIMMED, Vendor, vendor};
 

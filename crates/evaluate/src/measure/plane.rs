@@ -2,14 +2,14 @@ use oaktwin_camera::math::DVec3;
 
 /// A plane in the camera's frame (x right, y down, z forward; metres): the points p with `normal · p = distance`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plane {
+pub struct FittedPlane {
     /// The unit normal, which points away from the camera.
     pub normal: DVec3,
     /// The distance from the optical centre in metres, above 0.
     pub distance_m: f64,
 }
 
-impl Plane {
+impl FittedPlane {
     /// Fits a plane to points seen by a depth camera; `None` if they do not define one, or if it would pass through the camera.
     ///
     /// The inverse depth of a plane is linear in the image, so the fit minimizes the squared errors of inverse depth, that is of
@@ -71,7 +71,7 @@ mod tests {
                 let ray = DVec3::new(x, y, 1.0);
                 ray * (distance / normal.dot(ray))
             }).collect();
-            let plane = Plane::fitted(&points).unwrap();
+            let plane = FittedPlane::fitted(&points).unwrap();
             prop_assert!(plane.normal.distance(normal) < 1e-6, "{:?} {:?}", plane.normal, normal);
             prop_assert!((plane.distance_m - distance).abs() < 1e-6 * distance);
             prop_assert!(points.iter().all(|&p| plane.signed_distance(p).abs() < 1e-6));
@@ -88,7 +88,7 @@ mod tests {
                 ray * (30.0 / disparity)
             })
             .collect();
-        let plane = Plane::fitted(&points).unwrap();
+        let plane = FittedPlane::fitted(&points).unwrap();
         assert!(plane.normal.z > 0.999, "{plane:?}");
         assert!((plane.distance_m - 10.0).abs() < 0.2, "{plane:?}");
     }
@@ -97,7 +97,7 @@ mod tests {
     fn rejects_points_that_define_no_plane() {
         let line: Vec<DVec3> = (0..9).map(|i| DVec3::new(f64::from(i), 0.0, 2.0)).collect();
         for points in [&[][..], &[DVec3::Z], &[DVec3::Z; 5], &line] {
-            assert_eq!(Plane::fitted(points), None);
+            assert_eq!(FittedPlane::fitted(points), None);
         }
     }
 }

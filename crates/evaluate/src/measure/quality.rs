@@ -3,7 +3,7 @@ use oaktwin_camera::{Intrinsics, PixelPoint, Usd};
 use oaktwin_image::ImageView;
 
 use super::statistics::{mean, median_in_place};
-use super::{Plane, Region, is_valid};
+use super::{FittedPlane, ImageRegion, is_valid};
 
 /// The optics of depth images.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,7 +15,7 @@ pub struct Optics {
 }
 
 /// Quality measures on a flat board, as in librealsense's depth quality tool; the plane is fitted in inverse depth
-/// ([`Plane::fitted`]). `None` if too little was measured.
+/// ([`FittedPlane::fitted`]). `None` if too little was measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Quality {
     /// The share of the region's pixels that are valid, 0 to 1; the mean over the captures.
@@ -38,7 +38,12 @@ pub struct Quality {
 
 /// Measures the quality of images of a flat board in a region.
 #[must_use]
-pub fn quality(captures: &[ImageView<'_, f32>], region: &Region, optics: &Optics, truth_m: f64) -> Quality {
+pub fn quality(
+    captures: &[ImageView<'_, f32>],
+    region: &ImageRegion,
+    optics: &Optics,
+    truth_m: f64,
+) -> Quality {
     let mut deviations = Deviations::new(region.pixels());
     let (mut fill, mut spatial) = (Vec::new(), Vec::new());
     let mut errors_m: Vec<f32> = Vec::with_capacity(region.pixels() * captures.len());
@@ -71,7 +76,7 @@ pub fn quality(captures: &[ImageView<'_, f32>], region: &Region, optics: &Optics
 }
 
 /// Returns the points at depth 1 on the rays of the region's pixels, row by row.
-fn rays(region: &Region, intrinsics: &Intrinsics) -> Vec<DVec3> {
+fn rays(region: &ImageRegion, intrinsics: &Intrinsics) -> Vec<DVec3> {
     let pixel = |x: u32, y: u32| {
         let centre = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
         intrinsics.normalized_from_pixel(centre).extend(1.0)
@@ -90,7 +95,7 @@ struct Spatial {
 
 impl Spatial {
     fn new(points: &[DVec3], disparity_times_depth: f64, truth_m: f64) -> Option<Self> {
-        let plane = Plane::fitted(points)?;
+        let plane = FittedPlane::fitted(points)?;
         let mut distances = Vec::with_capacity(points.len());
         let (mut squares_m, mut squares_px) = (0.0, 0.0);
         for point in points {
@@ -171,7 +176,7 @@ mod tests {
 
     fn of(images: &[Image<f32>], truth_m: f64) -> Quality {
         let views: Vec<ImageView<'_, f32>> = images.iter().map(ImageView::from).collect();
-        quality(&views, &Region::centred(40, 20, 0.5), &optics(), truth_m)
+        quality(&views, &ImageRegion::centred(40, 20, 0.5), &optics(), truth_m)
     }
 
     #[test]
@@ -187,7 +192,7 @@ mod tests {
     #[test]
     fn tilt_is_not_an_error() {
         let normal = DVec3::new(0.2, -0.1, 1.0).normalize();
-        let rays = rays(&Region::centred(40, 20, 1.0), &optics().intrinsics);
+        let rays = rays(&ImageRegion::centred(40, 20, 1.0), &optics().intrinsics);
         let image = board(|x, y| 2.0 / normal.dot(rays[(y * 40 + x) as usize]));
         let quality = of(&[image], 2.0);
         assert!(quality.plane_fit_rms_m.unwrap() < 1e-6, "{quality:?}");

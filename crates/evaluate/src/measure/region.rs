@@ -4,14 +4,14 @@ use oaktwin_image::ImageView;
 
 /// A rectangle of an image in pixels.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Region {
+pub struct ImageRegion {
     /// The columns.
     pub columns: Range<u32>,
     /// The rows.
     pub rows: Range<u32>,
 }
 
-impl Region {
+impl ImageRegion {
     /// Creates a region at the centre of an image with a share (0 to 1) of its width and height, at least one pixel if the image
     /// has any.
     #[must_use]
@@ -58,28 +58,28 @@ mod tests {
 
     #[test]
     fn selects_the_middle_of_an_image() {
-        let region = Region::centred(1280, 800, 0.05);
+        let region = ImageRegion::centred(1280, 800, 0.05);
         assert_eq!(
             (region.columns.clone(), region.rows.clone()),
             (608..672, 380..420)
         );
         assert_eq!(region.pixels(), 2560);
-        assert_eq!(Region::centred(5, 1, 1e-9).pixels(), 1);
-        assert_eq!(Region::centred(5, 3, 7.0).pixels(), 15);
-        assert_eq!(Region::centred(0, 3, 0.5).pixels(), 0);
-        assert_eq!(Region::centred(4, 4, f64::NAN).pixels(), 1);
+        assert_eq!(ImageRegion::centred(5, 1, 1e-9).pixels(), 1);
+        assert_eq!(ImageRegion::centred(5, 3, 7.0).pixels(), 15);
+        assert_eq!(ImageRegion::centred(0, 3, 0.5).pixels(), 0);
+        assert_eq!(ImageRegion::centred(4, 4, f64::NAN).pixels(), 1);
     }
 
     #[test]
     fn rows_are_cropped_to_the_image() {
         let image = Image::new(3, 2, vec![0.0f32, 1.0, 2.0, 3.0, 4.0, 5.0]).unwrap();
-        let region = Region {
+        let region = ImageRegion {
             columns: 1..9,
             rows: 1..9,
         };
         let rows: Vec<&[f32]> = region.rows_of((&image).into()).collect();
         assert_eq!(rows, [[4.0, 5.0]]);
-        let outside = Region {
+        let outside = ImageRegion {
             columns: 7..9,
             rows: 0..1,
         };

@@ -1,7 +1,7 @@
 use oaktwin_image::ImageView;
 
 use super::statistics::{mean, median_in_place, standard_deviation};
-use super::{Region, is_valid};
+use super::{ImageRegion, is_valid};
 
 /// The share of a region's valid pixels that is dropped at each end.
 pub const TRIMMED: f64 = 0.05;
@@ -28,7 +28,7 @@ impl Vendor {
 /// Measures the distance of the surface in a region as the vendor does. The same number of pixels is dropped at the top and at
 /// the bottom, which affects the mean but not the median.
 #[must_use]
-pub fn vendor(captures: &[ImageView<'_, f32>], region: &Region) -> Vendor {
+pub fn vendor(captures: &[ImageView<'_, f32>], region: &ImageRegion) -> Vendor {
     let mut values: Vec<f32> = Vec::with_capacity(region.pixels());
     let (mut medians, mut means) = (Vec::new(), Vec::new());
     for capture in captures {
@@ -72,8 +72,8 @@ mod tests {
     use oaktwin_image::Image;
     use proptest::prelude::*;
 
-    fn all(width: u32, height: u32) -> Region {
-        Region::centred(width, height, 1.0)
+    fn all(width: u32, height: u32) -> ImageRegion {
+        ImageRegion::centred(width, height, 1.0)
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use oaktwin_base::diagnostic::{Finding, Level, Message};
 
-use super::place::{Place, region_of};
+use super::place::{PlacementSearch, region_of};
 use super::placed::Placed;
 use crate::GenerateError;
 use crate::context::Context;
@@ -103,7 +103,7 @@ impl Heaps<'_> {
         let rule = object.rule;
         let name = format!("objects.{rule}.{}.again{round}#{}", object.index, self.redraw);
         let mut numbers = self.context.random.numbers(&name, self.number);
-        let place = Place::new(self.context, self.base, rule, &object.asset, &object.hull, others)?;
+        let place = PlacementSearch::new(self.context, self.base, rule, &object.asset, &object.hull, others)?;
         let found = place.find(&mut numbers).ok();
         Ok(found.is_some_and(|pose| {
             object.move_to(pose);

@@ -12,13 +12,13 @@ use crate::recipe::{Lamps, Sky, Sun};
 /// The kind of a drawn light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-enum Kind {
+enum DrawnLightKind {
     Sun,
     Sky,
     Lamp,
 }
 
-impl Kind {
+impl DrawnLightKind {
     /// The name in the path of the light.
     const fn name(self) -> &'static str {
         match self {
@@ -32,7 +32,7 @@ impl Kind {
 /// A drawn light.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct DrawnLight {
-    kind: Kind,
+    kind: DrawnLightKind,
     /// Linear radiance, or irradiance of the sun.
     radiance: [f32; 3],
     /// The centre of a lamp, or the direction towards the sun.
@@ -59,11 +59,11 @@ impl DrawnLight {
     pub(crate) fn light(&self, index: usize, up: DVec3, texture: Option<u32>) -> Light {
         let place = DVec3::from(self.place);
         let (kind, world_from_light) = match self.kind {
-            Kind::Sun => {
+            DrawnLightKind::Sun => {
                 let kind = LightKind::Distant { angle: 0.0093 };
                 (kind, DAffine3::from_mat3(facing(place)))
             }
-            Kind::Lamp => {
+            DrawnLightKind::Lamp => {
                 let size = self.size_m as f32;
                 let kind = LightKind::Rect {
                     width: size,
@@ -71,7 +71,7 @@ impl DrawnLight {
                 };
                 (kind, DAffine3::from_mat3_translation(facing(up), place))
             }
-            Kind::Sky => {
+            DrawnLightKind::Sky => {
                 let turn = rotation_around(up, self.azimuth_deg.to_radians());
                 // The pole of a dome is +y.
                 let upright = rotation_between(DVec3::Y, up);
@@ -127,7 +127,7 @@ fn draw_sun(sun: &Sun, up: DVec3, numbers: &mut Numbers) -> DrawnLight {
     let azimuth = sun.azimuth_deg.draw(numbers).to_radians();
     let temperature = sun.temperature_k.draw(numbers);
     DrawnLight {
-        kind: Kind::Sun,
+        kind: DrawnLightKind::Sun,
         radiance: emitted(intensity, temperature),
         place: direction(up, azimuth, elevation).to_array(),
         size_m: 0.0,
@@ -141,7 +141,7 @@ fn draw_sky(sky: &Sky, images: &[PathBuf], numbers: &mut Numbers) -> DrawnLight 
     let azimuth_deg = sky.azimuth_deg.draw(numbers);
     let image = numbers.pick(images).cloned();
     DrawnLight {
-        kind: Kind::Sky,
+        kind: DrawnLightKind::Sky,
         radiance: emitted(intensity, WHITE_K),
         place: [0.0; 3],
         size_m: 0.0,
@@ -166,7 +166,7 @@ fn draw_lamp(lamps: &Lamps, center: DVec3, up: DVec3, numbers: &mut Numbers) -> 
         None => center + up * height + direction(up, azimuth, 0.0) * distance,
     };
     DrawnLight {
-        kind: Kind::Lamp,
+        kind: DrawnLightKind::Lamp,
         radiance: emitted(intensity, temperature),
         place: place.to_array(),
         size_m,

@@ -4,7 +4,7 @@ use oaktwin_base::diagnostic::Finding;
 
 use super::heap::Heaps;
 use super::look;
-use super::place::{Place, Rejected};
+use super::place::{PlacementSearch, Rejected};
 use super::placed::{Placed, bounds_at};
 use super::size;
 use crate::GenerateError;
@@ -92,7 +92,7 @@ fn try_place(
             let hull = asset.hull.scaled(scale).ok_or_else(|| GenerateError::Empty {
                 file: file.path.clone(),
             })?;
-            let place = Place::new(context, base, rule, &asset, &hull, &placed)?;
+            let place = PlacementSearch::new(context, base, rule, &asset, &hull, &placed)?;
             match place.find(&mut numbers) {
                 Ok(pose) => {
                     findings.extend(size::unusual(rule, &file.path, size_m));

@@ -68,7 +68,7 @@ pub(super) fn region_of(context: &Context, base: usize, rule: usize) -> Result<B
 }
 
 /// The search for the place of one object.
-pub(super) struct Place<'a> {
+pub(super) struct PlacementSearch<'a> {
     base: &'a Base,
     rule: &'a ObjectRule,
     region: Bounds,
@@ -78,7 +78,7 @@ pub(super) struct Place<'a> {
     others: &'a [Placed],
 }
 
-impl<'a> Place<'a> {
+impl<'a> PlacementSearch<'a> {
     pub(super) fn new(
         context: &'a Context,
         base: usize,

@@ -22,7 +22,7 @@ pub(crate) struct Stage {
     base: usize,
     renderer: Renderer,
     /// The contents of the base scene.
-    own: Own,
+    contents: BaseContents,
     /// The first mesh and the first texture of each object that was added, by the entry of its file.
     added: HashMap<usize, [u32; 2]>,
     images: HashMap<PathBuf, u32>,
@@ -32,7 +32,7 @@ pub(crate) struct Stage {
 }
 
 #[derive(Debug)]
-struct Own {
+struct BaseContents {
     instances: Vec<Instance>,
     materials: Vec<Material>,
     lights: Vec<Light>,
@@ -52,15 +52,15 @@ impl Stage {
             .micro_texture
             .then(|| MicroTexture::ordinary(seed));
         scene.possible_labels = possible_labels(context);
-        let own = Own {
+        let contents = BaseContents {
             instances: scene.instances.clone(),
             materials: scene.materials.clone(),
             lights: scene.lights.clone(),
         };
         Self {
-            base,
+            contents,
             renderer: Renderer::new(scene),
-            own,
+            base,
             added: HashMap::new(),
             images: HashMap::new(),
             triangles: 0,
@@ -79,8 +79,8 @@ impl Stage {
 
     /// Shows an arrangement.
     pub(crate) fn show(&mut self, context: &Context, arrangement: &Arrangement) {
-        let mut instances = self.own.instances.clone();
-        let mut materials = self.own.materials.clone();
+        let mut instances = self.contents.instances.clone();
+        let mut materials = self.contents.materials.clone();
         for (rule, look) in context.file.recipe.looks.iter().zip(&arrangement.looks) {
             self.change_look(&mut instances, &mut materials, &rule.prims.0, look, context);
         }
@@ -91,7 +91,7 @@ impl Stage {
             self.objects.push(first..instances.len());
         }
         let mut lights = match context.file.recipe.light.keep {
-            true => self.own.lights.clone(),
+            true => self.contents.lights.clone(),
             false => Vec::new(),
         };
         let up = context.bases[self.base].up();
@@ -123,13 +123,19 @@ impl Stage {
         let texture = look.texture.clone().map(|image| self.image(image));
         let material = look.material(texture);
         let base = &context.bases[self.base];
-        let count = self.own.materials.len();
+        let count = self.contents.materials.len();
         // A copy for each material of the base scene, so that the offset is the same for all of its meshes.
         let offset = index(materials.len());
         // What is invisible stays so.
-        materials.extend((0..count.max(1)).map(|own| Material {
-            opacity: self.own.materials.get(own).and_then(|own| own.opacity),
-            ..material.clone()
+        materials.extend((0..count.max(1)).map(|index| {
+            Material {
+                opacity: self
+                    .contents
+                    .materials
+                    .get(index)
+                    .and_then(|material| material.opacity),
+                ..material.clone()
+            }
         }));
         for (at, instance) in (0..).zip(instances) {
             if base.is_below(at, prims) {

@@ -80,12 +80,12 @@ impl Recipe {
     pub fn parse(file: &Path, text: &str) -> Result<Self, CatalogError> {
         let document = Document::parse(file, text, "a recipe")?;
         let recipe: Self = document.deserialize()?;
-        let wrong = |(place, problem, remedy): Wrong| document.error(&place, problem, remedy);
+        let wrong = |(place, problem, remedy): RecipeProblem| document.error(&place, problem, remedy);
         recipe.check().map_err(wrong)?;
         Ok(recipe)
     }
 
-    fn check(&self) -> Result<(), Wrong> {
+    fn check(&self) -> Result<(), RecipeProblem> {
         whole("frames", self.frames, 1..=u64::from(u32::MAX))?;
         whole("frames_per_scene", self.frames_per_scene, 1..=u64::from(u32::MAX))?;
         if self.seed > i64::MAX as u64 {
@@ -127,7 +127,7 @@ impl Recipe {
         Ok(())
     }
 
-    fn check_light(&self) -> Result<(), Wrong> {
+    fn check_light(&self) -> Result<(), RecipeProblem> {
         let light = &self.light;
         within("light.infrared_ambient", &light.infrared_ambient, 0.0, 1e6)?;
         if let Some(projector) = &light.projector {
@@ -158,9 +158,9 @@ impl Recipe {
 }
 
 /// A place in the document, the problem and the remedy.
-type Wrong = (String, String, String);
+type RecipeProblem = (String, String, String);
 
-fn wrong(place: &str, problem: impl Into<String>, remedy: impl Into<String>) -> Wrong {
+fn wrong(place: &str, problem: impl Into<String>, remedy: impl Into<String>) -> RecipeProblem {
     let name = place.rsplit('.').next().unwrap_or(place);
     (
         place.to_owned(),
@@ -169,7 +169,7 @@ fn wrong(place: &str, problem: impl Into<String>, remedy: impl Into<String>) -> 
     )
 }
 
-fn whole(place: &str, value: u64, range: std::ops::RangeInclusive<u64>) -> Result<(), Wrong> {
+fn whole(place: &str, value: u64, range: std::ops::RangeInclusive<u64>) -> Result<(), RecipeProblem> {
     if range.contains(&value) {
         return Ok(());
     }
@@ -177,7 +177,7 @@ fn whole(place: &str, value: u64, range: std::ops::RangeInclusive<u64>) -> Resul
     Err(wrong(place, format!("{value} is out of range"), remedy))
 }
 
-fn within(place: &str, quantity: &Quantity, min: f64, max: f64) -> Result<(), Wrong> {
+fn within(place: &str, quantity: &Quantity, min: f64, max: f64) -> Result<(), RecipeProblem> {
     let [low, high] = quantity.range();
     if low >= min && high <= max {
         return Ok(());
@@ -194,7 +194,7 @@ fn within(place: &str, quantity: &Quantity, min: f64, max: f64) -> Result<(), Wr
     ))
 }
 
-fn check_region(place: &str, region: Option<Region>) -> Result<(), Wrong> {
+fn check_region(place: &str, region: Option<Region>) -> Result<(), RecipeProblem> {
     match region {
         Some(Region { min, max }) if (0..3).any(|axis| min[axis] > max[axis]) => Err(wrong(
             place,
@@ -205,7 +205,7 @@ fn check_region(place: &str, region: Option<Region>) -> Result<(), Wrong> {
     }
 }
 
-fn check_look(place: &str, look: &Appearance) -> Result<(), Wrong> {
+fn check_look(place: &str, look: &Appearance) -> Result<(), RecipeProblem> {
     let at = |name: &str| format!("{place}.{name}");
     for (name, probability) in [("keep", look.keep), ("textured", look.textured)] {
         within(&at(name), &probability.into(), 0.0, 1.0)?;
@@ -221,7 +221,7 @@ fn check_look(place: &str, look: &Appearance) -> Result<(), Wrong> {
     (look.infrared.as_ref()).map_or(Ok(()), |infrared| within(&at("infrared"), infrared, 0.0, 1.0))
 }
 
-fn check_objects(place: &str, rule: &ObjectRule) -> Result<(), Wrong> {
+fn check_objects(place: &str, rule: &ObjectRule) -> Result<(), RecipeProblem> {
     let at = |name: &str| format!("{place}.{name}");
     if rule.files.0.is_empty() {
         let remedy = "add files = \"objects/\", a folder or a list of files";
@@ -243,7 +243,7 @@ fn check_objects(place: &str, rule: &ObjectRule) -> Result<(), Wrong> {
         .map_or(Ok(()), |look| check_look(&at("look"), look))
 }
 
-fn check_unit(unit: &UnitRule) -> Result<(), Wrong> {
+fn check_unit(unit: &UnitRule) -> Result<(), RecipeProblem> {
     if unit.calibration.is_some() && unit.population.is_some() {
         let remedy = "remove it or unit.calibration";
         return Err(wrong("unit.population", "a calibration is one unit", remedy));
@@ -268,7 +268,7 @@ fn check_unit(unit: &UnitRule) -> Result<(), Wrong> {
     Ok(())
 }
 
-fn check_motion(motion: &MotionRule, is_path: bool) -> Result<(), Wrong> {
+fn check_motion(motion: &MotionRule, is_path: bool) -> Result<(), RecipeProblem> {
     for (key, quantity, [min, max]) in motion.quantities() {
         within(&format!("camera.motion.{key}"), &quantity, min, max)?;
     }
@@ -287,7 +287,7 @@ fn check_motion(motion: &MotionRule, is_path: bool) -> Result<(), Wrong> {
     }
 }
 
-fn check_camera(camera: &CameraRule) -> Result<(), Wrong> {
+fn check_camera(camera: &CameraRule) -> Result<(), RecipeProblem> {
     if camera.model.0.is_empty() {
         return Err(wrong(
             "camera.model",

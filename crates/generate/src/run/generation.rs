@@ -2,7 +2,7 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-use oaktwin_dataset::Options as FormatOptions;
+use oaktwin_dataset::WriterOptions;
 use oaktwin_files::FileError;
 use oaktwin_pipeline::progress::Watch;
 
@@ -144,10 +144,10 @@ impl Generation {
 
 fn formats(context: &Context, root: &Path) -> Vec<PlacedFormat> {
     let alone = context.formats.len() == 1;
-    let options = FormatOptions {
+    let options = WriterOptions {
         seed: context.file.recipe.seed,
         shard_frames: context.file.recipe.output.shard_frames,
-        ..FormatOptions::default()
+        ..WriterOptions::default()
     };
     let place = |name: &str| if alone { root.to_owned() } else { root.join(name) };
     let labels = context.object_files.labels();

@@ -31,12 +31,12 @@ pub struct Layout {
 /// A type of numbers and its byte order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Number {
-    kind: Kind,
+    kind: DtypeKind,
     is_big_endian: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum DtypeKind {
     U8,
     U16,
     I16,
@@ -106,21 +106,21 @@ impl Number {
     fn parse(descr: &str) -> Option<Self> {
         let (order, name) = descr.split_at_checked(1)?;
         let kind = match name {
-            "u1" => Kind::U8,
-            "u2" => Kind::U16,
-            "i2" => Kind::I16,
-            "i4" => Kind::I32,
-            "u4" => Kind::U32,
-            "i8" => Kind::I64,
-            "f2" => Kind::F16,
-            "f4" => Kind::F32,
-            "f8" => Kind::F64,
+            "u1" => DtypeKind::U8,
+            "u2" => DtypeKind::U16,
+            "i2" => DtypeKind::I16,
+            "i4" => DtypeKind::I32,
+            "u4" => DtypeKind::U32,
+            "i8" => DtypeKind::I64,
+            "f2" => DtypeKind::F16,
+            "f4" => DtypeKind::F32,
+            "f8" => DtypeKind::F64,
             _ => return None,
         };
         let is_big_endian = match order {
             "<" => false,
             ">" => true,
-            "|" if kind == Kind::U8 => false,
+            "|" if kind == DtypeKind::U8 => false,
             _ => return None,
         };
         Some(Self { kind, is_big_endian })
@@ -130,10 +130,10 @@ impl Number {
     #[must_use]
     pub const fn bytes(self) -> usize {
         match self.kind {
-            Kind::U8 => 1,
-            Kind::U16 | Kind::I16 | Kind::F16 => 2,
-            Kind::I32 | Kind::U32 | Kind::F32 => 4,
-            Kind::I64 | Kind::F64 => 8,
+            DtypeKind::U8 => 1,
+            DtypeKind::U16 | DtypeKind::I16 | DtypeKind::F16 => 2,
+            DtypeKind::I32 | DtypeKind::U32 | DtypeKind::F32 => 4,
+            DtypeKind::I64 | DtypeKind::F64 => 8,
         }
     }
 
@@ -148,19 +148,19 @@ impl Number {
             }
         }
         match self.kind {
-            Kind::U8 => Values::U8(bytes.to_vec()),
-            Kind::U16 => Values::U16(get(bytes, self.is_big_endian)),
-            Kind::I16 => {
+            DtypeKind::U8 => Values::U8(bytes.to_vec()),
+            DtypeKind::U16 => Values::U16(get(bytes, self.is_big_endian)),
+            DtypeKind::I16 => {
                 let shorts: Vec<u16> = get(bytes, self.is_big_endian);
                 Values::I32(shorts.into_iter().map(|bits| bits.cast_signed().into()).collect())
             }
-            Kind::I32 => Values::I32(get(bytes, self.is_big_endian)),
-            Kind::U32 => {
+            DtypeKind::I32 => Values::I32(get(bytes, self.is_big_endian)),
+            DtypeKind::U32 => {
                 let words: Vec<u32> = get(bytes, self.is_big_endian);
                 Values::I64(words.into_iter().map(i64::from).collect())
             }
-            Kind::I64 => Values::I64(get(bytes, self.is_big_endian)),
-            Kind::F16 => {
+            DtypeKind::I64 => Values::I64(get(bytes, self.is_big_endian)),
+            DtypeKind::F16 => {
                 let halves: Vec<u16> = get(bytes, self.is_big_endian);
                 Values::F32(
                     halves
@@ -169,8 +169,8 @@ impl Number {
                         .collect(),
                 )
             }
-            Kind::F32 => Values::F32(get(bytes, self.is_big_endian)),
-            Kind::F64 => Values::F64(get(bytes, self.is_big_endian)),
+            DtypeKind::F32 => Values::F32(get(bytes, self.is_big_endian)),
+            DtypeKind::F64 => Values::F64(get(bytes, self.is_big_endian)),
         }
     }
 }

@@ -14,7 +14,7 @@ pub use layout::{Layout, Number};
 pub use npz::only_array;
 pub use read::{Array, decode};
 pub use values::Values;
-pub use write::{Element, Field, begin, encode, encode_records, write};
+pub use write::{Field, NpyElement, begin, encode, encode_records, write};
 
 const FORMAT: &str = "NPY";
 

@@ -12,14 +12,14 @@ const BLOCK: usize = 1 << 16;
     private_bounds,
     reason = "the conversion to bytes is an implementation detail"
 )]
-pub trait Element: Scalar {
+pub trait NpyElement: Scalar {
     /// The name of the type in `NumPy`, with the byte order.
     const DESCR: &'static str;
 }
 
 macro_rules! elements {
     ($($number:ty => $descr:literal),+) => {$(
-        impl Element for $number {
+        impl NpyElement for $number {
             const DESCR: &'static str = $descr;
         }
     )+};
@@ -39,7 +39,7 @@ elements!(u8 => "|u1", u16 => "<u2", u32 => "<u4", i32 => "<i4", i64 => "<i8", f
 ///
 /// # Errors
 /// Returns an error if the number of values does not match `shape`.
-pub fn encode<T: Element>(shape: &[usize], values: &[T]) -> Result<Vec<u8>, CodecError> {
+pub fn encode<T: NpyElement>(shape: &[usize], values: &[T]) -> Result<Vec<u8>, CodecError> {
     if header::elements(shape) != Some(values.len()) {
         return Err(CodecError::new(
             FORMAT,
@@ -56,7 +56,7 @@ pub fn encode<T: Element>(shape: &[usize], values: &[T]) -> Result<Vec<u8>, Code
 
 /// Returns the start of a file of `shape` that is written in parts; [`write()`] appends its numbers in C order.
 #[must_use]
-pub fn begin<T: Element>(shape: &[usize]) -> Vec<u8> {
+pub fn begin<T: NpyElement>(shape: &[usize]) -> Vec<u8> {
     header::encode(&format!("'{}'", T::DESCR), shape)
 }
 
@@ -64,7 +64,7 @@ pub fn begin<T: Element>(shape: &[usize]) -> Vec<u8> {
 ///
 /// # Errors
 /// Returns the errors of the writer.
-pub fn write<T: Element>(values: &[T], out: &mut (impl Write + ?Sized)) -> io::Result<()> {
+pub fn write<T: NpyElement>(values: &[T], out: &mut (impl Write + ?Sized)) -> io::Result<()> {
     let mut block = Vec::new();
     for values in values.chunks(BLOCK / size_of::<T>()) {
         block.clear();
@@ -79,14 +79,14 @@ pub fn write<T: Element>(values: &[T], out: &mut (impl Write + ?Sized)) -> io::R
 pub struct Field {
     /// The name.
     pub name: &'static str,
-    /// The name of the type in `NumPy`: [`Element::DESCR`].
+    /// The name of the type in `NumPy`: [`NpyElement::DESCR`].
     pub descr: &'static str,
 }
 
 impl Field {
     /// Creates a field of numbers `T`.
     #[must_use]
-    pub const fn of<T: Element>(name: &'static str) -> Self {
+    pub const fn of<T: NpyElement>(name: &'static str) -> Self {
         Self {
             name,
             descr: T::DESCR,

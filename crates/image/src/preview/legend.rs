@@ -2,7 +2,7 @@ use super::scale::{Scale, step};
 use super::{INK, Marks, NONE, text_height};
 use crate::Image;
 use crate::colormap::turbo;
-use crate::text::{self, Style};
+use crate::text::{self, TextStyle};
 
 /// The legend below an image.
 pub(super) struct Legend<'a> {
@@ -100,7 +100,7 @@ impl<'a> Legend<'a> {
     }
 
     fn write(&mut self, text: &str, column: u32, row: u32) {
-        let style = Style {
+        let style = TextStyle {
             height: self.unit as f32,
             color: INK,
         };

@@ -18,7 +18,7 @@ const INK: [u8; 3] = [235, 235, 235];
 
 /// The options of a preview.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Options {
+pub struct PreviewOptions {
     /// The minimum and maximum of the colour map, metres. The default is the range of the image without half a percent of its
     /// values at both ends.
     pub range: Option<(f32, f32)>,
@@ -27,7 +27,7 @@ pub struct Options {
 impl ZDepth {
     /// Draws a preview with [`depth`].
     #[must_use]
-    pub fn preview(&self, options: &Options) -> Image<[u8; 3]> {
+    pub fn preview(&self, options: &PreviewOptions) -> Image<[u8; 3]> {
         depth(&self.0, options)
     }
 }
@@ -35,7 +35,7 @@ impl ZDepth {
 impl RangeDepth {
     /// Draws a preview with [`depth`].
     #[must_use]
-    pub fn preview(&self, options: &Options) -> Image<[u8; 3]> {
+    pub fn preview(&self, options: &PreviewOptions) -> Image<[u8; 3]> {
         depth(&self.0, options)
     }
 }
@@ -46,7 +46,7 @@ impl RangeDepth {
 /// The scale is linear, or logarithmic if the maximum is more than twelve times the minimum. `<` and `>` at its ends mean that
 /// values beyond have the same colour.
 #[must_use]
-pub fn depth(metres: &Image<f32>, options: &Options) -> Image<[u8; 3]> {
+pub fn depth(metres: &Image<f32>, options: &PreviewOptions) -> Image<[u8; 3]> {
     let scale = Scale::of(metres, options);
     let (width, height) = (metres.width(), metres.height());
     let legend_height = legend_height(width);
@@ -63,7 +63,7 @@ pub fn depth(metres: &Image<f32>, options: &Options) -> Image<[u8; 3]> {
 /// Colours a depth image like [`depth`], without a legend, for several images with a common [`legend`].
 #[must_use]
 pub fn colors(metres: &Image<f32>, range: (f32, f32)) -> (Image<[u8; 3]>, Marks) {
-    let scale = Scale::of(metres, &Options { range: Some(range) });
+    let scale = Scale::of(metres, &PreviewOptions { range: Some(range) });
     let (pixels, marks) = paint(metres, scale.as_ref(), metres.pixels().len());
     let picture = Image::new(metres.width(), metres.height(), pixels);
     (picture.unwrap_or_else(|| Image::filled(0, 0, PAPER)), marks)
@@ -74,7 +74,7 @@ pub fn colors(metres: &Image<f32>, range: (f32, f32)) -> (Image<[u8; 3]>, Marks)
 pub fn legend(width: u32, range: (f32, f32), marks: Marks) -> Image<[u8; 3]> {
     let mut picture = Image::filled(width, legend_height(width), PAPER);
     let none = Image::filled(0, 0, 0.0);
-    let scale = Scale::of(&none, &Options { range: Some(range) });
+    let scale = Scale::of(&none, &PreviewOptions { range: Some(range) });
     Legend::new(&mut picture, 0).draw(scale.as_ref(), marks);
     picture
 }
@@ -156,7 +156,7 @@ mod tests {
         image.pixels_mut()[8] = -2.0;
         let picture = depth(
             &image,
-            &Options {
+            &PreviewOptions {
                 range: Some((1.0, 3.0)),
             },
         );
@@ -173,7 +173,7 @@ mod tests {
     fn images_can_share_a_scale() {
         let mut image = ramp(300, 1.0, 3.0);
         image.pixels_mut()[5] = 0.0;
-        let options = Options {
+        let options = PreviewOptions {
             range: Some((1.0, 2.5)),
         };
         let whole = depth(&image, &options);
@@ -199,7 +199,7 @@ mod tests {
             Image::filled(3, 2, 1.0),
             Image::filled(0, 5, 1.0),
         ] {
-            let picture = depth(&image, &Options::default());
+            let picture = depth(&image, &PreviewOptions::default());
             assert_eq!(picture.width(), image.width());
             assert_eq!(picture.height(), image.height() + legend_height(image.width()));
         }
@@ -211,8 +211,8 @@ mod tests {
             values in prop::collection::vec(prop::num::f32::ANY, 60), near: f32, far: f32,
         ) {
             let image = Image::new(60, 1, values).unwrap();
-            let _ = depth(&image, &Options::default());
-            let _ = depth(&image, &Options { range: Some((near, far)) });
+            let _ = depth(&image, &PreviewOptions::default());
+            let _ = depth(&image, &PreviewOptions { range: Some((near, far)) });
         }
     }
 }

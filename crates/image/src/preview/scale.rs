@@ -1,4 +1,4 @@
-use super::Options;
+use super::PreviewOptions;
 use crate::Image;
 
 /// The ratio of maximum and minimum above which the scale is logarithmic, so that near depths do not share a few colours.
@@ -21,7 +21,7 @@ pub(super) struct Scale {
 
 impl Scale {
     /// Creates a scale, or returns `None` if no depth is valid.
-    pub(super) fn of(metres: &Image<f32>, options: &Options) -> Option<Self> {
+    pub(super) fn of(metres: &Image<f32>, options: &PreviewOptions) -> Option<Self> {
         let (near, far) = match options.range {
             Some((near, far)) => (near.min(far), near.max(far)),
             None => range(metres)?,
@@ -136,7 +136,7 @@ mod tests {
     fn range_ignores_outliers() {
         let mut image = ramp(1000, 1.0, 2.0);
         image.pixels_mut()[3] = 1e9;
-        let scale = Scale::of(&image, &Options::default()).unwrap();
+        let scale = Scale::of(&image, &PreviewOptions::default()).unwrap();
         assert!((1.0..1.02).contains(&scale.near) && (1.98..=2.0).contains(&scale.far));
         assert!(!scale.logarithmic);
         assert_eq!(step(scale.place(1e9)), 12);
@@ -151,7 +151,7 @@ mod tests {
     fn wide_ranges_are_logarithmic() {
         let scale = Scale::of(
             &ramp(9, 0.1, 100.0),
-            &Options {
+            &PreviewOptions {
                 range: Some((0.1, 100.0)),
             },
         )

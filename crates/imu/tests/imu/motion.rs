@@ -3,7 +3,7 @@
 
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DMat3, DQuat, DVec3};
-use oaktwin_imu::{Motion, MotionError, Reading};
+use oaktwin_imu::{ImuReading, Motion, MotionError};
 
 const G: f64 = 9.806_65;
 const GRAVITY: DVec3 = DVec3::new(0.0, 0.0, -G);
@@ -22,7 +22,7 @@ fn motion(rate_hz: u32, seconds: u32, pose: impl Fn(f64) -> RigidTransform) -> M
     Motion::new(&poses).unwrap()
 }
 
-fn assert_near(found: Reading, rate: DVec3, force: DVec3, tolerance: f64) {
+fn assert_near(found: ImuReading, rate: DVec3, force: DVec3, tolerance: f64) {
     let (a, b) = (found.angular_velocity - rate, found.specific_force - force);
     assert!(a.length() < tolerance && b.length() < tolerance, "{a} {b}");
 }

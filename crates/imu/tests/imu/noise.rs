@@ -1,7 +1,7 @@
 //! The Allan deviation finds the densities of the noise again, with the project's random numbers.
 
 use oaktwin_camera::math::DVec3;
-use oaktwin_depth::random::{Stage, Stream, standard_normal};
+use oaktwin_depth::random::{NoiseStage, Stream, standard_normal};
 use oaktwin_imu::{Channel, ChannelNoise, Draws, allan_deviation};
 
 const RATE_HZ: f64 = 200.0;
@@ -12,7 +12,7 @@ fn record(noise: ChannelNoise, seed: u64) -> [Vec<f64>; 3] {
     let mut channel = Channel::new(noise, RATE_HZ, DVec3::ZERO);
     let mut axes = [(); 3].map(|()| Vec::with_capacity(SAMPLES));
     for sample in 0..SAMPLES as u64 {
-        let plane = stream.plane(Stage::Jitter, sample, 0);
+        let plane = stream.plane(NoiseStage::Jitter, sample, 0);
         let normals = [0, 1].map(|block| {
             let [a, b, c, d] = plane.words(block, 0);
             [standard_normal(a, b), standard_normal(c, d)]

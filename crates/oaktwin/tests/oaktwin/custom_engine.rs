@@ -18,7 +18,7 @@ mod example;
 use std::ops::ControlFlow;
 use std::path::Path;
 
-use oaktwin::accuracy::{Bench, MeasuredOptics, Options};
+use oaktwin::accuracy::{AccuracyOptions, Bench, MeasuredOptics};
 use oaktwin::coverage::{self, Candidate, MeasuringRig, Region};
 use oaktwin::parameter::ParameterError;
 use oaktwin::prelude::*;
@@ -91,7 +91,7 @@ fn another_crates_engine_measures_a_scene() {
 
 #[test]
 fn accuracy_and_coverage_take_another_crates_engine() {
-    let options = Options {
+    let options = AccuracyOptions {
         engine: sensor(&[("maxDisparity", "30")], &[]),
         optics: MeasuredOptics {
             width_px: Some(320),
@@ -100,7 +100,7 @@ fn accuracy_and_coverage_take_another_crates_engine() {
         distances_m: Some(vec![1.0]),
         captures: 1,
         devices: Some(1),
-        ..Options::default()
+        ..AccuracyOptions::default()
     };
     let (bench, _) = Bench::new(&twin(), &options).unwrap();
     let go_on = |_| ControlFlow::Continue(());
@@ -115,9 +115,9 @@ fn accuracy_and_coverage_take_another_crates_engine() {
     let spec = spec(sensor(&[("maxDisparity", "40")], &[]));
     let (rig, _) = MeasuringRig::new(&twin(), None, None, &spec).unwrap();
     let candidates = [Candidate::new(&rig, "here", pose)];
-    let samples = coverage::Options {
+    let samples = coverage::CoverageOptions {
         samples: 500,
-        ..coverage::Options::default()
+        ..coverage::CoverageOptions::default()
     };
     let found = coverage::measure(&renderer, &Region::default(), &candidates, &samples, &go_on).unwrap();
     let shares = &found.candidates[0].shares;

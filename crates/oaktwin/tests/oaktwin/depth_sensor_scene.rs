@@ -17,7 +17,7 @@ use oaktwin::render::{
     AnnotateOptions, Backend, DepthSensorOptions, OpenOptions, PlacedCamera, Renderer, SceneCameraOptions,
     SceneFile, depth_sensors, scene_cameras,
 };
-use oaktwin::sensor::{Illumination, SensorOptions, Shot};
+use oaktwin::sensor::{DepthShot, Illumination, SensorOptions};
 
 /// The front of the red cube, 2.5 m away: its columns, and rows with nothing but ground and wall on its left.
 const RED: Range<u32> = 960..1400;
@@ -64,7 +64,7 @@ fn sensed(parameters: &[(&str, &str)]) -> Image<f32> {
         light: Illumination::default(),
     };
     let (mut sensors, _) = depth_sensors(cameras, &options).unwrap();
-    let shot = Shot::new((&truth().0).into());
+    let shot = DepthShot::new((&truth().0).into());
     let shot = shot.with_rgb(frame.rgb.as_ref().unwrap().into()).unwrap();
     let sensor = sensors[0].as_mut().unwrap();
     sensor.capture(shot, &[]).unwrap().distance.0

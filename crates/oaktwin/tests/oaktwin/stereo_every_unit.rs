@@ -55,8 +55,8 @@ fn errors(twin: &Twin, lens: LensChoice, name: &str) -> Vec<f64> {
         let x = 2.0 * nearest / (nearest + quarter / 4.0);
         #[expect(clippy::cast_possible_truncation, reason = "metres")]
         let renderer = Renderer::new(wall(x as f32));
-        let pair = cameras.look(&renderer, &world_from_body, 0);
-        let seen = matcher.look(pair.left, pair.right).unwrap();
+        let pair = cameras.capture(&renderer, &world_from_body, 0);
+        let seen = matcher.match_pair(pair.left, pair.right).unwrap();
         assert!(seen.findings.is_empty(), "{name}: {:?}", seen.findings);
         let mut off = Vec::new();
         for y in 180..220 {

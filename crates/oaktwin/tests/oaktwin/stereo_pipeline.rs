@@ -33,14 +33,14 @@ fn room(is_blank: bool) -> Scene {
     crate::plates::room(64, is_blank.then_some(180))
 }
 
-fn look(scene: Scene, options: PairOptions) -> Pair {
+fn captured(scene: Scene, options: PairOptions) -> Pair {
     let options = PairOptions {
         size: Some(SIZE),
         ..options
     };
     let cameras = PairCameras::new(&twin(), &options).unwrap();
     let world_from_body: RigidTransform = look_at(DVec3::ZERO, DVec3::X, DVec3::Z).unwrap();
-    cameras.look(&Renderer::new(scene), &world_from_body, 0)
+    cameras.capture(&Renderer::new(scene), &world_from_body, 0)
 }
 
 fn depth(pair: Pair) -> ZDepth {
@@ -54,7 +54,9 @@ fn depth(pair: Pair) -> ZDepth {
         platform: None,
     };
     let mut matcher = Matcher::new(&of, SIZE, &SensorOptions::default()).unwrap();
-    let seen = matcher.look(pair.rectified_left, pair.rectified_right).unwrap();
+    let seen = matcher
+        .match_pair(pair.rectified_left, pair.rectified_right)
+        .unwrap();
     seen.capture.distance
 }
 
@@ -85,12 +87,12 @@ fn a_blank_wall_has_holes_without_the_projector_and_depth_with_it() {
         ambient: 0.1,
         ..PairOptions::default()
     };
-    let without = right_share(&depth(look(wall(), dark)), 1.5);
+    let without = right_share(&depth(captured(wall(), dark)), 1.5);
     let with = PairOptions {
         projector: 1.0,
         ..dark
     };
-    let with = right_share(&depth(look(wall(), with)), 1.5);
+    let with = right_share(&depth(captured(wall(), with)), 1.5);
     assert!(without < 0.3 && with > 0.9, "{without} {with}");
 }
 
@@ -100,7 +102,7 @@ fn occlusions_are_on_the_left_of_near_objects() {
     let mut scene = room(false);
     plate(&mut scene, far, [-9.0, 9.0], 0.025);
     plate(&mut scene, near, [-0.2, 0.2], 0.0085);
-    let pair = look(scene, PairOptions::default());
+    let pair = captured(scene, PairOptions::default());
     let geometry = pair.geometry.stereo_geometry();
     let expected = geometry.disparity(near.into()) - geometry.disparity(far.into());
     let truth = pair.z.clone();
@@ -132,7 +134,7 @@ fn the_error_oscillates_with_the_period_of_a_pixel() {
     let twin = twin();
     let own = twin.camera(Role::Left).unwrap().intrinsics.fx;
     let disparities = [10.0, 10.25, 10.75, 11.0];
-    let options = accuracy::Options {
+    let options = accuracy::AccuracyOptions {
         engine: SensorOptions {
             engine: Some((&STEREO_MATCHING).into()),
             parameters: vec![("bias".to_owned(), "0".into())],
@@ -140,7 +142,7 @@ fn the_error_oscillates_with_the_period_of_a_pixel() {
         },
         distances_m: Some(disparities.map(|d| own * 0.075 / d).to_vec()),
         captures: 2,
-        ..accuracy::Options::default()
+        ..accuracy::AccuracyOptions::default()
     };
     let (bench, _) = accuracy::Bench::new(&twin, &options).unwrap();
     let measured = bench.measure(None, &|_| ControlFlow::Continue(())).unwrap();

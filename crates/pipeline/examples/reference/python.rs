@@ -15,7 +15,7 @@ use oaktwin_pipeline::sensor::{OptionValue, SENSOR_OPTIONS, SensorOption, Sensor
 use oaktwin_render::{Backend, Transparent};
 use oaktwin_robot::{Format, Mount};
 use oaktwin_scene::Up;
-use oaktwin_usd::asset::{IsaacVersion, LensChoice, Target};
+use oaktwin_usd::asset::{AssetTarget, IsaacVersion, LensChoice};
 
 const END: &str = "# End of the generated part.";
 
@@ -131,7 +131,7 @@ fn names() -> String {
         ("SceneAnnotator", &of_scenes),
         ("Sensor", DepthKind::NAMES),
         ("SensorAnnotator", &of_sensors),
-        ("Target", Target::NAMES),
+        ("Target", AssetTarget::NAMES),
         ("Transparent", Transparent::NAMES),
         ("Up", Up::NAMES),
     ] {

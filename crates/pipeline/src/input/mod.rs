@@ -1,8 +1,8 @@
 //! Depth images on disk: files of one image or many, numbered sequences, folders in Replicator's layout.
 
 pub mod name;
+pub mod reader;
 pub mod replicator;
-pub mod source;
 
 use oaktwin_base::diagnostic::{Message, message, opt};
 

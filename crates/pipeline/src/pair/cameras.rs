@@ -9,10 +9,10 @@ use oaktwin_camera::math::DVec3;
 use oaktwin_camera::{Axes, Camera, Intrinsics, LensModel, OpenCv, PixelPoint, RigidTransform};
 use oaktwin_catalog::{self as catalog, DepthKind, Role, Twin};
 use oaktwin_depth::ParameterError;
-use oaktwin_depth::dots::{Dots, Projector};
+use oaktwin_depth::dots::{DotProjector, Dots};
 use oaktwin_depth::imager::{Imager, Recorded};
 use oaktwin_depth::preset::Platform;
-use oaktwin_depth::random::{Stage, Stream};
+use oaktwin_depth::random::{NoiseStage, Stream};
 use oaktwin_depth::rectify::{Rectify, RectifyOptions, StereoRectify};
 use oaktwin_image::{Image, ImageView, ZDepth};
 
@@ -147,7 +147,7 @@ impl PairCameras {
 
     /// Renders a pair with the body at a pose in metres; the noise depends on the frame number.
     #[must_use]
-    pub fn look(&self, renderer: &Renderer, world_from_body: &RigidTransform, frame: u64) -> Pair {
+    pub fn capture(&self, renderer: &Renderer, world_from_body: &RigidTransform, frame: u64) -> Pair {
         self.record(&self.light(renderer, world_from_body), frame)
     }
 
@@ -239,7 +239,7 @@ impl PairCameras {
             (ImageView::from(right), right_intrinsics),
         ]);
         let record = |eye: &StereoCamera, light: &Image<f32>| {
-            let random = eye.random.plane(Stage::Exposure, frame, 0);
+            let random = eye.random.plane(NoiseStage::Exposure, frame, 0);
             (self.imager).record(light.into(), &eye.camera.intrinsics, exposure, &random)
         };
         let (left, right) = (record(&self.left, left), record(&self.right, right));
@@ -423,7 +423,7 @@ pub fn default_projector(twin: &Twin) -> f64 {
 
 /// The dot pattern of a projector.
 pub(super) fn dots(projector: &catalog::Projector) -> Dots {
-    Dots::new(&Projector {
+    Dots::new(&DotProjector {
         model: projector.model.clone(),
         dots: projector.dots,
         field_rad: [projector.hfoi_deg, projector.vfoi_deg].map(f64::to_radians),

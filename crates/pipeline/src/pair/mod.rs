@@ -92,5 +92,5 @@ pub fn pair(
     world_from_body: &RigidTransform,
     options: &PairOptions,
 ) -> Result<Pair, PairError> {
-    Ok(PairCameras::new(twin, options)?.look(renderer, world_from_body, 0))
+    Ok(PairCameras::new(twin, options)?.capture(renderer, world_from_body, 0))
 }

@@ -140,7 +140,7 @@ fn dots_on_wall(twin: &Twin, x: f64) -> Vec<DVec3> {
 #[test]
 fn a_blank_wall_has_texture_by_the_projector_alone() {
     let renderer = wall(1.5);
-    let look = |projector| {
+    let capture = |projector| {
         let options = PairOptions {
             projector,
             ..PairOptions::default()
@@ -153,7 +153,7 @@ fn a_blank_wall_has_texture_by_the_projector_alone() {
         )
         .unwrap()
     };
-    let (off, on) = (look(0.0), look(1.0));
+    let (off, on) = (capture(0.0), capture(1.0));
     assert!(off.z.0.pixels().iter().all(|z| (z - 1.5).abs() < 1e-5));
     for (image, other) in [(&off.left, &on.left), (&off.rectified_right, &on.rectified_right)] {
         let ((mean, noise), (_, textured)) = (middle(image), middle(other));
@@ -174,7 +174,7 @@ fn dots_are_where_their_places_are_seen() {
     let twin = twin("oak-d-pro-poe");
     let (x, options) = (1.3f32, dots_only(0.5));
     let cameras = PairCameras::new(&twin, &options).unwrap();
-    let seen = cameras.look(&wall(x), &RigidTransform::IDENTITY, 0);
+    let seen = cameras.capture(&wall(x), &RigidTransform::IDENTITY, 0);
     let rectified = [&seen.rectified_left, &seen.rectified_right].map(numbers);
     let disparity = seen.geometry.stereo_geometry().disparity(f64::from(x));
     let mut compared = 0;
@@ -210,7 +210,7 @@ fn what_stands_in_the_light_takes_the_dots_of_the_wall_behind() {
     plate(&mut scene, near, [y0, y1], [z0, z1]);
     let options = dots_only(2.0);
     let cameras = PairCameras::new(&twin, &options).unwrap();
-    let seen = cameras.look(&Renderer::new(scene), &RigidTransform::IDENTITY, 0);
+    let seen = cameras.capture(&Renderer::new(scene), &RigidTransform::IDENTITY, 0);
     let image = numbers(&seen.left);
     let left = twin.camera(Role::Left).unwrap();
     let camera_from_body = left.body_from_camera.inverse();
@@ -257,17 +257,17 @@ fn what_stands_in_the_light_takes_the_dots_of_the_wall_behind() {
 fn dots_fade_with_the_square_of_the_distance() {
     let twin = twin("oak-d-pro-poe");
     let size = Some(ImageSize::new(640, 400));
-    let look = |z: f64, options: &PairOptions| {
+    let capture = |z: f64, options: &PairOptions| {
         let options = PairOptions { size, ..*options };
         pair(&wall(z as f32), &twin, &RigidTransform::IDENTITY, &options).unwrap()
     };
-    let office = look(2.0, &PairOptions::default()).exposure;
-    let at_one = middle(&look(1.0, &dots_only(0.3)).left).0;
+    let office = capture(2.0, &PairOptions::default()).exposure;
+    let at_one = middle(&capture(1.0, &dots_only(0.3)).left).0;
     for z in [1.0, 2.0, 4.0, 8.0, 16.0] {
         if z > 1.0 && z < 10.0 {
             let mut options = dots_only(0.3 * z * z);
             options.imager.max_exposure_time = 1e3;
-            let mean = middle(&look(z, &options).left).0;
+            let mean = middle(&capture(z, &options).left).0;
             assert!((mean / at_one - 1.0).abs() < 0.03, "{z}: {mean} {at_one}");
         }
         let electrons = 6300.0 * office.time;
@@ -292,7 +292,7 @@ struct Off {
 fn off<const N: usize>(twin: &Twin, exposure: f64, methods: [Method; N]) -> [Off; N] {
     let x = 1.1;
     let cameras = PairCameras::new(twin, &dots_only(exposure)).unwrap();
-    let seen = cameras.look(&wall(x as f32), &RigidTransform::IDENTITY, 0);
+    let seen = cameras.capture(&wall(x as f32), &RigidTransform::IDENTITY, 0);
     let raw = [&seen.left, &seen.right].map(|image| match image {
         Recorded::Ten(image) => image,
         Recorded::Eight(_) => unreachable!(),

@@ -6,7 +6,7 @@ use crate::limits::SizeError;
 use oaktwin_base::diagnostic::{Message, suggestion};
 use oaktwin_camera::{Camera, RigidTransform, UsdOptics};
 use oaktwin_depth::imager::Photosites;
-use oaktwin_usd::depth_sensor::DepthSensor;
+use oaktwin_usd::depth_sensor::StageDepthSensor;
 use oaktwin_usd::optics::OpticsError;
 
 /// A camera in a scene, with its pose unless a trajectory moves it.
@@ -48,7 +48,7 @@ pub enum DepthSensorSource {
         /// The name of the camera's prim.
         camera: String,
         /// The authored attributes.
-        sensor: Box<DepthSensor>,
+        sensor: Box<StageDepthSensor>,
     },
 }
 

@@ -80,7 +80,7 @@ pub use scene_camera::{SceneCameraOptions, scene_cameras};
 pub use scene_file::{AnimatedScene, OpenOptions, SceneChange, SceneFile, SceneFileError};
 pub(crate) use shutter::exposed;
 pub use shutter::{Moments, Passing, Shutter, Twist};
-pub use sweep::{Axis, MAX_VALUES, Sweep, SweepError, SweptSensors};
+pub use sweep::{MAX_VALUES, Sweep, SweepAxis, SweepError, SweptSensors};
 
 /// Sets the number of threads. Without effect after something was rendered.
 pub fn use_threads(threads: usize) {

@@ -7,7 +7,7 @@ use super::camera::PlacedCamera;
 use super::rig::Rig;
 use crate::imu::ImuSimulation;
 use crate::recording::{
-    Body, CameraId, DepthView, MeasuredCamera, Moment, RecordedCamera, RecordingError, RecordingFile,
+    CameraId, DepthView, MeasuredCamera, Moment, MovingBody, RecordedCamera, RecordingError, RecordingFile,
     RecordingFileError, Time, check_path, ros_lens_loss,
 };
 use crate::sensor::Sensor;
@@ -188,7 +188,7 @@ fn recorded(placed: &PlacedCamera, sensor: Option<&Sensor>) -> RecordedCamera {
         frame: (placed.role.as_deref()).map(|role| frame_names::camera(frame_names::DEVICE, role)),
         camera: placed.camera,
         measured,
-        body: is_carried.then(|| Body {
+        body: is_carried.then(|| MovingBody {
             name: frame_names::DEVICE.to_owned(),
             body_from_camera: placed.mount_from_camera,
         }),

@@ -12,8 +12,8 @@ use oaktwin_files::FileError;
 use oaktwin_scene::import::{self, ImportError, ImportOptions, ImportedCamera};
 use oaktwin_scene::{InfraredError, Instance, MicroTexture, Scene, Up};
 use oaktwin_usd::stage::{
-    self, AnimatedStage, Attribute, Prim, RenderProduct, SceneCamera, SceneLimit, SceneOptions,
-    StageContents, StageError, StageScene, StageTiming, Value,
+    self, AnimatedStage, Attribute, AttributeValue, Prim, RenderProduct, SceneCamera, SceneLimit,
+    SceneOptions, StageContents, StageError, StageScene, StageTiming,
 };
 
 const USD: [&str; 4] = ["usd", "usda", "usdc", "usdz"];
@@ -399,13 +399,13 @@ fn as_prim(camera: &ImportedCamera, meters_per_unit: f64) -> SceneCamera {
     let attributes = [
         (
             "focalLength",
-            Value::Float(HEIGHT / (2.0 * (camera.vfov / 2.0).tan())),
+            AttributeValue::Float(HEIGHT / (2.0 * (camera.vfov / 2.0).tan())),
         ),
-        ("horizontalAperture", Value::Float(HEIGHT * aspect)),
-        ("verticalAperture", Value::Float(HEIGHT)),
+        ("horizontalAperture", AttributeValue::Float(HEIGHT * aspect)),
+        ("verticalAperture", AttributeValue::Float(HEIGHT)),
         (
             "clippingRange",
-            Value::Floats(vec![clip.near_m / meters_per_unit, clip.far_m / meters_per_unit]),
+            AttributeValue::Floats(vec![clip.near_m / meters_per_unit, clip.far_m / meters_per_unit]),
         ),
     ];
     let attributes = attributes.map(|(name, value)| {

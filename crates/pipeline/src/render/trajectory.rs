@@ -65,7 +65,7 @@ pub fn parse_numbers(path: &Path, bytes: &[u8]) -> Result<Vec<(TimedPose, [f64; 
     } else {
         from_tum(text)
     };
-    let poses = poses.map_err(|Wrong { message, remedy }| wrong(message, remedy))?;
+    let poses = poses.map_err(|TrajectoryProblem { message, remedy }| wrong(message, remedy))?;
     if poses.is_empty() {
         return Err(wrong(
             "has no poses".to_owned(),
@@ -75,7 +75,7 @@ pub fn parse_numbers(path: &Path, bytes: &[u8]) -> Result<Vec<(TimedPose, [f64; 
     Ok(poses)
 }
 
-struct Wrong {
+struct TrajectoryProblem {
     message: String,
     remedy: &'static str,
 }
@@ -84,14 +84,14 @@ const TUM_REMEDY: &str = "a TUM line is `t x y z qx qy qz qw`";
 const JSON_REMEDY: &str =
     "give a list of {\"position\": [x, y, z], \"orientation\": [qx, qy, qz, qw]}, \"time\" if there is one";
 
-fn from_tum(text: &str) -> Result<Vec<(TimedPose, [f64; 7])>, Wrong> {
+fn from_tum(text: &str) -> Result<Vec<(TimedPose, [f64; 7])>, TrajectoryProblem> {
     let mut poses = Vec::new();
     for (number, line) in (1..).zip(text.lines()) {
         let line = line.split_once('#').map_or(line, |(before, _)| before).trim();
         if line.is_empty() {
             continue;
         }
-        let wrong = |message: String| Wrong {
+        let wrong = |message: String| TrajectoryProblem {
             message: format!("line {number}: {message}"),
             remedy: TUM_REMEDY,
         };
@@ -101,7 +101,7 @@ fn from_tum(text: &str) -> Result<Vec<(TimedPose, [f64; 7])>, Wrong> {
                 word.parse::<f64>()
                     .map_err(|_| wrong(format!("`{}` is not a number", shortened(word))))
             })
-            .collect::<Result<Vec<f64>, Wrong>>()?;
+            .collect::<Result<Vec<f64>, TrajectoryProblem>>()?;
         let [t, x, y, z, qx, qy, qz, qw] = numbers[..] else {
             return Err(wrong(format!("{} numbers instead of 8", numbers.len())));
         };
@@ -118,8 +118,8 @@ struct JsonPose {
     orientation: [f64; 4],
 }
 
-fn from_json(text: &str) -> Result<Vec<(TimedPose, [f64; 7])>, Wrong> {
-    let poses: Vec<JsonPose> = serde_json::from_str(text).map_err(|error| Wrong {
+fn from_json(text: &str) -> Result<Vec<(TimedPose, [f64; 7])>, TrajectoryProblem> {
+    let poses: Vec<JsonPose> = serde_json::from_str(text).map_err(|error| TrajectoryProblem {
         message: error.to_string(),
         remedy: JSON_REMEDY,
     })?;
@@ -127,7 +127,7 @@ fn from_json(text: &str) -> Result<Vec<(TimedPose, [f64; 7])>, Wrong> {
         .zip(poses)
         .map(|(index, one): (u32, _)| {
             let ([x, y, z], [qx, qy, qz, qw]) = (one.position, one.orientation);
-            timed(one.time, [x, y, z, qx, qy, qz, qw]).map_err(|message| Wrong {
+            timed(one.time, [x, y, z, qx, qy, qz, qw]).map_err(|message| TrajectoryProblem {
                 message: format!("pose {index}: {message}"),
                 remedy: JSON_REMEDY,
             })

@@ -1,9 +1,9 @@
 //! A depth sensor for images that arrive one by one.
 
-use super::images::{Given, Images};
+use super::images::{ImageInput, Images};
 use super::{InputKind, SenseError, SenseOptions};
 use crate::limits::check_size;
-use crate::sensor::{self, EngineInput, OutputCamera, Sensor, Shot, depth_sensor, frame, needs_a_pair};
+use crate::sensor::{self, DepthShot, EngineInput, OutputCamera, Sensor, depth_sensor, frame, needs_a_pair};
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::{Camera, ImageSize};
 use oaktwin_catalog::Twin;
@@ -40,7 +40,7 @@ impl ImageSensor {
         check_size(size).map_err(|error| SenseError::option(error.to_string()))?;
         check_engine(options)?;
         let of_twin = depth_sensor(twin, options.depth_sensor.as_deref())?;
-        let given = Given {
+        let given = ImageInput {
             size,
             kind: options.input_kind.unwrap_or(InputKind::Z),
             params: None,
@@ -69,7 +69,7 @@ impl ImageSensor {
             )));
         }
         let (z, rgb) = self.images.convert(z, rgb);
-        let mut shot = Shot::new((&z).into());
+        let mut shot = DepthShot::new((&z).into());
         shot.frame = frame_number;
         let mut request = vec![Annotator::DepthSensorDistance];
         if let Some(rgb) = &rgb {

@@ -27,7 +27,7 @@ pub(super) struct Images {
 }
 
 /// The images of which a sensor is opened.
-pub(super) struct Given<'a> {
+pub(super) struct ImageInput<'a> {
     pub(super) size: ImageSize,
     pub(super) kind: InputKind,
     /// Their `camera_params`.
@@ -41,7 +41,7 @@ impl Images {
     pub(super) fn open(
         twin: &Twin,
         sensor_of_twin: &TwinDepthSensor,
-        given: Given<'_>,
+        given: ImageInput<'_>,
         options: &SenseOptions,
         findings: &mut Vec<Finding>,
     ) -> Result<(Self, Sensor), SenseError> {

@@ -30,7 +30,7 @@ pub use oaktwin_dataset::CloudAxes;
 pub use options::{FieldOfView, SenseOptions};
 pub use plan::STANDARD_INPUT;
 pub use plausible::{DepthUnit, check_hfov, check_measured, check_unit};
-pub use run::{Output, Sensed, sense};
+pub use run::{SenseOutput, Sensed, sense};
 
 use crate::sensor::ParameterError;
 use oaktwin_base::diagnostic::Message;
@@ -39,7 +39,7 @@ use oaktwin_files::FileError;
 
 /// An input of the depth sensor.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Input {
+pub enum SenseInput {
     /// A folder in the layout of Replicator's `BasicWriter`.
     Folder {
         /// The folder.

@@ -4,7 +4,7 @@ use crate::sensor::depth_sensor;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use super::{Input, InputKind, SenseError, SenseOptions};
+use super::{InputKind, SenseError, SenseInput, SenseOptions};
 use crate::input::name::Name;
 use crate::input::replicator;
 use oaktwin_base::diagnostic::{Finding, Level, fold_name, message, opt};
@@ -41,7 +41,7 @@ pub(super) struct Sequence<'a> {
 /// Groups inputs into sequences.
 pub(super) fn sequences<'a>(
     twin: &'a Twin,
-    inputs: &[Input],
+    inputs: &[SenseInput],
     options: &SenseOptions,
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Sequence<'a>>, SenseError> {
@@ -50,10 +50,10 @@ pub(super) fn sequences<'a>(
     let mut named: BTreeMap<(PathBuf, String, String), Vec<DepthFile>> = BTreeMap::new();
     for input in inputs {
         match input {
-            Input::Folder { path, output } => {
+            SenseInput::Folder { path, output } => {
                 folder(twin, chosen, path, output, options, &mut sequences, findings)?;
             }
-            Input::File { path, output, rgb } => {
+            SenseInput::File { path, output, rgb } => {
                 let name = Name::of(path);
                 let file = DepthFile {
                     path: path.clone(),
@@ -84,7 +84,7 @@ pub(super) fn sequences<'a>(
                 };
                 named.entry((folder, base, extension)).or_default().push(file);
             }
-            Input::StandardInput { output, rgb } => sequences.push(Sequence {
+            SenseInput::StandardInput { output, rgb } => sequences.push(Sequence {
                 sensor: chosen,
                 is_of_model: false,
                 name: None,

@@ -12,10 +12,10 @@ use super::picture::Pictures;
 use super::plan::{self, DepthFile, Sequence};
 use super::shot::OutputContext;
 use super::stream::StreamWriter;
-use super::{FieldOfView, Input, SenseError, SenseOptions, camera};
+use super::{FieldOfView, SenseError, SenseInput, SenseOptions, camera};
 use crate::align;
 use crate::input::check_depth_scale;
-use crate::input::source::Source;
+use crate::input::reader::DepthImageReader;
 use crate::limits;
 use crate::progress::Watch;
 use crate::sensor::{self, Engine, Sensor};
@@ -23,7 +23,7 @@ use crate::write::{Producer, write_while};
 use oaktwin_base::diagnostic::{Finding, add_new, message, opt};
 use oaktwin_camera::{Camera, ImageSize, RigidTransform, UsdOptics};
 use oaktwin_catalog::{Twin, TwinCamera, TwinDepthSensor};
-use oaktwin_dataset::{self as dataset, Extras, FlatWriter, InputName, Shot, View, Writer};
+use oaktwin_dataset::{self as dataset, Extras, FlatWriter, FrameCamera, InputName, Shot, Writer};
 use oaktwin_files::{FileError, OutputFiles, WrittenFile};
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Annotator;
@@ -33,7 +33,7 @@ const PIXELS_AT_ONCE: usize = 1 << 24;
 
 /// The destination of the results.
 #[expect(missing_debug_implementations, reason = "a stream does not implement it")]
-pub enum Output<'a> {
+pub enum SenseOutput<'a> {
     /// Files in the folders that the inputs name.
     Files,
     /// The distances of a single input, or the aligned ones, as one NPY array.
@@ -64,9 +64,9 @@ pub struct Sensed {
 /// Returns an error if an input cannot be read, an option is invalid or a file cannot be written.
 pub fn sense(
     twin: &Twin,
-    inputs: &[Input],
+    inputs: &[SenseInput],
     options: &SenseOptions,
-    output: Output<'_>,
+    output: SenseOutput<'_>,
     watch: &Watch<'_>,
 ) -> Result<Sensed, SenseError> {
     check_depth_scale(options.depth_scale).map_err(SenseError::option)?;
@@ -78,14 +78,14 @@ pub fn sense(
     output_files.protect(files().map(|file| file.path.as_path()));
     output_files.protect(files().flat_map(|file| &file.rgb).map(PathBuf::as_path));
     let mut writer: Box<dyn Writer + '_> = match output {
-        Output::Files => Box::new(FlatWriter::new(dataset::Options {
+        SenseOutput::Files => Box::new(FlatWriter::new(dataset::WriterOptions {
             extras: Extras {
                 ply: false,
                 ..options.extras
             },
-            ..dataset::Options::default()
+            ..dataset::WriterOptions::default()
         })),
-        Output::Stream(stream) => Box::new(StreamWriter {
+        SenseOutput::Stream(stream) => Box::new(StreamWriter {
             stream,
             has_begun: false,
         }),
@@ -134,7 +134,7 @@ struct Session<'a> {
 }
 
 /// An input image.
-struct Given {
+struct InputImage {
     z: Image<f32>,
     rgb: Option<Image<[u8; 4]>>,
     frame: u64,
@@ -163,7 +163,7 @@ impl<'a> Run<'a, '_, '_> {
     fn sources(
         &mut self,
         sequence: &Sequence<'a>,
-        sources: Receiver<Result<Source, FileError>>,
+        sources: Receiver<Result<DepthImageReader, FileError>>,
     ) -> Result<ControlFlow<()>, SenseError> {
         let mut current: Option<(Session<'a>, Sensor)> = None;
         for (file, source) in sequence.files.iter().zip(sources) {
@@ -196,7 +196,7 @@ impl<'a> Run<'a, '_, '_> {
         size: ImageSize,
     ) -> Result<(Session<'a>, Sensor), SenseError> {
         let (options, prim) = (self.options, &sequence.sensor.spec.prim);
-        let given = images::Given {
+        let given = images::ImageInput {
             size,
             kind: file.kind,
             params: file.params.as_deref(),
@@ -238,7 +238,7 @@ impl<'a> Run<'a, '_, '_> {
         session: &Session<'a>,
         sensor: &mut Sensor,
         file: &DepthFile,
-        mut source: Source,
+        mut source: DepthImageReader,
         mut pictures: Option<Pictures>,
     ) -> Result<ControlFlow<()>, SenseError> {
         let is_sequence = source.batch.is_none() || self.options.is_sequence;
@@ -266,7 +266,7 @@ impl<'a> Run<'a, '_, '_> {
                 } else {
                     (file.frame, u32::try_from(number).unwrap_or(u32::MAX))
                 };
-                given.push(Given { z, rgb, frame, item });
+                given.push(InputImage { z, rgb, frame, item });
             }
             if given.is_empty() {
                 return Ok(self.producer.finish());
@@ -327,14 +327,14 @@ impl Session<'_> {
     fn capture(
         &self,
         sensor: &mut Sensor,
-        given: Given,
+        given: InputImage,
         file: &DepthFile,
         input: InputName,
     ) -> Result<Shot, SenseError> {
-        let Given { z, rgb, frame, item } = given;
+        let InputImage { z, rgb, frame, item } = given;
         let (z, rgb) = self.images.convert(z, rgb);
         let request = self.output.request();
-        let mut shot = sensor::Shot::new((&z).into());
+        let mut shot = sensor::DepthShot::new((&z).into());
         shot.frame = frame;
         shot.item = item;
         let of_one_size = |error: oaktwin_depth::ShotError| {
@@ -349,21 +349,21 @@ impl Session<'_> {
     }
 }
 
-fn open(file: &DepthFile, scale: f64) -> Result<Source, FileError> {
+fn open(file: &DepthFile, scale: f64) -> Result<DepthImageReader, FileError> {
     if file.is_standard_input {
-        Source::read(&file.path, Box::new(std::io::stdin()), None, scale)
+        DepthImageReader::read(&file.path, Box::new(std::io::stdin()), None, scale)
     } else {
-        Source::open(&file.path, scale)
+        DepthImageReader::open(&file.path, scale)
     }
 }
 
 /// The view of the images of a sensor, at the origin: the numbers of the model's camera, whose focal length in
 /// millimetres does not depend on the image.
-fn view(own: &TwinCamera, sensor: &TwinDepthSensor, images: Camera) -> View {
+fn view(own: &TwinCamera, sensor: &TwinDepthSensor, images: Camera) -> FrameCamera {
     let focal_length_um = own.pixel_size_um * own.intrinsics.mean_focal_length();
     let pixel_size_um = focal_length_um / images.intrinsics.mean_focal_length();
     let (near, far) = sensor.spec.clipping_range_m;
-    View {
+    FrameCamera {
         optics: UsdOptics::from_intrinsics(&images.intrinsics, pixel_size_um, Default::default()),
         camera: images,
         world_from_camera: RigidTransform::IDENTITY,

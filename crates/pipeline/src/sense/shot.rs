@@ -7,7 +7,7 @@ use super::camera::read_pose;
 use crate::align;
 use crate::sensor::{Capture, OutputCamera, Sensor, frame, sensor_view};
 use oaktwin_camera::{Camera, RigidTransform};
-use oaktwin_dataset::{CameraParams, InputName, Layer, LayerData, Shot, View};
+use oaktwin_dataset::{CameraParams, FrameCamera, InputName, LayerData, Shot, ShotLayer};
 use oaktwin_depth::align::Align;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_image::{Image, ImageView};
@@ -18,7 +18,7 @@ pub(super) struct OutputContext<'a> {
     /// The camera of the sensor's input.
     pub(super) camera: Camera,
     /// The view of the sensor's input, at the origin.
-    pub(super) view: View,
+    pub(super) view: FrameCamera,
     /// The camera that the outputs are images of.
     pub(super) reported: OutputCamera,
     pub(super) align: Option<Align>,
@@ -40,7 +40,7 @@ impl OutputContext<'_> {
     pub(super) fn params(&self, of_input: Option<&Path>) -> CameraParams {
         let pose = of_input.and_then(read_pose);
         let (world_from_camera, meters_per_unit) = pose.unwrap_or((RigidTransform::IDENTITY, 1.0));
-        let view = View {
+        let view = FrameCamera {
             world_from_camera,
             meters_per_unit,
             clipping_range: self.view.clipping_range.map(|metres| metres / meters_per_unit),
@@ -67,7 +67,7 @@ impl OutputContext<'_> {
         let rgb = rgb.map(ImageView::from);
         let mut frame = frame(sensor, &self.camera, capture, rgb, &self.request());
         if let (Some(positions), Some(axes)) = (&frame.depth_sensor_point_cloud_position, options.cloud) {
-            layers.push(Layer {
+            layers.push(ShotLayer {
                 folder: Annotator::DepthSensorPointCloudPosition.name(),
                 name: "depth_sensor_point_cloud".to_owned(),
                 data: LayerData::Cloud {

@@ -4,7 +4,7 @@ use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_camera::{ImageSize, Intrinsics, OpenCv, PixelPoint, StereoDrift};
 use oaktwin_depth::{DriftedPair, EngineInput, EngineKind, ParameterError, Setup};
 
-use super::setup::Source;
+use super::setup::GeometrySource;
 use super::{STEREO_NOISE, SensorOptions};
 
 /// The columns and rows of the points at which the loss is computed.
@@ -16,7 +16,7 @@ const FAR_M: f64 = 5.0;
 /// Returns the pair that an engine measures depth images of, if its processor assumes another geometry than the cameras have.
 pub(super) fn pair(
     kind: &EngineKind,
-    source: &Source<'_>,
+    source: &GeometrySource<'_>,
     options: &SensorOptions,
     setup: &Setup,
     place: &str,
@@ -30,7 +30,7 @@ pub(super) fn pair(
     };
     if kind.input == EngineInput::Pair {
         return match source {
-            Source::Twin { .. } => Ok(None),
+            GeometrySource::Twin { .. } => Ok(None),
             _ => Err(ParameterError::new(
                 "drift",
                 "recorded pairs contain the drift of their own cameras",
@@ -66,8 +66,8 @@ pub(super) fn add_loss(pair: &DriftedPair, setup: &mut Setup) {
 }
 
 /// The rectified pair as it was calibrated.
-fn geometry(source: &Source<'_>, options: &SensorOptions, setup: &Setup) -> Option<DriftedPair> {
-    let Source::Twin { twin, sensor, .. } = source else {
+fn geometry(source: &GeometrySource<'_>, options: &SensorOptions, setup: &Setup) -> Option<DriftedPair> {
+    let GeometrySource::Twin { twin, sensor, .. } = source else {
         return None;
     };
     let pair = sensor.spec.pair()?;

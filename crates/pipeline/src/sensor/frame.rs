@@ -1,8 +1,8 @@
 //! From a capture to annotations: the only place where the points and colours of a measurement are made.
 
 use oaktwin_camera::{Camera, UsdOptics};
-use oaktwin_dataset::View;
-use oaktwin_depth::{Capture, Input, Layer, OutputCamera, ParameterError, Sensor};
+use oaktwin_dataset::FrameCamera;
+use oaktwin_depth::{Capture, CaptureLayer, Input, OutputCamera, ParameterError, Sensor};
 use oaktwin_image::annotation::{Annotation, Annotator, Frame};
 use oaktwin_image::{Image, ImageView};
 
@@ -73,19 +73,19 @@ pub(crate) fn frame(
 }
 
 /// The annotation of a layer; `None` of outputs that frames do not have.
-fn annotation(layer: Layer) -> Option<Annotation> {
+fn annotation(layer: CaptureLayer) -> Option<Annotation> {
     match layer {
-        Layer::Levels(levels) => Some(Annotation::Levels(levels)),
-        Layer::Floats(numbers) => Some(Annotation::Scalar(numbers)),
-        Layer::Colors(colors) => Some(Annotation::Color(colors)),
-        Layer::Reasons(codes) => Some(Annotation::Reasons(codes.into())),
-        Layer::Points(points) => Some(Annotation::PixelPoints(points)),
-        Layer::Bytes(_) | Layer::Disparity(_) => None,
+        CaptureLayer::Levels(levels) => Some(Annotation::Levels(levels)),
+        CaptureLayer::Floats(numbers) => Some(Annotation::Scalar(numbers)),
+        CaptureLayer::Colors(colors) => Some(Annotation::Color(colors)),
+        CaptureLayer::Reasons(codes) => Some(Annotation::Reasons(codes.into())),
+        CaptureLayer::Points(points) => Some(Annotation::PixelPoints(points)),
+        CaptureLayer::Bytes(_) | CaptureLayer::Disparity(_) => None,
     }
 }
 
 /// The view of a sensor's output camera; `input` is the view of the sensor's input.
-pub(crate) fn sensor_view(output: &OutputCamera, input: &View) -> View {
+pub(crate) fn sensor_view(output: &OutputCamera, input: &FrameCamera) -> FrameCamera {
     let intrinsics = &output.camera.intrinsics;
     let optics = if *intrinsics == input.camera.intrinsics {
         input.optics
@@ -94,7 +94,7 @@ pub(crate) fn sensor_view(output: &OutputCamera, input: &View) -> View {
         let pixel_size_um = input.optics.focal_length_mm * 1e3 / intrinsics.mean_focal_length();
         UsdOptics::from_intrinsics(intrinsics, pixel_size_um, Default::default())
     };
-    View {
+    FrameCamera {
         optics,
         camera: output.camera,
         world_from_camera: input.world_from_camera * output.input_from_output(),

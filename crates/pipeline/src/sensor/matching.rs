@@ -4,7 +4,7 @@ use oaktwin_depth::engines::is_calibration_error;
 use oaktwin_depth::preset::Platform;
 use oaktwin_depth::{EngineInput, EngineKind, ParameterError, Sensor};
 
-use super::setup::Source;
+use super::setup::GeometrySource;
 use super::{STEREO_MATCHING, SensorOptions, create};
 
 /// Creates the sensor of a rectified pair of this geometry at the width of its images; findings are reported at `place`. The engine is
@@ -28,7 +28,7 @@ pub fn stereo_matching(
             remedy: "remove it".to_owned(),
         });
     }
-    let source = Source::Pair {
+    let source = GeometrySource::Pair {
         platform,
         stereo,
         width_px,

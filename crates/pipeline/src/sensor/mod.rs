@@ -21,8 +21,8 @@ pub use oaktwin_depth::engines::{
     ENGINES, SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, TIME_OF_FLIGHT, calibration_error_px,
 };
 pub use oaktwin_depth::{
-    Capture, Engine, EngineInput, EngineKind, EngineRef, Factory, FixedDisparity, Input, Layer, OutputCamera,
-    ParameterError, Sensor, Setup, Shot, Technology, single_view,
+    Capture, CaptureLayer, DepthShot, Engine, EngineInput, EngineKind, EngineRef, Factory, FixedDisparity,
+    Input, OutputCamera, ParameterError, Sensor, Setup, Technology, single_view,
 };
 
 pub use choose::{depth_sensor, stereo_cameras};
@@ -37,13 +37,13 @@ pub use parameter_file::ParameterFile;
 pub use parameters::{single_view_parameters, stereo_noise_parameters, time_of_flight_parameters};
 
 use oaktwin_base::diagnostic::{Finding, Level};
-use oaktwin_catalog::{Source as DataSource, Twin, TwinDepthSensor};
+use oaktwin_catalog::{Source, Twin, TwinDepthSensor};
 use oaktwin_depth::PresetConfig;
 use oaktwin_depth::filter::{self, Chain};
 use oaktwin_depth::preset::Platform;
 use oaktwin_depth::random::Stream;
 
-use setup::Source;
+use setup::GeometrySource;
 
 /// Creates the depth sensor of a twin. The findings report where it deviates from the twin.
 ///
@@ -58,7 +58,7 @@ pub fn sensor(
     options: &SensorOptions,
 ) -> Result<(Sensor, Vec<Finding>), ParameterError> {
     let kind = &options.engine_for(sensor.spec.kind);
-    let source = Source::twin(twin, sensor, options);
+    let source = GeometrySource::twin(twin, sensor, options);
     let (made, mut findings) = create(kind, &source, options, &sensor.spec.prim)?;
     findings.extend(foreign_processing(twin, kind, &sensor.spec.prim));
     Ok((made, findings))
@@ -73,7 +73,7 @@ pub(crate) fn foreign_processing(twin: &Twin, kind: &EngineKind, place: &str) ->
         Technology::TimeOfFlight => "the time-of-flight sensor of the OAK-D ToF",
     };
     let device = &twin.device;
-    let is_foreign = twin.platform().is_none() && device.source != DataSource::User;
+    let is_foreign = twin.platform().is_none() && device.source != Source::User;
     is_foreign.then(|| {
         Finding::new(
             "foreign-processing",
@@ -124,7 +124,7 @@ pub fn of_render_product(
         )
     });
     let mut findings: Vec<Finding> = ignored.collect();
-    let (sensor, more) = create(kind, &Source::Product(&attributes), options, prim)?;
+    let (sensor, more) = create(kind, &GeometrySource::Product(&attributes), options, prim)?;
     findings.extend(more);
     Ok((sensor, findings))
 }
@@ -132,7 +132,7 @@ pub fn of_render_product(
 /// Creates a sensor; `place` is where findings are reported, and by default the camera's name.
 fn create(
     kind: &EngineKind,
-    source: &Source<'_>,
+    source: &GeometrySource<'_>,
     options: &SensorOptions,
     place: &str,
 ) -> Result<(Sensor, Vec<Finding>), ParameterError> {

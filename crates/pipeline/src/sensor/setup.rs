@@ -15,7 +15,7 @@ use super::{ENGINES, STEREO_NOISE, SensorOptions, preset, single_view_parameters
 const SAME_FOCAL_LENGTH: f64 = 1e-5;
 
 /// Where the geometry of a sensor comes from.
-pub(super) enum Source<'a> {
+pub(super) enum GeometrySource<'a> {
     /// A depth sensor of a twin.
     Twin {
         twin: &'a Twin,
@@ -33,7 +33,7 @@ pub(super) enum Source<'a> {
     },
 }
 
-impl<'a> Source<'a> {
+impl<'a> GeometrySource<'a> {
     pub(super) fn twin(twin: &'a Twin, sensor: &'a TwinDepthSensor, options: &SensorOptions) -> Self {
         let own = twin.depth_camera(sensor).and_then(|camera| {
             let (image, own) = (options.image?, camera.intrinsics);
@@ -66,13 +66,13 @@ impl<'a> Source<'a> {
 /// Collects what an engine is made of.
 pub(super) fn setup(
     kind: &EngineKind,
-    source: &Source<'_>,
+    source: &GeometrySource<'_>,
     options: &SensorOptions,
     findings: &mut Vec<Finding>,
 ) -> Result<Setup, ParameterError> {
     let mut setup = match *source {
-        Source::Twin { twin, sensor, own } => of_twin(kind, twin, sensor, own, options, findings)?,
-        Source::Product(attributes) => {
+        GeometrySource::Twin { twin, sensor, own } => of_twin(kind, twin, sensor, own, options, findings)?,
+        GeometrySource::Product(attributes) => {
             if kind.models.is_some() {
                 attributes.check()?;
             }
@@ -82,7 +82,7 @@ pub(super) fn setup(
                 ..Setup::new(attributes.focal_length_px, width_px(attributes), baseline_m)
             }
         }
-        Source::Pair {
+        GeometrySource::Pair {
             platform,
             stereo,
             width_px,
@@ -100,7 +100,7 @@ pub(super) fn setup(
         .as_ref()
         .is_some_and(PresetConfig::extended_disparity);
     setup.extended_disparity = options.extended_disparity || preset_extends;
-    if let Source::Twin { sensor, own, .. } = source {
+    if let GeometrySource::Twin { sensor, own, .. } = source {
         setup.attributes = single_view_parameters(
             sensor,
             setup.extended_disparity,
@@ -113,7 +113,7 @@ pub(super) fn setup(
     }
     setup.device_seed = options.device_seed;
     setup.parameters.clone_from(&options.parameters);
-    if let (Source::Twin { sensor, .. }, Some(image)) = (source, options.image)
+    if let (GeometrySource::Twin { sensor, .. }, Some(image)) = (source, options.image)
         && *kind == STEREO_NOISE
     {
         findings.extend(smaller_than_mode(image.size, &setup, &sensor.spec.prim));

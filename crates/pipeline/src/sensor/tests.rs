@@ -306,7 +306,7 @@ fn the_baseline_of_the_design_scales_depth() {
         let sensor = &twin.depth_sensors[0];
         let (mut sensor, _) = super::sensor(twin, sensor, &options).unwrap();
         let depth = Image::filled(1280, 8, 2.0);
-        let capture = sensor.capture(Shot::new((&depth).into()), &[]).unwrap();
+        let capture = sensor.capture(DepthShot::new((&depth).into()), &[]).unwrap();
         f64::from(capture.distance.0.pixels()[1280 * 4 + 640])
     };
     assert!((sense(&twin) - 2.0).abs() < 0.004);

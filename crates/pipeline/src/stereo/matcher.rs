@@ -18,7 +18,7 @@ use oaktwin_depth::filter::Chain;
 use oaktwin_depth::imager::Recorded;
 use oaktwin_depth::preset::Platform;
 use oaktwin_depth::rectify::{Method, RectifyOptions, RemainingDistortion, StereoRectify};
-use oaktwin_depth::stereo_matching::{self, Pair, VERTICAL_OFFSET};
+use oaktwin_depth::stereo_matching::{self, RectifiedPair, VERTICAL_OFFSET};
 use oaktwin_image::annotation::Annotator;
 use oaktwin_usd::asset::LensChoice;
 
@@ -71,7 +71,7 @@ pub struct Matcher {
 
 /// The result of matching a pair.
 #[derive(Debug)]
-pub struct Seen {
+pub struct MatchedPair {
     /// The depth, disparity and confidence.
     pub capture: Capture,
     /// The rectified images, left and right.
@@ -221,18 +221,22 @@ impl Matcher {
     ///
     /// # Errors
     /// Returns an error if the images differ in size or bit depth, or have another size than the matcher.
-    pub fn look(&mut self, left: Recorded, right: Recorded) -> Result<Seen, StereoError> {
+    pub fn match_pair(&mut self, left: Recorded, right: Recorded) -> Result<MatchedPair, StereoError> {
         let rectified = self.rectified(left, right)?;
         let is_raw = self.rectify.is_some();
-        see(&mut self.sensor, rectified, is_raw)
+        match_rectified(&mut self.sensor, rectified, is_raw)
     }
 
     /// Matches simultaneous pairs of many rigs, each as the next frame of its rig, whose numbers count from `first`. Each thread
     /// matches one pair; the threads share the last ones. Findings name the pair's number.
     ///
     /// # Errors
-    /// Returns the error of the first pair that has one, as [`Matcher::look`] does.
-    pub fn look_all(&mut self, pairs: Vec<[Recorded; 2]>, first: usize) -> Result<Vec<Seen>, StereoError> {
+    /// Returns the error of the first pair that has one, as [`Matcher::match_pair`] does.
+    pub fn match_pairs(
+        &mut self,
+        pairs: Vec<[Recorded; 2]>,
+        first: usize,
+    ) -> Result<Vec<MatchedPair>, StereoError> {
         let end = first + pairs.len();
         if self.rigs.len() < end {
             let mut fresh = self.sensor.filters().clone();
@@ -240,18 +244,18 @@ impl Matcher {
             self.rigs.resize(end, fresh);
         }
         let mut rigs = std::mem::take(&mut self.rigs);
-        let seen = self.look_each(pairs, rigs.get_mut(first..end).unwrap_or_default(), first);
+        let seen = self.match_each(pairs, rigs.get_mut(first..end).unwrap_or_default(), first);
         self.rigs = rigs;
         seen
     }
 
     /// Matches a pair of each rig.
-    fn look_each(
+    fn match_each(
         &self,
         pairs: Vec<[Recorded; 2]>,
         rigs: &mut [Chain],
         first: usize,
-    ) -> Result<Vec<Seen>, StereoError> {
+    ) -> Result<Vec<MatchedPair>, StereoError> {
         let threads = rayon::current_num_threads().max(1);
         let mut all = Vec::with_capacity(pairs.len());
         let mut pairs = pairs.into_iter().zip(rigs);
@@ -260,14 +264,14 @@ impl Matcher {
             if some.is_empty() {
                 return Ok(all);
             }
-            let look = |([left, right], filters): ([Recorded; 2], &mut Chain)| {
+            let match_next = |([left, right], filters): ([Recorded; 2], &mut Chain)| {
                 let rectified = self.rectified(left, right)?;
                 let mut sensor = self.sensor.with_filters(std::mem::take(filters));
-                let seen = see(&mut sensor, rectified, self.rectify.is_some());
+                let seen = match_rectified(&mut sensor, rectified, self.rectify.is_some());
                 *filters = sensor.into_filters();
                 seen
             };
-            let some: Vec<Result<Seen, StereoError>> = some.into_par_iter().map(look).collect();
+            let some: Vec<Result<MatchedPair, StereoError>> = some.into_par_iter().map(match_next).collect();
             for seen in some {
                 let (mut seen, number) = (seen?, first + all.len());
                 for finding in &mut seen.findings {
@@ -280,7 +284,7 @@ impl Matcher {
 
     fn rectified(&self, left: Recorded, right: Recorded) -> Result<[Recorded; 2], StereoError> {
         // Checked first, so that errors refer to the images before rectification.
-        Pair::new(&left, &right)?;
+        RectifiedPair::new(&left, &right)?;
         let rectified = match (&self.rectify, &left, &right) {
             (None, ..) => None,
             (Some(rectify), Recorded::Eight(left), Recorded::Eight(right)) => rectify
@@ -293,7 +297,7 @@ impl Matcher {
         };
         let size = ImageSize::new(left.width(), left.height());
         if size != self.size {
-            return Err(stereo_matching::PairError {
+            return Err(stereo_matching::RectifiedPairError {
                 what: format!("its images are {size}, but the first ones are {}", self.size),
                 remedy: "give images of the same size",
             }
@@ -322,9 +326,13 @@ fn still_distorted(rectify: &StereoRectify, place: &str) -> Option<Finding> {
 }
 
 /// Matches a rectified pair. If the matcher has rectified it, findings do not advise to do so.
-fn see(sensor: &mut Sensor, rectified: [Recorded; 2], is_raw: bool) -> Result<Seen, StereoError> {
+fn match_rectified(
+    sensor: &mut Sensor,
+    rectified: [Recorded; 2],
+    is_raw: bool,
+) -> Result<MatchedPair, StereoError> {
     let [left, right] = &rectified;
-    let pair = Pair::new(left, right)?;
+    let pair = RectifiedPair::new(left, right)?;
     let input = Input::Pair(pair);
     let engine = Arc::clone(sensor.engine());
     let (capture, mut findings) = rayon::join(
@@ -337,7 +345,7 @@ fn see(sensor: &mut Sensor, rectified: [Recorded; 2], is_raw: bool) -> Result<Se
     {
         finding.remedy = "check that the calibration is this unit's, and that the images are raw".into();
     }
-    Ok(Seen {
+    Ok(MatchedPair {
         capture: capture?,
         rectified,
         findings,

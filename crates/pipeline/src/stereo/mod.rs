@@ -10,8 +10,8 @@ mod run;
 
 pub use files::{PairFiles, pairs};
 pub use grey::{luma, read_pair};
-pub use matcher::{Matcher, PairOf, Seen};
-pub use run::{Matched, StereoOptions, StereoOutput, stereo};
+pub use matcher::{MatchedPair, Matcher, PairOf};
+pub use run::{MatchingResult, StereoOptions, StereoOutput, stereo};
 
 use std::path::Path;
 
@@ -39,7 +39,7 @@ pub enum StereoError {
     Cameras(#[from] PairError),
     /// The images are not a pair.
     #[error(transparent)]
-    Pair(#[from] stereo_matching::PairError),
+    Pair(#[from] stereo_matching::RectifiedPairError),
     /// A result cannot be encoded or written.
     #[error(transparent)]
     Write(#[from] WriteError),

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::StereoError;
 use super::files::PairFiles;
 use super::grey::read_pair;
-use super::matcher::{Matcher, PairOf, Seen};
+use super::matcher::{MatchedPair, Matcher, PairOf};
 use crate::align::{self, AlignTo, Measuring};
 use crate::limits;
 use crate::progress::Watch;
@@ -16,7 +16,7 @@ use crate::write::write_while;
 use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 use oaktwin_camera::{Camera, ImageSize, RigidTransform, UsdOptics};
 use oaktwin_dataset::{
-    self as dataset, CameraParams, CloudAxes, Extras, FlatWriter, Layer, LayerData, Shot, View,
+    self as dataset, CameraParams, CloudAxes, Extras, FlatWriter, FrameCamera, LayerData, Shot, ShotLayer,
 };
 use oaktwin_depth::align::Align;
 use oaktwin_depth::rectify::Method;
@@ -73,7 +73,7 @@ impl StereoOutput {
 
 /// The result of stereo matching.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Matched {
+pub struct MatchingResult {
     /// The complete files.
     pub files: Vec<WrittenFile>,
     /// The fill rate of each pair, 0 to 1.
@@ -100,7 +100,7 @@ pub fn stereo(
     options: &StereoOptions,
     output: &Path,
     watch: &Watch<'_>,
-) -> Result<Option<Matched>, StereoError> {
+) -> Result<Option<MatchingResult>, StereoError> {
     let Some(first) = pairs.first() else {
         return Ok(None);
     };
@@ -110,7 +110,7 @@ pub fn stereo(
     limits::check_memory(&first.left, size, limits::match_bytes(size))?;
     let mut matcher = Matcher::new(of, size, &options.sensor)?;
     let align = aligner(of, &matcher, options.align.as_ref())?;
-    let mut matched = Matched {
+    let mut matched = MatchingResult {
         files: Vec::new(),
         fill: Vec::new(),
         findings: matcher.findings().to_vec(),
@@ -119,12 +119,12 @@ pub fn stereo(
         method: matcher.method().map(Method::name),
         is_interrupted: false,
     };
-    let mut writer = FlatWriter::new(dataset::Options {
+    let mut writer = FlatWriter::new(dataset::WriterOptions {
         extras: Extras {
             ply: false,
             ..options.extras
         },
-        ..dataset::Options::default()
+        ..dataset::WriterOptions::default()
     });
     let (mut given, mut before) = (Some(images), first);
     let total = pairs.len() as u64;
@@ -141,7 +141,9 @@ pub fn stereo(
                 matcher.reset();
             }
             before = pair;
-            let seen = matcher.look(left, right).map_err(|error| in_files(error, pair))?;
+            let seen = matcher
+                .match_pair(left, right)
+                .map_err(|error| in_files(error, pair))?;
             matched.add(&seen, pair);
             let shot = shot(seen, &matcher, align.as_ref(), options, pair);
             if producer.write(shot).is_break() || producer.finish().is_break() {
@@ -210,9 +212,9 @@ fn in_files(error: StereoError, pair: &PairFiles) -> StereoError {
     }
 }
 
-impl Matched {
+impl MatchingResult {
     /// Adds the fill rate and the findings of a pair.
-    fn add(&mut self, seen: &Seen, pair: &PairFiles) {
+    fn add(&mut self, seen: &MatchedPair, pair: &PairFiles) {
         let ZDepth(metres) = &seen.capture.distance;
         let measured = metres.pixels().iter().filter(|z| **z > 0.0).count();
         self.fill
@@ -250,14 +252,14 @@ fn nothing_measured() -> Finding {
 
 /// The frame of a matched pair.
 fn shot(
-    seen: Seen,
+    seen: MatchedPair,
     matcher: &Matcher,
     align: Option<&Align>,
     options: &StereoOptions,
     pair: &PairFiles,
 ) -> Shot {
     let wants = |output: StereoOutput| options.outputs.contains(&output);
-    let Seen {
+    let MatchedPair {
         capture, rectified, ..
     } = seen;
     let request = [
@@ -276,13 +278,13 @@ fn shot(
         .filter(|(wanted, _)| *wanted)
         .map(|(_, one)| one)
         .collect();
-    let mut layers: Vec<Layer> = align
+    let mut layers: Vec<ShotLayer> = align
         .zip(options.align.as_ref())
         .and_then(|(align, to)| align::layer(align, to, &capture.distance.0))
         .into_iter()
         .collect();
     let mut add = |name: &'static str, data| {
-        layers.push(Layer {
+        layers.push(ShotLayer {
             folder: name,
             name: name.to_owned(),
             data,
@@ -334,8 +336,8 @@ fn shot(
 
 /// The view of the rectified left camera, which is at the origin. The size of its pixels is unknown; it does not affect the
 /// projection.
-fn view(camera: &Camera) -> View {
-    View {
+fn view(camera: &Camera) -> FrameCamera {
+    FrameCamera {
         optics: UsdOptics::from_intrinsics(&camera.intrinsics, PIXEL_SIZE_UM, Default::default()),
         camera: *camera,
         world_from_camera: RigidTransform::IDENTITY,

@@ -8,7 +8,7 @@ use super::{Camera, intrinsics};
 use crate::error::{error, wrong};
 
 /// The state of a camera in pickles: name, size, K, lens and coefficients, clipping range, and pose on its device.
-pub(super) type State = (
+pub(super) type CameraState = (
     String,
     (u32, u32),
     [[f64; 3]; 3],
@@ -45,7 +45,7 @@ pub(crate) fn _camera(
 }
 
 impl Camera {
-    pub(super) fn state(&self) -> PyResult<State> {
+    pub(super) fn state(&self) -> PyResult<CameraState> {
         let lens = &self.camera.lens;
         if LensFamily::of(lens).is_none() {
             let what = format!("its {} lens cannot be pickled", lens.names().option);

@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 
 use super::{Answer, PythonEngine, Request};
 use crate::error::{text, wrong};
-use crate::progress::{Report, Task};
+use crate::progress::{ProgressCallback, Task};
 use crate::threads::{self, POLL};
 
 /// The number of an engine among those that a thread serves, what it is to measure, and the place for its answer; none if the work has been
@@ -84,7 +84,12 @@ pub(crate) fn away<T: Send>(
 ) -> PyResult<T> {
     match engine {
         None => py.detach(work),
-        Some(engine) => serve_all(py, std::slice::from_ref(engine), Report::default(), |_| work())?,
+        Some(engine) => serve_all(
+            py,
+            std::slice::from_ref(engine),
+            ProgressCallback::default(),
+            |_| work(),
+        )?,
     }
 }
 
@@ -93,7 +98,7 @@ pub(crate) fn away<T: Send>(
 pub(crate) fn serve_all<T: Send>(
     py: Python<'_>,
     engines: &[Arc<PythonEngine>],
-    report: Report,
+    report: ProgressCallback,
     work: impl FnOnce(&Task) -> T + Send,
 ) -> PyResult<T> {
     if engines.is_empty() {

@@ -10,8 +10,8 @@ use std::sync::Arc;
 use numpy::PyReadonlyArray2;
 use oaktwin::camera::StereoGeometry;
 use oaktwin::depth::filter::Chain;
-use oaktwin::depth::random::{Numbers, Stage, Stream};
-use oaktwin::depth::stereo_matching::Luminance;
+use oaktwin::depth::random::{NoiseStage, Numbers, Stream};
+use oaktwin::depth::stereo_matching::LuminanceImage;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::image::{Image, ImageView, ZDepth};
 use oaktwin::sensor::{
@@ -255,10 +255,10 @@ struct Answer {
 }
 
 impl Grey {
-    fn of(image: &Luminance<'_>) -> Self {
+    fn of(image: &LuminanceImage<'_>) -> Self {
         match image {
-            Luminance::Bits8(image) => Self::Eight(owned(image)),
-            Luminance::Bits10(image) => Self::Ten(owned(image)),
+            LuminanceImage::Bits8(image) => Self::Eight(owned(image)),
+            LuminanceImage::Bits10(image) => Self::Ten(owned(image)),
         }
     }
 
@@ -285,7 +285,7 @@ impl Images {
 
     fn of_depth(input: &Input<'_>, kind: &EngineKind, random: &Stream) -> Result<Self, ParameterError> {
         let shot = input.shot(kind)?;
-        let plane = random.plane(Stage::Engine, shot.frame, shot.item);
+        let plane = random.plane(NoiseStage::Engine, shot.frame, shot.item);
         Ok(Self::Depth {
             depth: owned(&shot.depth()),
             rgb: shot.rgb().map(|rgb| owned(&rgb)),

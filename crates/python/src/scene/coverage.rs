@@ -2,8 +2,8 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use oaktwin::camera::ImageSize;
 use oaktwin::camera::math::DVec3;
 use oaktwin::coverage::{
-    Base, CoverageError, MeasuringRig, Options, Outcome, PointOutcomes, Region, Samples, Sweep, candidates,
-    measure, reasons,
+    Base, CoverageError, CoverageOptions, MeasuringRig, Outcome, PlacementSweep, PointOutcomes, Region,
+    Samples, candidates, measure, reasons,
 };
 use oaktwin::render::RigSpec;
 use oaktwin::scene::{self, Bounds};
@@ -19,7 +19,7 @@ use crate::finding;
 use crate::json;
 use crate::pair::PairSettings;
 use crate::pose::Of;
-use crate::progress::Report;
+use crate::progress::ProgressCallback;
 use crate::settings::{mistyped, sensor_options, strings};
 
 /// The arguments besides the options of the sensor.
@@ -44,7 +44,7 @@ const ARGUMENTS: [&str; 13] = [
 #[pyfunction]
 #[pyo3(signature = (scene, devices, world_from_body, *, region = None, region_box = None, height = None, tilt_deg = None, size = None,
     samples = None, tolerance_mm = None, points = false, projector = None, ambient = 1.0, imager = None,
-    progress = Report::default()))]
+    progress = ProgressCallback::default()))]
 #[expect(clippy::needless_pass_by_value, reason = "required by PyO3")]
 #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
 pub(crate) fn coverage<'py>(
@@ -63,7 +63,7 @@ pub(crate) fn coverage<'py>(
     projector: Option<f64>,
     ambient: f64,
     imager: Option<&Bound<'py, PyAny>>,
-    progress: Report,
+    progress: ProgressCallback,
 ) -> PyResult<(Bound<'py, PyAny>, Option<Bound<'py, PyDict>>)> {
     let region = self::region(region, region_box)?;
     let mut rigs = Vec::new();
@@ -94,12 +94,12 @@ pub(crate) fn coverage<'py>(
         rigs.push(rig);
     }
     let base = Base::Poses(Of::Body.several("poses", world_from_body)?.0);
-    let sweep = Sweep {
+    let sweep = PlacementSweep {
         heights_m: List::numbers(List::of("height", height)?, |text| {
-            Ok(Sweep::parse(Some(text), None)?.heights_m)
+            Ok(PlacementSweep::parse(Some(text), None)?.heights_m)
         })?,
         tilts_deg: List::numbers(List::of("tilt_deg", tilt_deg)?, |text| {
-            Ok(Sweep::parse(None, Some(text))?.tilts_deg)
+            Ok(PlacementSweep::parse(None, Some(text))?.tilts_deg)
         })?,
     };
     let stage = scene.read(py);
@@ -107,8 +107,8 @@ pub(crate) fn coverage<'py>(
     let up = renderer.scene().up.direction();
     let placements = sweep.placements(&base, up).map_err(error)?;
     let candidates = candidates(&rigs, &placements);
-    let options = Options {
-        samples: samples.unwrap_or(Options::default().samples),
+    let options = CoverageOptions {
+        samples: samples.unwrap_or(CoverageOptions::default().samples),
         tolerance_mm,
         keeps_points: points,
     };

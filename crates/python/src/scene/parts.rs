@@ -22,10 +22,10 @@ use crate::pose::{one_pose, rows};
 use crate::settings::mistyped;
 
 /// A callable, its arguments, and the state that is set afterwards.
-pub(super) type Reduced<'py> = (Bound<'py, PyAny>, Bound<'py, PyTuple>, State<'py>);
+pub(super) type Reduced<'py> = (Bound<'py, PyAny>, Bound<'py, PyTuple>, SceneState<'py>);
 
 /// The poses that are set, and the frame number of the next pair.
-type State<'py> = (Bound<'py, PyDict>, u64);
+type SceneState<'py> = (Bound<'py, PyDict>, u64);
 
 /// What a scene shows at present: a renderer with the poses of its instances, which are the parts of the scene, and the cameras.
 pub(crate) struct Stage {

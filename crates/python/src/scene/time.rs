@@ -13,7 +13,7 @@ use super::parts::Stage;
 use super::{Origin, Scene};
 use crate::error::{reading, wrong};
 use crate::finding;
-use crate::progress::Report;
+use crate::progress::ProgressCallback;
 use crate::threads;
 
 /// A file that can be read at other times, with its rest at the present one.
@@ -44,7 +44,7 @@ impl Scene {
         options: OpenOptions,
         mount: Option<String>,
     ) -> PyResult<Self> {
-        let opened = threads::interruptible(py, Report::default(), |_| match &mount {
+        let opened = threads::interruptible(py, ProgressCallback::default(), |_| match &mount {
             None => SceneFile::open(&path, &options).map(|file| (None, file)),
             Some(prim) => {
                 SceneFile::open_animated(&path, &options, Some(prim)).map(|(stage, file)| (Some(stage), file))

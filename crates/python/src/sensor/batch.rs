@@ -14,21 +14,21 @@ use oaktwin::sensor::{Capture, SensorOptions};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use state::{Clock, State};
+use state::{Clock, Episodes};
 use values::{Values, of_items, sources};
 
 use super::DepthSensor;
 use super::annotate::{not_made, sensor_annotator};
-use super::eye::Source;
 use super::items::Items;
 use super::many::{Batch, copy};
 use super::memory::Memory;
+use super::sized::SensorSettings;
 use super::units::{notice, numbers_of};
 use crate::arguments::{Annotators, FrameNumber};
 use crate::engine::PythonEngine;
 use crate::error::{Error, wrong};
 use crate::finding::{self, Finding, Notices};
-use crate::images::{Depth, DepthSlice, Out, OutSlice, Pictures, Shape};
+use crate::images::{Depth, DepthSlice, ImageShape, Out, OutSlice, Pictures};
 use crate::layers::names;
 use crate::settings::{item_numbers, whole};
 
@@ -55,11 +55,11 @@ pub(crate) struct SensorBatch {
     sensor: Py<DepthSensor>,
     arguments: Py<PyDict>,
     /// The units: one for each item, or one for all.
-    sources: Vec<Source>,
+    sources: Vec<SensorSettings>,
     /// The options of each item, or those of all.
     options: Vec<SensorOptions>,
     has_own_seeds: bool,
-    state: Mutex<State>,
+    state: Mutex<Episodes>,
     memory: Memory,
     notices: Notices,
     engine: Option<Arc<PythonEngine>>,
@@ -100,9 +100,9 @@ impl SensorBatch {
             sources: sources(own, units, count)?,
             options: values.options(&own.source.options(), count)?,
             has_own_seeds: values.seeds.is_some(),
-            state: Mutex::new(State {
+            state: Mutex::new(Episodes {
                 clocks: vec![Clock::default(); count],
-                ..State::default()
+                ..Episodes::default()
             }),
             memory: Memory::default(),
             notices: Notices::default(),
@@ -116,7 +116,7 @@ impl SensorBatch {
     }
 
     /// The state, whose lock must not be held while Python runs.
-    fn locked(&self) -> MutexGuard<'_, State> {
+    fn locked(&self) -> MutexGuard<'_, Episodes> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -130,7 +130,7 @@ impl SensorBatch {
         items: &'a Items,
         depth: DepthSlice<'a>,
         rgb: Option<&'a [[u8; 4]]>,
-        shape: Shape,
+        shape: ImageShape,
     ) -> Batch<'a> {
         Batch {
             items,
@@ -143,7 +143,7 @@ impl SensorBatch {
     }
 
     /// Reads the images of a call, one for each item.
-    fn read<'py>(&self, depth: &Bound<'py, PyAny>) -> PyResult<(Depth<'py>, Shape)> {
+    fn read<'py>(&self, depth: &Bound<'py, PyAny>) -> PyResult<(Depth<'py>, ImageShape)> {
         let (depth, shape) = Depth::read("depth", depth)?;
         let count = self.count();
         if shape.batch != Some(count) {
@@ -355,6 +355,10 @@ impl SensorBatch {
     }
 }
 
-fn shaped<T: numpy::Element>(py: Python<'_>, values: Vec<T>, shape: Shape) -> PyResult<Bound<'_, PyAny>> {
+fn shaped<T: numpy::Element>(
+    py: Python<'_>,
+    values: Vec<T>,
+    shape: ImageShape,
+) -> PyResult<Bound<'_, PyAny>> {
     Ok(PyArray1::from_vec(py, values).reshape(shape.rows())?.into_any())
 }

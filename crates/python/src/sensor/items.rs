@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use oaktwin::image::ImageView;
-use oaktwin::sensor::{Sensor, Shot};
+use oaktwin::sensor::{DepthShot, Sensor};
 use pyo3::prelude::*;
 
 use crate::error::{error, wrong};
-use crate::images::{Shape, part};
+use crate::images::{ImageShape, part};
 
 /// One of the images that are measured together.
 pub(super) struct Item {
@@ -45,7 +45,7 @@ impl Items {
 pub(super) struct Images<'a> {
     pub(super) metres: &'a [f32],
     pub(super) rgb: Option<&'a [[u8; 4]]>,
-    pub(super) shape: Shape,
+    pub(super) shape: ImageShape,
     /// The number of the first one in the batch, and how many there are.
     pub(super) first: usize,
     pub(super) count: usize,
@@ -53,11 +53,11 @@ pub(super) struct Images<'a> {
 
 impl Images<'_> {
     /// The shot of an item by its number among these images.
-    pub(super) fn shot(&self, index: usize, item: u32, frame: u64) -> PyResult<Shot<'_>> {
+    pub(super) fn shot(&self, index: usize, item: u32, frame: u64) -> PyResult<DepthShot<'_>> {
         let (pixels, size) = (self.shape.pixels(), self.shape.size);
         let depth = ImageView::new(size.width, size.height, part(self.metres, index * pixels, pixels))
             .ok_or_else(|| wrong("depth", "is smaller than its shape", "give whole arrays"))?;
-        let mut shot = Shot::new(depth);
+        let mut shot = DepthShot::new(depth);
         let rgb = self.rgb.map(|rgb| part(rgb, index * pixels, pixels));
         if let Some(rgb) = rgb.and_then(|rgb| ImageView::new(size.width, size.height, rgb)) {
             shot = shot.with_rgb(rgb).map_err(error)?;

@@ -12,7 +12,7 @@ use super::items::{Images, Items};
 use super::memory::Memory;
 use crate::engine::{PythonEngine, away};
 use crate::error::{error, wrong};
-use crate::images::{DepthSlice, OutSlice, Shape, part};
+use crate::images::{DepthSlice, ImageShape, OutSlice, part};
 use crate::threads;
 
 /// The number of pixels of a batch between two checks for signals.
@@ -27,7 +27,7 @@ pub(super) struct Batch<'a> {
     pub(super) engine: Option<&'a Arc<PythonEngine>>,
     pub(super) depth: DepthSlice<'a>,
     pub(super) rgb: Option<&'a [[u8; 4]]>,
-    pub(super) shape: Shape,
+    pub(super) shape: ImageShape,
 }
 
 impl Batch<'_> {

@@ -1,7 +1,6 @@
 mod annotate;
 mod batch;
 mod drifted;
-mod eye;
 mod image_camera;
 mod items;
 mod latency;
@@ -9,6 +8,7 @@ mod many;
 mod memory;
 mod sense;
 mod shoot;
+mod sized;
 mod units;
 
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -24,10 +24,10 @@ use pyo3::types::PyDict;
 
 pub(crate) use batch::SensorBatch;
 pub(crate) use drifted::_drift;
-use eye::{Eye, Source};
 use image_camera::field_of_view;
 use memory::Memory;
 use shoot::{Light, Shooting};
+use sized::{SensorSettings, SizedSensor};
 use units::Units;
 
 use crate::arguments::{self, Annotators, FrameNumber, Size};
@@ -93,10 +93,10 @@ use crate::settings::{fresh_seed, item_numbers, keywords, sensor_options, whole}
 #[pyclass(frozen, module = "oaktwin")]
 pub(crate) struct DepthSensor {
     device: Py<Device>,
-    source: Source,
+    source: SensorSettings,
     camera: Option<Camera>,
     lens: LensChoice,
-    eye: Mutex<Eye>,
+    sized: Mutex<SizedSensor>,
     /// The frame number of the next call without one.
     next_frame: AtomicU64,
     /// What temporal filters remember of batches.
@@ -136,7 +136,7 @@ impl DepthSensor {
         let twin = &device.get().twin;
         let depth = depth_sensor(twin, sensor).map_err(error)?.clone();
         let camera = camera.map(|camera| camera.get().clone());
-        let source = Source {
+        let source = SensorSettings {
             twin: Arc::clone(twin),
             depth,
             seed: AtomicU64::new(options.seed),
@@ -151,7 +151,7 @@ impl DepthSensor {
             engine: PythonEngine::in_options(&source.options),
             shooting: Shooting::default(),
             // Reports invalid settings immediately.
-            eye: Mutex::new(source.eye(None)?),
+            sized: Mutex::new(source.sized(None)?),
             source,
             camera,
             next_frame: AtomicU64::new(0),

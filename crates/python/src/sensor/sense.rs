@@ -5,7 +5,7 @@ use std::sync::Arc;
 use oaktwin::align::{self, AlignTo};
 use oaktwin::camera::ImageSize;
 use oaktwin::image::ImageView;
-use oaktwin::sensor::{Sensor, Shot};
+use oaktwin::sensor::{DepthShot, Sensor};
 use pyo3::prelude::*;
 
 use super::DepthSensor;
@@ -69,18 +69,18 @@ impl DepthSensor {
         out: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let (depth, shape) = Depth::read("depth", depth)?;
-        let eye = self.now(py, None)?;
-        let seen = eye.camera.intrinsics.size;
-        let filters = eye.sensor.filters();
+        let sized = self.now(py, None)?;
+        let seen = sized.camera.intrinsics.size;
+        let filters = sized.sensor.filters();
         // The output of a decimating sensor belongs to larger images.
         let of_images = if filters.size(seen.width, seen.height) == (shape.size.width, shape.size.height) {
             seen
         } else {
             shape.size
         };
-        let eye = self.source.eye(Some(of_images))?;
+        let sized = self.source.sized(Some(of_images))?;
         let (twin, depth_sensor) = (&self.source.twin, &self.source.depth);
-        let align = align::align_to(twin, depth_sensor, &eye.sensor, &eye.camera, to, self.lens);
+        let align = align::align_to(twin, depth_sensor, &sized.sensor, &sized.camera, to, self.lens);
         let align = align.map_err(error)?;
         aligned(py, &align, &depth, shape, out)
     }
@@ -121,7 +121,7 @@ impl DepthSensor {
             let metres = depth.metres();
             let view = ImageView::new(width, height, &metres[..])
                 .ok_or_else(|| wrong("depth", "is smaller than its shape", "give whole arrays"))?;
-            let mut shot = Shot::new(view);
+            let mut shot = DepthShot::new(view);
             shot.frame = frame;
             if let Some(rgb) = rgb.and_then(|rgb| ImageView::new(width, height, rgb)) {
                 shot = shot.with_rgb(rgb).map_err(error)?;

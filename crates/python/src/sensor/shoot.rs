@@ -16,7 +16,7 @@ use crate::error::{error, wrong};
 use crate::finding;
 use crate::pair::PairSettings;
 use crate::pose::Of;
-use crate::progress::Report;
+use crate::progress::ProgressCallback;
 use crate::scene::Scene;
 use crate::shot::OUTPUTS;
 
@@ -67,7 +67,7 @@ impl DepthSensor {
         let number = self.frame(frame);
         let stage = scene.read(py);
         let renderer = &stage.renderer;
-        let shot = serve_all(py, self.engine.as_slice(), Report::default(), |_| {
+        let shot = serve_all(py, self.engine.as_slice(), ProgressCallback::default(), |_| {
             let mut rig = rig;
             let shot = rig.shoot_camera(renderer, 0, Some(&world_from_body), number, &spec.annotators);
             let mut kept = self.shooting.0.lock().unwrap_or_else(PoisonError::into_inner);

@@ -13,7 +13,7 @@ use super::items::{Item, Items};
 use crate::arguments::FrameNumber;
 use crate::error::wrong;
 use crate::finding::Notices;
-use crate::images::{DepthSlice, OutSlice, Shape};
+use crate::images::{DepthSlice, ImageShape, OutSlice};
 use crate::settings::mistyped;
 
 /// The sensors of units by seed and device seed, for one image size.
@@ -31,7 +31,7 @@ impl DepthSensor {
     /// Returns the sensors of the items of a batch.
     pub(super) fn items(
         &self,
-        shape: Shape,
+        shape: ImageShape,
         sensor: &Arc<Sensor>,
         frame: u64,
         seed: Option<&Bound<'_, PyAny>>,
@@ -81,7 +81,7 @@ impl DepthSensor {
             device_seed,
             ..self.source.options.clone()
         };
-        let sensor = self.source.eye_with(Some(size), &options)?.sensor;
+        let sensor = self.source.sized_with(Some(size), &options)?.sensor;
         sensors.insert((seed, device_seed), Arc::clone(&sensor));
         Ok(sensor)
     }
@@ -92,7 +92,7 @@ pub(super) fn notice(
     notices: &Notices,
     py: Python<'_>,
     depth: DepthSlice<'_>,
-    shape: Shape,
+    shape: ImageShape,
     out: &OutSlice<'_>,
     has_rgb: bool,
 ) -> PyResult<()> {

@@ -22,7 +22,7 @@ const FIRST_SIZE: ImageSize = ImageSize {
 
 /// The origin of the image pairs.
 #[expect(clippy::large_enum_variant, reason = "a matcher has only one")]
-pub(super) enum Source {
+pub(super) enum PairSource {
     Device {
         device: Py<Device>,
         /// The name of the depth sensor, if one was chosen, and the left and the right camera of its pair.
@@ -37,7 +37,7 @@ pub(super) enum Source {
     },
 }
 
-impl Source {
+impl PairSource {
     pub(super) fn device(
         device: &Bound<'_, Device>,
         sensor: Option<&str>,

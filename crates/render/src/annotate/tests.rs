@@ -3,7 +3,7 @@
 use oaktwin_camera::math::{DAffine3, DVec3};
 use oaktwin_camera::{PixelPoint, Usd};
 use oaktwin_image::annotation::{Annotator, Box2d, Frame};
-use oaktwin_scene::{Attribute, Mesh, MetersPerUnit, Scene};
+use oaktwin_scene::{Mesh, MeshAttribute, MetersPerUnit, Scene};
 use proptest::prelude::*;
 
 use super::AnnotateOptions;
@@ -129,7 +129,7 @@ fn ball(smooth: bool) -> Mesh {
             mesh.triangles.extend([[a, b, c], [a, c, d]]);
         }
     }
-    mesh.normals = smooth.then(|| Attribute::Vertex(mesh.positions.clone()));
+    mesh.normals = smooth.then(|| MeshAttribute::Vertex(mesh.positions.clone()));
     mesh
 }
 

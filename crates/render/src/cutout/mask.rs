@@ -1,7 +1,7 @@
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_image::Image;
 use oaktwin_image::srgb::{linear_from_data, linear_from_srgb};
-use oaktwin_scene::{ColorSpace, Mask, Texture};
+use oaktwin_scene::{ColorSpace, Texture, TextureMask};
 
 use crate::texture_file;
 
@@ -31,7 +31,7 @@ impl MaskImage {
 
     /// Returns the value of a mask, interpolated between the centres of pixels, at texture coordinates.
     #[inline]
-    pub(super) fn value(&self, mask: &Mask, [u, v]: [f64; 2]) -> f32 {
+    pub(super) fn value(&self, mask: &TextureMask, [u, v]: [f64; 2]) -> f32 {
         let used = &mask.texture;
         let [s, t] = used
             .image_from_uv

@@ -4,7 +4,7 @@ use oaktwin_camera::math::DVec3;
 
 use super::bounds::Bounds;
 use super::cluster::{Cluster, ClusteredMesh};
-use super::frame::{Frame, Projection};
+use super::frame::{FrameConstants, Projection};
 use super::large;
 use super::visible::Visible;
 
@@ -17,13 +17,13 @@ enum Visibility {
 }
 
 /// Whether a box lies outside the view frustum.
-pub(super) fn is_outside(frame: &Frame, projection: &Projection, bounds: &Bounds) -> bool {
+pub(super) fn is_outside(frame: &FrameConstants, projection: &Projection, bounds: &Bounds) -> bool {
     outside(frame, &corners(projection, bounds))
 }
 
 /// Adds a cluster, or its triangles, if it can be visible.
 pub(super) fn add(
-    frame: &Frame,
+    frame: &FrameConstants,
     projection: &Projection,
     mesh: &ClusteredMesh,
     instance: u32,
@@ -66,7 +66,7 @@ pub(super) fn add(
 }
 
 fn visibility(
-    frame: &Frame,
+    frame: &FrameConstants,
     projection: &Projection,
     cluster: &Cluster,
     instance: u32,
@@ -120,7 +120,7 @@ fn corners(projection: &Projection, bounds: &Bounds) -> [[f64; 8]; 3] {
 }
 
 /// Whether all corners lie outside one plane of the view frustum. NaN counts as outside.
-fn outside(frame: &Frame, [u, v, z]: &[[f64; 8]; 3]) -> bool {
+fn outside(frame: &FrameConstants, [u, v, z]: &[[f64; 8]; 3]) -> bool {
     let (nearest, farthest) = range(*z);
     if !(farthest >= frame.near && nearest <= frame.far) {
         return true;
@@ -149,7 +149,7 @@ fn range(numbers: [f64; 8]) -> (f64, f64) {
 
 /// Returns the pixels whose centres lie within the bounds, with a margin because vertices are snapped to the grid.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
-fn pixels(frame: &Frame, u: [f64; 2], v: [f64; 2]) -> Option<([u32; 2], [u32; 2])> {
+fn pixels(frame: &FrameConstants, u: [f64; 2], v: [f64; 2]) -> Option<([u32; 2], [u32; 2])> {
     let axis = |[low, high]: [f64; 2], side: u32| {
         let low = (low - MARGIN).ceil().max(0.0);
         let high = (high + MARGIN).floor().min(f64::from(side) - 1.0);

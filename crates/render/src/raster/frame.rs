@@ -8,7 +8,7 @@ use crate::View;
 
 /// The constants of a frame.
 #[derive(Debug)]
-pub(super) struct Frame<'a> {
+pub(super) struct FrameConstants<'a> {
     pub(super) scene: &'a Scene,
     pub(super) width: u32,
     pub(super) height: u32,
@@ -53,7 +53,7 @@ impl Grid {
     }
 }
 
-impl<'a> Frame<'a> {
+impl<'a> FrameConstants<'a> {
     pub(super) fn new(scene: &'a Scene, view: &View) -> Self {
         let k = &view.camera.intrinsics;
         let centre = k.principal_point::<OpenCv>();

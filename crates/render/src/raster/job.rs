@@ -1,7 +1,7 @@
 //! The work of a tile, and what it consists of.
 
 use super::cluster::{Cluster, ClusteredMesh};
-use super::frame::Frame;
+use super::frame::FrameConstants;
 use super::id::Id;
 use super::visible::Visible;
 use crate::Hit;
@@ -9,7 +9,7 @@ use crate::Hit;
 /// The work of a tile.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Job<'a> {
-    pub(super) frame: &'a Frame<'a>,
+    pub(super) frame: &'a FrameConstants<'a>,
     pub(super) meshes: &'a [ClusteredMesh],
     pub(super) visible: &'a [Visible],
     /// The entries to draw, in order; their lower halves are indices in `visible`.

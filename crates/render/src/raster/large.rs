@@ -3,7 +3,7 @@
 use oaktwin_camera::math::DVec3;
 use oaktwin_simd::{Lanes, round_ties_even};
 
-use super::frame::{Frame, Grid, Projection};
+use super::frame::{FrameConstants, Grid, Projection};
 use super::id::Id;
 use super::job::Job;
 use super::tile::{Rectangle, STRIDE, Tile};
@@ -120,7 +120,7 @@ pub(super) fn draw<L: Lanes, const IDS: bool>(
 
 /// Returns the pixels of the tile whose centres can be inside; `None` if there are none.
 #[inline(always)]
-fn rectangle(frame: &Frame, tile: &Tile, corners: &[Corner; 3]) -> Option<Rectangle> {
+fn rectangle(frame: &FrameConstants, tile: &Tile, corners: &[Corner; 3]) -> Option<Rectangle> {
     let bits = frame.grid.bits;
     let range = if let [Some(a), Some(b), Some(c)] = corners.map(|c| c.snapped) {
         let axis = |i: usize| {

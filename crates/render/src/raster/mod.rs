@@ -28,7 +28,7 @@ use rayon::prelude::*;
 use self::bounds::Bounds;
 use self::cluster::ClusteredMesh;
 use self::draw::DrawTile;
-use self::frame::Frame;
+use self::frame::FrameConstants;
 use self::job::Job;
 use self::small::Scratch;
 use self::tile::Tile;
@@ -124,7 +124,7 @@ impl Rasterizer {
         view: &View,
         rendered: Option<&Blocks>,
     ) -> (ZDepth, Image<Hit>) {
-        let frame = Frame::new(scene, view);
+        let frame = FrameConstants::new(scene, view);
         let (width, height) = (frame.width, frame.height);
         let (mut z, mut hits) = if IDS {
             (
@@ -177,7 +177,7 @@ impl Rasterizer {
     }
 
     /// Returns everything to draw, in the order of the scene.
-    fn visible(&self, frame: &Frame) -> Vec<Visible> {
+    fn visible(&self, frame: &FrameConstants) -> Vec<Visible> {
         let parts: Vec<Vec<Visible>> = self
             .groups
             .par_chunks(16)
@@ -209,7 +209,7 @@ impl Rasterizer {
 /// Assigns items to tiles: returns the index of each tile's first entry, with one more at the end, and the entries, which are
 /// indices in `visible`.
 #[expect(clippy::cast_possible_truncation, reason = "fewer than 2^32 can be seen")]
-fn bin(frame: &Frame, visible: &[Visible]) -> (Vec<usize>, Vec<u32>) {
+fn bin(frame: &FrameConstants, visible: &[Visible]) -> (Vec<usize>, Vec<u32>) {
     let [across, down] = Tile::count(frame.width, frame.height);
     let touched = |item: &Visible| {
         let x = item.x.map(|x| x as usize / tile::WIDTH);

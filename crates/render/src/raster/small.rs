@@ -1,6 +1,6 @@
 //! Drawing of clusters whose triangles mostly cover a few pixels, eight at a time, in single precision.
 
-use oaktwin_simd::{F64Lanes, I32Lanes, Lanes, Row};
+use oaktwin_simd::{F64Lanes, I32Lanes, Lanes, PackedVertex};
 
 use super::cluster::{Cluster, ClusteredMesh, LANES, MAX_TRIANGLES, MAX_VERTICES};
 use super::frame::{Grid, Projection};
@@ -17,7 +17,7 @@ const SMALL: i32 = 8;
 #[derive(Debug)]
 pub(super) struct Scratch {
     /// x and y in steps, and 1/z.
-    vertices: [Row; MAX_VERTICES],
+    vertices: [PackedVertex; MAX_VERTICES],
     tiny: TriangleList,
     small: TriangleList,
     large: TriangleList,
@@ -26,7 +26,7 @@ pub(super) struct Scratch {
 impl Default for Scratch {
     fn default() -> Self {
         Self {
-            vertices: [Row([0; 4]); MAX_VERTICES],
+            vertices: [PackedVertex([0; 4]); MAX_VERTICES],
             tiny: TriangleList::EMPTY,
             small: TriangleList::EMPTY,
             large: TriangleList::EMPTY,
@@ -87,11 +87,11 @@ pub(super) fn draw<L: Lanes, const IDS: bool>(
     sort_out::<L>(job.frame.grid, tile, scratch, drawn);
     let corners = drawn.corners();
     for (kept, count) in scratch.tiny.batches() {
-        let setup = Setup::<L>::new(job.frame.grid, scratch, corners, kept);
+        let setup = TriangleSetup::<L>::new(job.frame.grid, scratch, corners, kept);
         setup.draw_tiny::<IDS>(job, tile, drawn, kept, count);
     }
     for (kept, count) in scratch.small.batches() {
-        let setup = Setup::<L>::new(job.frame.grid, scratch, corners, kept);
+        let setup = TriangleSetup::<L>::new(job.frame.grid, scratch, corners, kept);
         setup.draw_rows::<IDS>(job, tile, drawn, kept, count);
     }
     for triangle in &scratch.large.triangles[..scratch.large.count.min(MAX_TRIANGLES)] {
@@ -148,7 +148,10 @@ fn apply<D: F64Lanes>(m: [D; 4], [x, y, z]: [D; 3]) -> D {
 
 /// Returns x, y and 1/z of the corners of eight triangles.
 #[inline(always)]
-fn gather<L: Lanes>(vertices: &[Row; MAX_VERTICES], corners: [u32; LANES]) -> [(L::I32, L::I32, L); 3] {
+fn gather<L: Lanes>(
+    vertices: &[PackedVertex; MAX_VERTICES],
+    corners: [u32; LANES],
+) -> [(L::I32, L::I32, L); 3] {
     let c = corners.map(u32::to_le_bytes);
     [
         corner::<L>(vertices, c, 0),
@@ -159,7 +162,7 @@ fn gather<L: Lanes>(vertices: &[Row; MAX_VERTICES], corners: [u32; LANES]) -> [(
 
 #[inline(always)]
 fn corner<L: Lanes>(
-    vertices: &[Row; MAX_VERTICES],
+    vertices: &[PackedVertex; MAX_VERTICES],
     corners: [[u8; 4]; LANES],
     k: usize,
 ) -> (L::I32, L::I32, L) {
@@ -228,7 +231,7 @@ fn sort_out<L: Lanes>(grid: Grid, tile: &Tile, scratch: &mut Scratch, drawn: &Dr
 /// A pixel `(i, j)`, relative to the triangle's first pixel, lies inside if `a i + b j + c` is positive or zero for all edges. These
 /// are integers as in `large`, in units of a pixel times a grid step. Two of them, scaled, are the barycentric coordinates with
 /// which 1/z is interpolated.
-struct Setup<L: Lanes> {
+struct TriangleSetup<L: Lanes> {
     a: [L::I32; 3],
     b: [L::I32; 3],
     c: [L::I32; 3],
@@ -241,7 +244,7 @@ struct Setup<L: Lanes> {
     last_y: L::I32,
 }
 
-impl<L: Lanes> Setup<L> {
+impl<L: Lanes> TriangleSetup<L> {
     #[inline(always)]
     fn new(grid: Grid, scratch: &Scratch, corners: &[u32], kept: &[u8; LANES]) -> Self {
         let corners = kept.map(|at| corners.get(usize::from(at)).copied().unwrap_or_default());

@@ -2,7 +2,7 @@
 
 use oaktwin_simd::{I32Lanes, Lanes};
 
-use super::frame::Frame;
+use super::frame::FrameConstants;
 use super::id::Id;
 use super::job::Job;
 use crate::blocks::{self, Blocks};
@@ -86,7 +86,7 @@ impl Tile {
     )]
     pub(super) fn start<const IDS: bool>(
         &mut self,
-        frame: &Frame,
+        frame: &FrameConstants,
         column: usize,
         row: usize,
         rendered: Option<&Blocks>,

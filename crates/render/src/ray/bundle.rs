@@ -60,7 +60,7 @@ pub(crate) struct Stopped {
 }
 
 /// What is known about the rays so far.
-struct State<'a> {
+struct TraversalState<'a> {
     scene: &'a Scene,
     cutouts: Option<&'a Cutouts>,
     rays: &'a Rays,
@@ -79,7 +79,7 @@ impl LaneKernel for Bundle<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(mut self) -> Stopped {
-        let mut state = State {
+        let mut state = TraversalState {
             scene: self.scene.scene,
             cutouts: self.cutouts,
             rays: self.rays,
@@ -101,15 +101,15 @@ impl LaneKernel for Bundle<'_> {
 
 impl Bundle<'_> {
     #[inline(always)]
-    fn trace<L: Lanes>(&mut self, state: &mut State<'_>) {
+    fn trace<L: Lanes>(&mut self, state: &mut TraversalState<'_>) {
         let top = self.scene.instances;
         if self.leaf.count != 0
             && let Some((mesh, tree, mesh_from_world)) = self.scene.instance(self.leaf.instance)
-            && let Some(frame) = Frame::new(mesh_from_world, state, &tree.bounds)
+            && let Some(frame) = BundleRays::new(mesh_from_world, state, &tree.bounds)
         {
             frame.leaf::<L>(mesh, tree, self.leaf, state);
         }
-        let Some(frame) = Frame::new(DAffine3::IDENTITY, state, &top.bounds) else {
+        let Some(frame) = BundleRays::new(DAffine3::IDENTITY, state, &top.bounds) else {
             return;
         };
         self.stack.clear();
@@ -121,7 +121,7 @@ impl Bundle<'_> {
 /// The handling of leaves.
 trait Visit {
     /// Tests the items of a leaf.
-    fn leaf<L: Lanes>(&self, first: u32, count: u32, state: &mut State<'_>, stack: &mut Entries);
+    fn leaf<L: Lanes>(&self, first: u32, count: u32, state: &mut TraversalState<'_>, stack: &mut Entries);
 }
 
 struct Instances<'a> {
@@ -130,12 +130,12 @@ struct Instances<'a> {
 
 impl Visit for Instances<'_> {
     #[inline(always)]
-    fn leaf<L: Lanes>(&self, first: u32, count: u32, state: &mut State<'_>, stack: &mut Entries) {
+    fn leaf<L: Lanes>(&self, first: u32, count: u32, state: &mut TraversalState<'_>, stack: &mut Entries) {
         for &instance in &self.scene.instances.order[first as usize..][..count as usize] {
             let Some((mesh, tree, mesh_from_world)) = self.scene.instance(instance) else {
                 continue;
             };
-            let Some(frame) = Frame::new(mesh_from_world, state, &tree.bounds) else {
+            let Some(frame) = BundleRays::new(mesh_from_world, state, &tree.bounds) else {
                 continue;
             };
             let visit = Triangles {
@@ -156,12 +156,12 @@ struct Triangles<'a> {
     mesh: &'a Mesh,
     tree: &'a MeshTree,
     instance: u32,
-    frame: &'a Frame,
+    frame: &'a BundleRays,
 }
 
 impl Visit for Triangles<'_> {
     #[inline(always)]
-    fn leaf<L: Lanes>(&self, first: u32, count: u32, state: &mut State<'_>, _: &mut Entries) {
+    fn leaf<L: Lanes>(&self, first: u32, count: u32, state: &mut TraversalState<'_>, _: &mut Entries) {
         let leaf = Leaf {
             instance: self.instance,
             first,
@@ -190,7 +190,7 @@ impl Bound {
 }
 
 /// The rays in the frame of a hierarchy.
-struct Frame {
+struct BundleRays {
     origin: DVec3,
     /// The end of the rays, in lengths of their directions in single precision.
     far: f32,
@@ -207,14 +207,14 @@ struct Frame {
     end_count: usize,
 }
 
-impl Frame {
+impl BundleRays {
     /// Creates the rays that are still open; `None` if they have no directions or the bounds are not finite.
     #[allow(
         clippy::cast_possible_truncation,
         reason = "the remainder is kept or within the slack"
     )]
     #[inline(always)]
-    fn new(mesh_from_world: DAffine3, state: &mut State<'_>, bounds: &Bounds) -> Option<Self> {
+    fn new(mesh_from_world: DAffine3, state: &mut TraversalState<'_>, bounds: &Bounds) -> Option<Self> {
         let origin = mesh_from_world.transform_point3(state.rays.origin);
         let [mut low, mut high] = [DVec3::INFINITY, DVec3::NEG_INFINITY];
         for ray in bits(state.open) {
@@ -295,7 +295,7 @@ impl Frame {
 
     /// Tests the open rays against the triangles of a leaf, as [`single`](super::single) does.
     #[inline(always)]
-    fn leaf<L: Lanes>(&self, mesh: &Mesh, tree: &MeshTree, leaf: &Leaf, state: &mut State<'_>) {
+    fn leaf<L: Lanes>(&self, mesh: &Mesh, tree: &MeshTree, leaf: &Leaf, state: &mut TraversalState<'_>) {
         let triangles = &tree.triangles[leaf.first as usize..][..leaf.count as usize];
         let scale = L::splat(self.scale);
         let (coarse, fine) = (Vector::splat(self.coarse), Vector::splat(self.fine));
@@ -365,7 +365,7 @@ impl Frame {
         mut candidates: u32,
         ray: usize,
         leaf: &Leaf,
-        state: &mut State<'_>,
+        state: &mut TraversalState<'_>,
     ) {
         let direction = state.directions[ray];
         while candidates != 0 {
@@ -390,7 +390,7 @@ impl Frame {
     }
 }
 
-impl State<'_> {
+impl TraversalState<'_> {
     #[inline]
     fn shows(&self, hit: Hit, ray: usize) -> bool {
         let (origin, direction) = (self.rays.origin, self.rays.directions[ray]);
@@ -413,8 +413,8 @@ pub(crate) fn bits(mut set: u64) -> impl Iterator<Item = usize> {
 #[inline(always)]
 fn walk<L: Lanes>(
     nodes: &[Node],
-    frame: &Frame,
-    state: &mut State<'_>,
+    frame: &BundleRays,
+    state: &mut TraversalState<'_>,
     stack: &mut Entries,
     visit: &impl Visit,
 ) {

@@ -10,7 +10,7 @@ use oaktwin_simd::run_lanes_at;
 use rayon::prelude::*;
 
 use super::single::power_of_two_near;
-use super::tile::{Origin, PACKETS, PerRay, RayTable, SIDE, Solve, State, TileRays, Trace, place};
+use super::tile::{Origin, PACKETS, PerRay, RayTable, SIDE, Solve, TileRays, TileState, Trace, place};
 use super::{Prepared, Ray, RayCaster, Stack};
 use crate::blocks::Blocks;
 use crate::{Hit, View};
@@ -106,7 +106,7 @@ struct FrameOfView<'a> {
 /// The reused memory of a thread.
 struct Workspace {
     stack: Stack,
-    state: State,
+    state: TileState,
     distances: PerRay<f64>,
 }
 
@@ -114,7 +114,7 @@ impl Workspace {
     fn new() -> Self {
         Self {
             stack: Stack::default(),
-            state: State::NONE,
+            state: TileState::NONE,
             distances: [[0.0; 8]; PACKETS],
         }
     }

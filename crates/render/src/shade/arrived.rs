@@ -6,7 +6,7 @@ use oaktwin_simd::run_lanes_at;
 
 use super::ShadingContext;
 use super::film::Film;
-use super::occlusion::{Place, Shares};
+use super::occlusion::{ShadingPoint, Shares};
 use super::paint::Finishes;
 use super::path::{Arrival, Origin, Vertex};
 use super::pattern::Pattern;
@@ -89,13 +89,13 @@ impl ShadingContext<'_> {
         stack: &mut Stack,
     ) {
         for lane in 0..senders.count {
-            let place = Place::of_lane(&senders.surfaces, lane);
+            let place = ShadingPoint::of_lane(&senders.surfaces, lane);
             strengths.set(lane, place.from_eye, place.normal);
         }
         strengths.measure(self.occlusion.emitters, self.level);
         let mut shares = Shares::default();
         for lane in 0..senders.count {
-            let place = Place::of_lane(&senders.surfaces, lane);
+            let place = ShadingPoint::of_lane(&senders.surfaces, lane);
             // All rays of a blurred reflection together resolve its light.
             let one = senders.rays[lane & 7].map(|ray| [Pattern::first(ray.into())]);
             let rays = one.as_ref().map_or(&Pattern::FEW[..], |one| &one[..]);

@@ -18,11 +18,11 @@ use self::between::{Between, MIN_SIMILARITY};
 use self::node::{Around, Grid, Node};
 use self::refine::{Detail, Spot};
 use self::samples::{Rows, Sample, Samples};
-use super::occlusion::{LightRows, Occlusion, Place, Shares};
+use super::occlusion::{LightRows, Occlusion, ShadingPoint, Shares};
 use super::strength::{Strengths, Strongest};
-use super::surfaces::{Found, Packet};
-use super::targets::{Target, each_target};
+use super::surfaces::{Packet, PacketSurfaces};
 use super::tiles::{TILE, in_tiles};
+use super::visible_pixels::{VisiblePixel, each_visible_pixel};
 use crate::ray::Stack;
 use crate::rays::Rays;
 use crate::spare::Spare;
@@ -90,7 +90,7 @@ impl<'a> Sampler<'a> {
                     let Some((hit, z)) = seen.filter(|(hit, _)| !hit.is_miss()) else {
                         continue;
                     };
-                    targets.push(Target {
+                    targets.push(VisiblePixel {
                         tag: (y - first) as usize * row_length + x as usize,
                         place: [column, line],
                         hit: *hit,
@@ -98,7 +98,7 @@ impl<'a> Sampler<'a> {
                     });
                 }
                 for tile in targets.chunks_mut((TILE * TILE) as usize) {
-                    each_target(tile, scene, self.level, |Target { tag, place, hit, z }| {
+                    each_visible_pixel(tile, scene, self.level, |VisiblePixel { tag, place, hit, z }| {
                         let Some(ray) = packet.ray(place) else { return };
                         if !packet.has_room_for(hit.instance) {
                             put(packet, strip);
@@ -242,7 +242,7 @@ impl Coarse {
     /// lies on.
     pub(super) fn light(
         &self,
-        found: &Found<'_, '_>,
+        found: &PacketSurfaces<'_, '_>,
         occlusion: &Occlusion<'_>,
         strengths: &mut Strengths,
         stack: &mut Stack,
@@ -260,14 +260,14 @@ impl Coarse {
         let pixels = (1u32 << found.count()) - 1;
         if edges & known & pixels != 0 {
             for lane in 0..found.count() {
-                let place = Place::new(found, lane);
+                let place = ShadingPoint::new(found, lane);
                 strengths.set(lane, place.from_eye, place.normal);
             }
             strengths.measure(occlusion.emitters, occlusion.level);
         }
         for lane in 0..found.count() {
             if (known >> lane) & 1 == 0 {
-                if let Some(light) = self.farther(found.place(lane), &Place::new(found, lane)) {
+                if let Some(light) = self.farther(found.place(lane), &ShadingPoint::new(found, lane)) {
                     shares.set(lane, light);
                     known |= 1 << lane;
                 }
@@ -282,13 +282,13 @@ impl Coarse {
     /// Returns the share of the lamps' light that arrives at a pixel on the edge of a shadow.
     fn direct(
         &self,
-        found: &Found<'_, '_>,
+        found: &PacketSurfaces<'_, '_>,
         lane: usize,
         occlusion: &Occlusion<'_>,
         strongest: Strongest,
         stack: &mut Stack,
     ) -> f32 {
-        let place = Place::new(found, lane);
+        let place = ShadingPoint::new(found, lane);
         let grid = Grid {
             samples: &self.samples,
             nodes: &self.nodes,
@@ -306,7 +306,7 @@ impl Coarse {
 
     /// Returns the weighted mean of the samples of the same surface, also of those one sample farther away than the nearest.
     #[cold]
-    fn farther(&self, place: [u32; 2], at: &Place) -> Option<[f32; 3]> {
+    fn farther(&self, place: [u32; 2], at: &ShadingPoint) -> Option<[f32; 3]> {
         let rows = samples::rows(at);
         let [columns, rows_around] = place.map(|x| {
             let [first, last] = between::around(x);
@@ -341,7 +341,7 @@ fn put(packet: &mut Packet<'_>, strip: &mut [Rows]) {
     if let Some(found) = packet.find() {
         for lane in 0..found.count() {
             if let Some(sample) = strip.get_mut(found.tag(lane)) {
-                *sample = samples::rows(&Place::new(&found, lane));
+                *sample = samples::rows(&ShadingPoint::new(&found, lane));
             }
         }
     }

@@ -7,7 +7,7 @@ use oaktwin_image::Image;
 use rayon::prelude::*;
 
 use super::ShadingContext;
-use super::targets::Target;
+use super::visible_pixels::VisiblePixel;
 use crate::blocks::Blocks;
 use crate::rays::Rays;
 use crate::visibility::SpareVisibility;
@@ -133,7 +133,7 @@ fn corner_rows(
                         *color = adjacent;
                     } else {
                         let z = corners.seen.z.0.get(*x, y).copied().unwrap_or(f32::INFINITY);
-                        own.push(Target {
+                        own.push(VisiblePixel {
                             tag: index,
                             place: [*x, y],
                             hit,

@@ -9,14 +9,14 @@ use rayon::prelude::*;
 use super::ShadingContext;
 use super::film::Film;
 use super::mirrored::Followed;
-use super::occlusion::Place;
+use super::occlusion::ShadingPoint;
 use super::paint::{Paint, finishes};
 use super::path::Arrival;
 use super::reflect::Radiance;
 use super::strength::Strengths;
 use super::surfaces::{Packet, lane_of};
-use super::targets::{Target, each_target};
 use super::tiles::TILE;
+use super::visible_pixels::{VisiblePixel, each_visible_pixel};
 use crate::ray::Stack;
 use crate::rays::Rays;
 use crate::{Hit, Visibility};
@@ -34,7 +34,7 @@ pub(super) struct Workspace<'a> {
 
 /// What a pixel sees.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Seen {
+pub(super) struct ExposedPixel {
     /// The colour, on film.
     pub(super) color: Vec3,
     /// The distance at which the pixel's brightest surface appears to be, divided by the distance of the first surface. It differs from 1
@@ -46,7 +46,7 @@ pub(super) struct Seen {
 pub(super) struct Centres {
     /// The colours, on film; black where the lens has no ray.
     pub(super) colors: Image<[f32; 3]>,
-    /// [`Seen::stretch`]; `None` if no material of the scene reflects rays or lets them pass.
+    /// [`ExposedPixel::stretch`]; `None` if no material of the scene reflects rays or lets them pass.
     pub(super) stretch: Option<Image<f32>>,
 }
 
@@ -99,7 +99,7 @@ impl<'a> ShadingContext<'a> {
                             let seen = hits[columns.clone()].iter().zip(&depths[columns.clone()]);
                             let first = (y - TILE * strip) as usize * row_length;
                             for ((hit, z), x) in seen.zip(left..) {
-                                targets.push(Target {
+                                targets.push(VisiblePixel {
                                     tag: first + x as usize,
                                     place: [x, y],
                                     hit: *hit,
@@ -125,18 +125,18 @@ impl<'a> ShadingContext<'a> {
     /// what was seen. Rays that the lens does not have are left out.
     pub(super) fn colors<'w>(
         &'w self,
-        targets: &mut [Target],
+        targets: &mut [VisiblePixel],
         workspace: &mut Workspace<'w>,
-        mut put: impl FnMut(usize, Seen),
+        mut put: impl FnMut(usize, ExposedPixel),
     ) {
-        each_target(targets, self.scene, self.level, |target| {
-            let Target { tag, place, hit, z } = target;
+        each_visible_pixel(targets, self.scene, self.level, |target| {
+            let VisiblePixel { tag, place, hit, z } = target;
             let Some(ray) = workspace.packet.ray(place) else {
                 return;
             };
             if hit.is_miss() {
                 let direction = (self.view.world_from_camera.rotation * ray).normalize_or_zero();
-                let seen = Seen {
+                let seen = ExposedPixel {
                     color: self.film.exposed(self.rig.background(direction)),
                     stretch: 1.0,
                 };
@@ -152,7 +152,7 @@ impl<'a> ShadingContext<'a> {
     }
 
     /// Computes what a packet sees and clears it.
-    fn expose<'w>(&'w self, workspace: &mut Workspace<'w>, put: &mut impl FnMut(usize, Seen)) {
+    fn expose<'w>(&'w self, workspace: &mut Workspace<'w>, put: &mut impl FnMut(usize, ExposedPixel)) {
         let Workspace {
             rays,
             packet,
@@ -167,7 +167,7 @@ impl<'a> ShadingContext<'a> {
             let (mut shares, known) = self.coarse.light(&found, &self.occlusion, strengths, stack);
             for lane in 0..found.count() {
                 if (known >> lane) & 1 == 0 {
-                    let place = Place::new(&found, lane);
+                    let place = ShadingPoint::new(&found, lane);
                     shares.set(
                         lane,
                         self.occlusion.sample_alone(&place, strengths, stack).shares(),
@@ -201,7 +201,7 @@ impl<'a> ShadingContext<'a> {
             for lane in 0..found.count() {
                 let own = lane_of(&colors, lane);
                 let seen = match followed.as_ref().zip(matt.as_ref()) {
-                    None => Seen {
+                    None => ExposedPixel {
                         color: own,
                         stretch: 1.0,
                     },
@@ -210,7 +210,7 @@ impl<'a> ShadingContext<'a> {
                         let range = f64::from(found.surfaces.range[lane & 7]);
                         let (light, distance) = followed.gathered(lane, own, range, arrivals, lights);
                         #[expect(clippy::cast_possible_truncation, reason = "a ratio near 1")]
-                        Seen {
+                        ExposedPixel {
                             color: self.film.exposed(light),
                             stretch: (distance / range) as f32,
                         }

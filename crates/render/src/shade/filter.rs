@@ -40,7 +40,7 @@ impl Footprints {
 }
 
 /// Filters a texture over footprints. Lanes without a bit in `used` return 0, as do footprints that are not finite.
-pub(super) struct Filter<'a> {
+pub(super) struct TextureFilter<'a> {
     /// The image and its reductions.
     pub(super) levels: &'a [Image<[u8; 4]>],
     /// Whether the bytes are sRGB rather than data.
@@ -50,7 +50,7 @@ pub(super) struct Filter<'a> {
     pub(super) used: u32,
 }
 
-impl LaneKernel for Filter<'_> {
+impl LaneKernel for TextureFilter<'_> {
     type Output = [[f32; 8]; 3];
 
     #[inline(always)]
@@ -60,7 +60,7 @@ impl LaneKernel for Filter<'_> {
             return out;
         };
         let zero = L::splat(0.0);
-        let shape = Shape::<L>::new(self.footprints, base);
+        let shape = FootprintShape::<L>::new(self.footprints, base);
         let used = self.used & shape.is_sane.signs();
         let (fine, coarse, parts, mixed) = self.levels_of(shape.lod);
         let part = L::load(&parts);
@@ -101,7 +101,7 @@ impl LaneKernel for Filter<'_> {
 }
 
 /// Footprints in pixels of the full image.
-struct Shape<L: Lanes> {
+struct FootprintShape<L: Lanes> {
     at: [L; 2],
     /// The longer axis of the parallelogram, in texture coordinates.
     major: [L; 2],
@@ -112,7 +112,7 @@ struct Shape<L: Lanes> {
     is_sane: L::I32,
 }
 
-impl<L: Lanes> Shape<L> {
+impl<L: Lanes> FootprintShape<L> {
     #[inline(always)]
     fn new(footprints: &Footprints, base: &Image<[u8; 4]>) -> Self {
         let (one, max) = (L::splat(1.0), L::splat(f32::MAX));
@@ -151,7 +151,7 @@ impl<L: Lanes> Shape<L> {
     }
 }
 
-impl Filter<'_> {
+impl TextureFilter<'_> {
     /// Returns the finer and the coarser level of each lane, the part of the coarser, and the lanes with two levels.
     #[inline(always)]
     fn levels_of<L: Lanes>(&self, lod: L) -> ([usize; 8], [usize; 8], [f32; 8], u32) {

@@ -8,7 +8,7 @@ use crate::ray::Vector;
 /// A light other than a dome.
 #[derive(Clone, Debug)]
 pub(super) struct Lamp {
-    pub(super) shape: Shape,
+    pub(super) shape: LampShape,
     /// The number among the scene's lamps.
     pub(super) number: usize,
     /// Linear radiance; for a distant light, the irradiance of a surface that faces it.
@@ -17,7 +17,7 @@ pub(super) struct Lamp {
 
 /// A lamp's shape in the world, metres.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Shape {
+pub(super) enum LampShape {
     /// A disk infinitely far away.
     Distant {
         /// Unit vector.
@@ -44,7 +44,7 @@ pub(super) enum Shape {
     },
 }
 
-impl Shape {
+impl LampShape {
     /// Creates a distant light in the direction `towards`, a unit vector, with a diameter of `angle` radians.
     pub(super) fn distant(towards: DVec3, angle: f64) -> Self {
         let (u, v) = towards.any_orthonormal_pair();
@@ -114,9 +114,9 @@ impl Lamp {
     /// Returns how large the lamp looks from a point.
     pub(super) fn size_from(&self, point: DVec3) -> Size {
         let (size, d2) = match self.shape {
-            Shape::Distant { u, .. } => (u.length(), 1.0),
-            Shape::Sphere { centre, radius, .. } => (radius, (centre - point).length_squared()),
-            Shape::Area { centre, u, v, .. } => {
+            LampShape::Distant { u, .. } => (u.length(), 1.0),
+            LampShape::Sphere { centre, radius, .. } => (radius, (centre - point).length_squared()),
+            LampShape::Area { centre, u, v, .. } => {
                 (u.length().max(v.length()), (centre - point).length_squared())
             }
         };
@@ -131,8 +131,8 @@ impl Lamp {
     /// Whether points near this one see the same spots of the lamp at nearly the same places.
     pub(super) fn has_steady_spots_from(&self, point: DVec3) -> bool {
         match self.shape {
-            Shape::Sphere { centre, up, .. } => (centre - point).normalize_or(up).dot(up) > -0.8,
-            Shape::Distant { .. } | Shape::Area { .. } => true,
+            LampShape::Sphere { centre, up, .. } => (centre - point).normalize_or(up).dot(up) > -0.8,
+            LampShape::Distant { .. } | LampShape::Area { .. } => true,
         }
     }
 
@@ -140,12 +140,12 @@ impl Lamp {
     #[expect(clippy::cast_possible_truncation, reason = "light is float32")]
     pub(super) fn irradiance_at(&self, point: DVec3) -> Vec3 {
         let share = match self.shape {
-            Shape::Distant { .. } => 1.0,
-            Shape::Sphere { centre, radius, .. } => {
+            LampShape::Distant { .. } => 1.0,
+            LampShape::Sphere { centre, radius, .. } => {
                 let r2 = radius * radius;
                 std::f64::consts::PI * r2 / (centre - point).length_squared().max(r2)
             }
-            Shape::Area { centre, normal, .. } => {
+            LampShape::Area { centre, normal, .. } => {
                 let way = point - centre;
                 let (d2, area) = (way.length_squared(), self.shape.surface().unwrap_or(0.0));
                 let cosine = (way.dot(normal) / d2.sqrt().max(f64::MIN_POSITIVE)).max(0.0);
@@ -161,17 +161,17 @@ impl Lamp {
     pub(super) fn seen_from(&self, eye: DVec3) -> Emitter {
         let area = self.shape.surface().unwrap_or(0.0) as f32;
         match self.shape {
-            Shape::Distant { towards, u, .. } => Emitter::Distant {
+            LampShape::Distant { towards, u, .. } => Emitter::Distant {
                 towards: towards.as_vec3(),
                 spread: u.length() as f32,
                 irradiance: self.radiance,
             },
-            Shape::Sphere { centre, radius, .. } => Emitter::Sphere {
+            LampShape::Sphere { centre, radius, .. } => Emitter::Sphere {
                 centre: (centre - eye).as_vec3(),
                 radius: radius as f32,
                 radiance: self.radiance,
             },
-            Shape::Area {
+            LampShape::Area {
                 centre, u, v, normal, ..
             } => {
                 // The centres of a rectangle's quarters, which suit a disk too.

@@ -5,12 +5,12 @@ use std::ops::Range;
 use glam::Vec3;
 
 use super::ShadingContext;
-use super::optic::Own;
+use super::optic::OwnLightFactors;
 use super::paint::Finishes;
 use super::path::{Arrival, Origin, Tracer, Vertex};
 use super::reflect::OwnLight;
 use super::rig::luminance;
-use super::surfaces::{Found, lane_of};
+use super::surfaces::{PacketSurfaces, lane_of};
 use crate::ray::Stack;
 use crate::rays::Rays;
 
@@ -22,7 +22,7 @@ pub(super) struct Followed {
 }
 
 impl OwnLight {
-    pub(super) fn set(&mut self, lane: usize, own: Own) {
+    pub(super) fn set(&mut self, lane: usize, own: OwnLightFactors) {
         let lane = lane & 7;
         self.scattered[lane] = own.scattered;
         self.glossy[lane] = own.glossy;
@@ -36,7 +36,7 @@ impl Followed {
     pub(super) fn new<'w>(
         context: &'w ShadingContext<'_>,
         rays: &Rays<'_>,
-        found: &Found<'_, 'w>,
+        found: &PacketSurfaces<'_, 'w>,
         finishes: &Finishes,
         stack: &mut Stack,
         arrivals: &mut Vec<Arrival<'w>>,
@@ -102,7 +102,12 @@ impl Followed {
 
 impl ShadingContext<'_> {
     /// Returns the vertex that a pixel of a packet sees.
-    fn visible<'w>(&'w self, rays: &Rays<'_>, found: &Found<'_, 'w>, lane: usize) -> Option<Vertex<'w>> {
+    fn visible<'w>(
+        &'w self,
+        rays: &Rays<'_>,
+        found: &PacketSurfaces<'_, 'w>,
+        lane: usize,
+    ) -> Option<Vertex<'w>> {
         let pose = &self.view.world_from_camera;
         let [x, y] = found.place(lane);
         let ray = rays.centre(x, y)?;

@@ -31,12 +31,12 @@ mod returns;
 mod rig;
 mod strength;
 mod surfaces;
-mod targets;
 #[cfg(test)]
 mod tests;
 mod textures;
 mod tiles;
 mod tone;
+mod visible_pixels;
 
 use std::sync::Arc;
 

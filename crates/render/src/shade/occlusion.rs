@@ -9,7 +9,7 @@ use super::lamp::{Emitter, Lamp, Size};
 use super::pattern::{self, Hemisphere, Pattern, Spot, Spots};
 use super::rig::LightRig;
 use super::strength::{Strengths, Strongest};
-use super::surfaces::{Found, Surfaces, lane_of};
+use super::surfaces::{PacketSurfaces, Surfaces, lane_of};
 use crate::ray::{RAYS, Ray, RayCaster, Rays, Stack, ray_bits};
 
 /// The light that reaches a point.
@@ -61,7 +61,7 @@ impl Shares {
 
 /// A point on a surface.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct ShadingPoint {
     /// The point relative to the eye, metres.
     pub(super) from_eye: Vec3,
     /// The distance from the eye, metres.
@@ -72,9 +72,9 @@ pub(super) struct Place {
     pub(super) flat_normal: Vec3,
 }
 
-impl Place {
+impl ShadingPoint {
     #[inline]
-    pub(super) fn new(found: &Found<'_, '_>, lane: usize) -> Self {
+    pub(super) fn new(found: &PacketSurfaces<'_, '_>, lane: usize) -> Self {
         Self::of_lane(found.surfaces, lane)
     }
 
@@ -119,7 +119,13 @@ pub(super) struct Occlusion<'a> {
 
 impl Occlusion<'_> {
     /// Returns the bits of the spots of a lamp that are visible; `known` are those that need no ray.
-    pub(super) fn spots_seen(&self, place: &Place, lamp: &Lamp, known: Spots, stack: &mut Stack) -> u64 {
+    pub(super) fn spots_seen(
+        &self,
+        place: &ShadingPoint,
+        lamp: &Lamp,
+        known: Spots,
+        stack: &mut Stack,
+    ) -> u64 {
         let size = lamp.size_from(self.eye + place.from_eye.as_dvec3());
         if size == Size::Point {
             return self.centre_seen(place, lamp, stack);
@@ -139,7 +145,7 @@ impl Occlusion<'_> {
     }
 
     /// Returns the bits of all spots of a lamp if its centre is visible.
-    pub(super) fn centre_seen(&self, place: &Place, lamp: &Lamp, stack: &mut Stack) -> u64 {
+    pub(super) fn centre_seen(&self, place: &ShadingPoint, lamp: &Lamp, stack: &mut Stack) -> u64 {
         match self.sees(place, lamp, Spot::default(), stack) {
             true => u64::MAX,
             false => 0,
@@ -147,7 +153,7 @@ impl Occlusion<'_> {
     }
 
     /// Returns [`spots_seen`](Self::spots_seen) from four rays.
-    pub(super) fn few_spots_seen(&self, place: &Place, lamp: &Lamp, stack: &mut Stack) -> u64 {
+    pub(super) fn few_spots_seen(&self, place: &ShadingPoint, lamp: &Lamp, stack: &mut Stack) -> u64 {
         let seen = self.sees_of(Pattern::FEW_BITS, place, lamp, stack);
         let mut bits = 0;
         for (quarter, index) in Pattern::FEW.into_iter().enumerate() {
@@ -159,7 +165,12 @@ impl Occlusion<'_> {
     }
 
     /// Returns the light at a point that has no similar samples around it, from few rays.
-    pub(super) fn sample_alone(&self, place: &Place, strengths: &mut Strengths, stack: &mut Stack) -> Light {
+    pub(super) fn sample_alone(
+        &self,
+        place: &ShadingPoint,
+        strengths: &mut Strengths,
+        stack: &mut Stack,
+    ) -> Light {
         strengths.set(0, place.from_eye, place.normal);
         strengths.measure(self.emitters, self.level);
         self.sample(place, strengths.strongest(0), &Pattern::FEW, stack)
@@ -168,7 +179,7 @@ impl Occlusion<'_> {
     /// Returns the light at a point, from rays to some spots of large lamps and in some directions, by their numbers in the pattern.
     pub(super) fn sample(
         &self,
-        place: &Place,
+        place: &ShadingPoint,
         strongest: Strongest,
         rays: &[usize],
         stack: &mut Stack,
@@ -198,11 +209,11 @@ impl Occlusion<'_> {
     }
 
     /// Returns [`surroundings`](Self::surroundings) from four rays.
-    pub(super) fn few_surroundings(&self, place: &Place, stack: &mut Stack) -> [f32; 2] {
+    pub(super) fn few_surroundings(&self, place: &ShadingPoint, stack: &mut Stack) -> [f32; 2] {
         self.some_surroundings(place, &Pattern::FEW, stack)
     }
 
-    fn some_surroundings(&self, place: &Place, rays: &[usize], stack: &mut Stack) -> [f32; 2] {
+    fn some_surroundings(&self, place: &ShadingPoint, rays: &[usize], stack: &mut Stack) -> [f32; 2] {
         let around = Hemisphere::new(place.normal.as_dvec3());
         let mut sum = [0.0; 2];
         for index in rays {
@@ -215,14 +226,14 @@ impl Occlusion<'_> {
     }
 
     /// Returns the unoccluded shares of the surroundings and the sky.
-    pub(super) fn surroundings(&self, place: &Place, stack: &mut Stack) -> [f32; 2] {
+    pub(super) fn surroundings(&self, place: &ShadingPoint, stack: &mut Stack) -> [f32; 2] {
         let around = Hemisphere::new(place.normal.as_dvec3());
         let part = usize::from(self.rig.has_sky);
         pattern::mean(part, |index| self.open(place, index, &around, stack))
     }
 
     /// Returns how open a direction of the pattern is to the surroundings and to the sky.
-    fn open(&self, place: &Place, index: usize, around: &Hemisphere, stack: &mut Stack) -> [f32; 2] {
+    fn open(&self, place: &ShadingPoint, index: usize, around: &Hemisphere, stack: &mut Stack) -> [f32; 2] {
         let direction = self.pattern.direction(index, around);
         if direction.dot(place.flat_normal.as_dvec3()) <= 0.0 {
             return [0.0; 2];
@@ -246,7 +257,7 @@ impl Occlusion<'_> {
     }
 
     /// Returns the bits of the spots on a lamp, among those with the bits `spots`, that are visible from a point.
-    fn sees_of(&self, spots: u64, place: &Place, lamp: &Lamp, stack: &mut Stack) -> u64 {
+    fn sees_of(&self, spots: u64, place: &ShadingPoint, lamp: &Lamp, stack: &mut Stack) -> u64 {
         if spots.count_ones() < MIN_BUNDLE {
             let seen =
                 ray_bits(spots).filter(|index| self.sees(place, lamp, self.pattern.spot(*index), stack));
@@ -274,7 +285,7 @@ impl Occlusion<'_> {
     }
 
     /// Tests whether a spot on a lamp is visible from a point.
-    pub(super) fn sees(&self, place: &Place, lamp: &Lamp, spot: Spot, stack: &mut Stack) -> bool {
+    pub(super) fn sees(&self, place: &ShadingPoint, lamp: &Lamp, spot: Spot, stack: &mut Stack) -> bool {
         let origin = self.eye + place.above();
         let (direction, ends) = lamp.shape.towards(origin, spot);
         let ray = Ray {

@@ -55,19 +55,19 @@ pub(super) struct Meeting {
 pub(super) struct Balance {
     pub(super) reflected: Vec3,
     pub(super) transmitted: Vec3,
-    pub(super) own: Own,
+    pub(super) own: OwnLightFactors,
 }
 
 /// The factors of the light that a surface sends itself; see [`OwnLight`](super::reflect::OwnLight).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Own {
+pub(super) struct OwnLightFactors {
     pub(super) scattered: f32,
     pub(super) glossy: f32,
     pub(super) around: f32,
     pub(super) emitted: f32,
 }
 
-impl Own {
+impl OwnLightFactors {
     pub(super) const ALL: Self = Self {
         scattered: 1.0,
         glossy: 1.0,
@@ -187,7 +187,7 @@ impl Optic {
         Balance {
             reflected,
             transmitted: rest * clear * (1.0 - self.metallic),
-            own: Own {
+            own: OwnLightFactors {
                 scattered: rest.min_element() * (1.0 - passes),
                 glossy: is_bare,
                 around: if self.is_polished { 0.0 } else { is_bare },

@@ -22,13 +22,13 @@ pub(super) fn outlines_of(seen: &Visibility, rgb: &Image<[u8; 4]>, level: Level)
 
 /// A row of colours and visible surfaces.
 #[derive(Clone, Copy)]
-struct Row<'a> {
+struct SurfaceRow<'a> {
     rgb: &'a [[u8; 4]],
     hits: &'a [Hit],
     depths: &'a [f32],
 }
 
-impl<'a> Row<'a> {
+impl<'a> SurfaceRow<'a> {
     fn new(seen: &'a Visibility, rgb: &'a Image<[u8; 4]>, y: u32) -> Option<Self> {
         let width = rgb.width() as usize;
         let first = y as usize * width;
@@ -60,11 +60,11 @@ fn outlines(
     level: Level,
     marks: &mut Vec<bool>,
 ) -> Vec<u32> {
-    let Some(row) = Row::new(seen, rgb, y) else {
+    let Some(row) = SurfaceRow::new(seen, rgb, y) else {
         return Vec::new();
     };
-    let above = y.checked_sub(1).and_then(|y| Row::new(seen, rgb, y));
-    let below = y.checked_add(1).and_then(|y| Row::new(seen, rgb, y));
+    let above = y.checked_sub(1).and_then(|y| SurfaceRow::new(seen, rgb, y));
+    let below = y.checked_add(1).and_then(|y| SurfaceRow::new(seen, rgb, y));
     marks.clear();
     marks.resize(rgb.width() as usize, true);
     if let (Some(above), Some(below)) = (above, below) {
@@ -73,7 +73,7 @@ fn outlines(
     }
     let is_outline = |x: usize| {
         let pixel = row.pixel(x)?;
-        let differs = |row: Option<Row<'_>>, other: usize, mine: Row<'_>| {
+        let differs = |row: Option<SurfaceRow<'_>>, other: usize, mine: SurfaceRow<'_>| {
             let other = row.and_then(|row| row.rgb.get(other));
             (mine.rgb.get(x).zip(other)).is_some_and(|(a, b)| contrast(*a, *b) >= MIN_CONTRAST)
         };
@@ -98,7 +98,7 @@ fn outlines(
 /// Clears the marks of pixels that are at no edge, whatever their colours. Those at the border of the image stay.
 struct Marking<'a> {
     /// The row above, the row itself and the row below.
-    rows: [Row<'a>; 3],
+    rows: [SurfaceRow<'a>; 3],
     marks: &'a mut [bool],
 }
 
@@ -195,7 +195,7 @@ mod tests {
             hits: Image::new(width, height, hits).unwrap(),
         };
         let rgb = Image::filled(width, height, [0; 4]);
-        let rows = [0, 1, 2].map(|y| Row::new(&seen, &rgb, y).unwrap());
+        let rows = [0, 1, 2].map(|y| SurfaceRow::new(&seen, &rgb, y).unwrap());
         let expected = |x: usize| {
             let [above, row, below] = rows;
             let own = row.pixel(x).unwrap();

@@ -8,7 +8,7 @@ use super::filter::{Footprints, Wraps};
 use super::grain;
 use super::optic::Optic;
 use super::pyramid::Pyramid;
-use super::surfaces::{Columns, Found, Spot, corner_values, lane_of, set_lane};
+use super::surfaces::{Columns, PacketSurfaces, Spot, corner_values, lane_of, set_lane};
 use super::textures::Textures;
 
 /// The linear colour of surfaces without one: a perceptual middle grey.
@@ -217,7 +217,7 @@ enum Fill {
 #[inline]
 pub(super) fn finishes(
     paints: &[Paint<'_>],
-    found: &Found<'_, '_>,
+    found: &PacketSurfaces<'_, '_>,
     grain: Option<&MicroTexture>,
     level: Level,
 ) -> Finishes {

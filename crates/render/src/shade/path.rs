@@ -11,7 +11,7 @@ use super::ShadingContext;
 use super::curvature::{self, Transfer};
 use super::grain;
 use super::lobe::{Lobe, normals};
-use super::optic::{Balance, Meeting, Optic, Own, Wall};
+use super::optic::{Balance, Meeting, Optic, OwnLightFactors, Wall};
 use super::paint::Paint;
 use super::rig::luminance;
 use super::surfaces::{Spot, lengths};
@@ -61,7 +61,7 @@ pub(super) struct Arrival<'a> {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Origin<'a> {
     /// A surface, with the factors of its own light.
-    Surface(Vertex<'a>, Own),
+    Surface(Vertex<'a>, OwnLightFactors),
     /// The background in a direction, and the distance, metres, at which it appears to be: infinite but for curved mirrors.
     Background(DVec3, f64),
 }
@@ -93,7 +93,7 @@ impl Progress {
 
 /// How a ray goes on from a vertex.
 #[derive(Clone, Copy, Debug)]
-struct Way {
+struct PathStep {
     /// The ratio of the angle between the rays of pixels to the one at the vertex.
     widening: f64,
     /// Includes what the vertex does.
@@ -152,7 +152,7 @@ impl<'c, 'a> Tracer<'c, 'a> {
     }
 
     /// Follows the rays that a visible surface sends on. Returns the factors of the surface's own light.
-    pub(super) fn follow(&mut self, vertex: &Vertex<'a>, optic: &Optic, color: Vec3) -> Own {
+    pub(super) fn follow(&mut self, vertex: &Vertex<'a>, optic: &Optic, color: Vec3) -> OwnLightFactors {
         let progress = Progress {
             factor: Vec3::ONE,
             reflections: 0,
@@ -163,7 +163,13 @@ impl<'c, 'a> Tracer<'c, 'a> {
         self.send_on(vertex, optic, color, progress)
     }
 
-    fn send_on(&mut self, vertex: &Vertex<'a>, optic: &Optic, color: Vec3, progress: Progress) -> Own {
+    fn send_on(
+        &mut self,
+        vertex: &Vertex<'a>,
+        optic: &Optic,
+        color: Vec3,
+        progress: Progress,
+    ) -> OwnLightFactors {
         let meeting = self.meeting(vertex, optic, color);
         let Balance {
             reflected,
@@ -223,7 +229,7 @@ impl<'c, 'a> Tracer<'c, 'a> {
         };
         let widening = lobe.widening(vertex.ray, vertex.next);
         let transfer = vertex.transfer.reflected(self.curvature(vertex));
-        let way = Way {
+        let way = PathStep {
             widening,
             transfer,
             index,
@@ -271,7 +277,7 @@ impl<'c, 'a> Tracer<'c, 'a> {
             true => vertex.transfer,
             false => vertex.transfer.refracted(ratio, self.curvature(vertex)),
         };
-        let way = Way {
+        let way = PathStep {
             widening: lobe.widening(vertex.ray, vertex.next),
             transfer,
             index,
@@ -315,10 +321,10 @@ impl<'c, 'a> Tracer<'c, 'a> {
         from: &Vertex<'a>,
         ray: DVec3,
         next: [Option<DVec3>; 2],
-        way: Way,
+        way: PathStep,
         progress: Progress,
     ) {
-        let Way {
+        let PathStep {
             widening, transfer, ..
         } = way;
         let scene = self.context.scene;
@@ -354,7 +360,7 @@ impl<'c, 'a> Tracer<'c, 'a> {
                 let color = self.context.color_at(paint, &vertex);
                 self.send_on(&vertex, optic, color, progress)
             }
-            None => Own::ALL,
+            None => OwnLightFactors::ALL,
         };
         self.arrivals.push(Arrival {
             factor: progress.factor,

@@ -5,7 +5,7 @@ use oaktwin_image::srgb::{linear_from_data, linear_from_srgb};
 use oaktwin_simd::{Level, run_lanes_at};
 use rayon::prelude::*;
 
-use super::filter::{Filter, Footprints, Wraps};
+use super::filter::{Footprints, TextureFilter, Wraps};
 use super::tone::Encoder;
 
 /// An image and its reductions by powers of two, down to one pixel.
@@ -47,7 +47,7 @@ impl Pyramid {
         wraps: Wraps,
         used: u32,
     ) -> [[f32; 8]; 3] {
-        let filter = Filter {
+        let filter = TextureFilter {
             levels: &self.levels,
             is_srgb: self.is_srgb,
             wraps,

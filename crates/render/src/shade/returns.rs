@@ -7,7 +7,7 @@ use oaktwin_image::annotation::Returns;
 use oaktwin_image::srgb::srgb_from_linear;
 use rayon::prelude::*;
 
-use super::optic::Own;
+use super::optic::OwnLightFactors;
 use super::paint::Paint;
 use super::path::{Arrival, Origin, Tracer, Vertex};
 use super::rig::luminance;
@@ -87,7 +87,7 @@ impl<'a> ShadingContext<'a> {
                 let color = self.color_at(paint, vertex);
                 Tracer::new(self, stack, arrivals).follow(vertex, optic, color)
             }
-            None => Own::ALL,
+            None => OwnLightFactors::ALL,
         };
         let mut echoes = vec![self.echo(vertex, own, Vec3::ONE, 0)];
         for arrival in &*arrivals {
@@ -113,7 +113,7 @@ impl<'a> ShadingContext<'a> {
     }
 
     /// Returns what comes back from a surface at the end of a path with a factor, which light passes twice.
-    fn echo(&self, vertex: &Vertex<'a>, own: Own, factor: Vec3, route: u64) -> Echo {
+    fn echo(&self, vertex: &Vertex<'a>, own: OwnLightFactors, factor: Vec3, route: u64) -> Echo {
         let paint = self.paint(vertex.hit);
         let albedo = paint
             .infrared()

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::dome::DomeImage;
 use super::harmonics::Harmonics;
-use super::lamp::{Lamp, Shape};
+use super::lamp::{Lamp, LampShape};
 use super::pattern::{Hemisphere, Pattern, Spot};
 use crate::ray::{Ray, RayCaster, Stack};
 
@@ -199,7 +199,7 @@ impl LightRig {
         };
         let towards = (up + side).normalize();
         self.lamps = vec![Lamp {
-            shape: Shape::distant(towards.as_dvec3(), 0.03),
+            shape: LampShape::distant(towards.as_dvec3(), 0.03),
             number: 0,
             radiance: Vec3::new(1.0, 0.97, 0.92) * 2.7,
         }];
@@ -227,7 +227,7 @@ fn lamp(light: &Light, radiance: Vec3, metres_per_unit: f64, up: DVec3) -> Optio
         } else {
             across
         };
-        Some(Shape::Area {
+        Some(LampShape::Area {
             centre: frame.translation,
             u,
             v,
@@ -237,9 +237,9 @@ fn lamp(light: &Light, radiance: Vec3, metres_per_unit: f64, up: DVec3) -> Optio
     };
     let along = |axis: DVec3, half: f32| frame.transform_vector3(axis * f64::from(half));
     let shape = match light.kind {
-        LightKind::Distant { angle } => Shape::distant(-forward, f64::from(angle)),
+        LightKind::Distant { angle } => LampShape::distant(-forward, f64::from(angle)),
         LightKind::Dome { .. } => return None,
-        LightKind::Sphere { radius } => Shape::Sphere {
+        LightKind::Sphere { radius } => LampShape::Sphere {
             centre: frame.translation,
             radius: along(DVec3::X, radius).length(),
             up,

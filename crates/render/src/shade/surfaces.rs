@@ -6,7 +6,7 @@ mod tests;
 
 use glam::Vec3;
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
-use oaktwin_scene::{Attribute, Instance, Mesh, Scene};
+use oaktwin_scene::{Instance, Mesh, MeshAttribute, Scene};
 use oaktwin_simd::{Level, run_lanes_at};
 
 use self::locate::Locate;
@@ -230,7 +230,7 @@ impl<'a> Packet<'a> {
     }
 
     /// Finds the surfaces of the pixels. Returns `None` if there are none.
-    pub(super) fn find(&mut self) -> Option<Found<'_, 'a>> {
+    pub(super) fn find(&mut self) -> Option<PacketSurfaces<'_, 'a>> {
         let placed = self.placed.as_ref().filter(|_| self.pixels.count > 0)?;
         // Lanes without a pixel repeat a vertex of the first.
         for column in &mut self.pixels.vertices {
@@ -245,7 +245,7 @@ impl<'a> Packet<'a> {
             surfaces: &mut self.surfaces,
         };
         run_lanes_at(self.level, kernel);
-        Some(Found {
+        Some(PacketSurfaces {
             mesh: placed.mesh,
             instance: placed.placed,
             number: placed.instance,
@@ -263,7 +263,7 @@ impl<'a> Packet<'a> {
 
 /// The surfaces of a packet's pixels.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Found<'p, 'a> {
+pub(super) struct PacketSurfaces<'p, 'a> {
     pub(super) mesh: &'a Mesh,
     instance: &'a Instance,
     number: u32,
@@ -272,7 +272,7 @@ pub(super) struct Found<'p, 'a> {
     pub(super) surfaces: &'p Surfaces,
 }
 
-impl Found<'_, '_> {
+impl PacketSurfaces<'_, '_> {
     pub(super) const fn count(&self) -> usize {
         self.pixels.count
     }
@@ -373,7 +373,7 @@ fn near_one(matrix: DMat3) -> [Vec3; 3] {
 /// Interpolates the values of a triangle's corners; `None` if the attribute has too few.
 #[inline]
 pub(super) fn corner_values<T: Copy>(
-    of: Option<&Attribute<T>>,
+    of: Option<&MeshAttribute<T>>,
     mesh: &Mesh,
     triangle: u32,
 ) -> Option<[T; 3]> {

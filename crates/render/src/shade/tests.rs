@@ -18,7 +18,7 @@ use oaktwin_image::Image;
 use oaktwin_image::annotation::Annotator;
 use oaktwin_image::srgb::{linear_from_srgb, srgb_from_linear};
 use oaktwin_scene::{
-    Attribute, ColorSpace, Light, LightKind, Material, MaterialSpan, Mesh, Scene, Texture, TextureSource,
+    ColorSpace, Light, LightKind, Material, MaterialSpan, Mesh, MeshAttribute, Scene, Texture, TextureSource,
     TextureUse, Up,
 };
 
@@ -63,7 +63,7 @@ fn screen(scene: &mut Scene, material: Material) {
     // A pixel is 2 cm; the view has 200 × 160.
     let mut mesh = rectangle([-2.0, 2.0], [-1.6, 1.6], 2.0);
     // The corners are upper left, lower left, lower right, upper right.
-    mesh.uvs = Some(Attribute::Vertex(vec![
+    mesh.uvs = Some(MeshAttribute::Vertex(vec![
         [0.0, 1.0],
         [0.0, 0.0],
         [1.0, 0.0],
@@ -264,17 +264,17 @@ fn non_finite_properties_are_accepted() {
     let odd = [f32::NAN, 1e38];
     for (uvs, material) in [
         (None, 0),
-        (Some(Attribute::Constant(odd)), 0),
-        (Some(Attribute::Constant([0.5; 2])), 0),
-        (Some(Attribute::Vertex(vec![odd])), 0),
+        (Some(MeshAttribute::Constant(odd)), 0),
+        (Some(MeshAttribute::Constant([0.5; 2])), 0),
+        (Some(MeshAttribute::Vertex(vec![odd])), 0),
         (None, 1),
         (None, 99),
     ] {
         let mesh = &mut scene.meshes[1];
         mesh.uvs = uvs;
         mesh.materials = span(material);
-        mesh.normals = Some(Attribute::Constant([0.0; 3]));
-        mesh.colors = Some(Attribute::Constant([f32::NAN; 3]));
+        mesh.normals = Some(MeshAttribute::Constant([0.0; 3]));
+        mesh.colors = Some(MeshAttribute::Constant([f32::NAN; 3]));
         let seen = rgb(&scene, &view());
         assert!(seen.pixels().iter().any(|pixel| pixel[3] == 255));
     }
@@ -292,9 +292,9 @@ fn outlines_are_antialiased() {
         ..Scene::default()
     };
     let mut dark = rectangle([-3.0, 0.31], [-3.0, 3.0], 2.0);
-    dark.colors = Some(Attribute::Constant([0.02; 3]));
+    dark.colors = Some(MeshAttribute::Constant([0.02; 3]));
     let mut light = rectangle([-3.0, 3.0], [-3.0, 3.0], 3.0);
-    light.colors = Some(Attribute::Constant([0.9; 3]));
+    light.colors = Some(MeshAttribute::Constant([0.9; 3]));
     // Tilted, so that all coverages of a pixel occur.
     for position in &mut dark.positions {
         position[0] += position[1] * 0.05;

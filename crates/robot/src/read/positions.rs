@@ -139,9 +139,9 @@ enum Column {
     Joint { joint: usize, factor: f64 },
 }
 
-type Wrong = (String, String);
+type PositionProblem = (String, String);
 
-fn header(record: &csv::StringRecord, robot: &Robot) -> Result<Vec<(String, Column)>, Wrong> {
+fn header(record: &csv::StringRecord, robot: &Robot) -> Result<Vec<(String, Column)>, PositionProblem> {
     let mut columns: Vec<(String, Column)> = Vec::new();
     for name in record {
         let column = column(name, robot)?;
@@ -161,7 +161,7 @@ fn header(record: &csv::StringRecord, robot: &Robot) -> Result<Vec<(String, Colu
     Ok(columns)
 }
 
-fn column(name: &str, robot: &Robot) -> Result<Column, Wrong> {
+fn column(name: &str, robot: &Robot) -> Result<Column, PositionProblem> {
     let find = |name: &str| robot.joints.iter().position(|joint| joint.name == name);
     let in_degrees = || {
         let joint = find(name.strip_suffix(DEGREES)?)?;

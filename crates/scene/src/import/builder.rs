@@ -7,7 +7,7 @@ use oaktwin_base::diagnostic::{Finding, Level, Message};
 use oaktwin_camera::math::{DAffine3, DVec3};
 
 use super::error::Fault;
-use super::{Imported, ImportedCamera, origin};
+use super::{ImportedCamera, ImportedScene, origin};
 use crate::{Instance, Light, Material, Mesh, MetersPerUnit, Scene, Texture, Up};
 
 /// Paths longer than this are shortened at the front, because every instance stores its ancestors' names.
@@ -142,7 +142,7 @@ impl Builder {
         free
     }
 
-    pub(super) fn finish(mut self) -> Result<Imported, Fault> {
+    pub(super) fn finish(mut self) -> Result<ImportedScene, Fault> {
         if self.scene.instances.is_empty() {
             let why: String = self
                 .findings
@@ -157,7 +157,7 @@ impl Builder {
             ));
         }
         self.drop_unplaced();
-        Ok(Imported {
+        Ok(ImportedScene {
             scene: self.scene,
             cameras: self.cameras,
             findings: self.findings,

@@ -58,7 +58,7 @@ impl Default for ImportOptions {
 
 /// The contents of an imported file.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Imported {
+pub struct ImportedScene {
     /// The meshes, materials and lights.
     pub scene: Scene,
     /// The cameras, in the order of their nodes.
@@ -144,7 +144,7 @@ pub fn states_unit(path: &Path) -> bool {
 ///
 /// # Errors
 /// Returns an error if the file is missing, in an unsupported format, inconsistent, or without triangles.
-pub fn open(path: &Path, options: &ImportOptions) -> Result<Imported, ImportError> {
+pub fn open(path: &Path, options: &ImportOptions) -> Result<ImportedScene, ImportError> {
     import(path, options).map_err(|fault| fault.of(path))
 }
 
@@ -152,7 +152,11 @@ pub fn open(path: &Path, options: &ImportOptions) -> Result<Imported, ImportErro
 ///
 /// # Errors
 /// Returns the errors of [`open`], except that the file itself is not read.
-pub fn from_bytes(bytes: Vec<u8>, path: &Path, options: &ImportOptions) -> Result<Imported, ImportError> {
+pub fn from_bytes(
+    bytes: Vec<u8>,
+    path: &Path,
+    options: &ImportOptions,
+) -> Result<ImportedScene, ImportError> {
     let read = || {
         let format = Format::of(path)?;
         decode(bytes, format, path, options)
@@ -160,12 +164,17 @@ pub fn from_bytes(bytes: Vec<u8>, path: &Path, options: &ImportOptions) -> Resul
     read().map_err(|fault| fault.of(path))
 }
 
-fn import(path: &Path, options: &ImportOptions) -> Result<Imported, Fault> {
+fn import(path: &Path, options: &ImportOptions) -> Result<ImportedScene, Fault> {
     let format = Format::of(path)?;
     decode(read(path)?, format, path, options)
 }
 
-fn decode(bytes: Vec<u8>, format: Format, path: &Path, options: &ImportOptions) -> Result<Imported, Fault> {
+fn decode(
+    bytes: Vec<u8>,
+    format: Format,
+    path: &Path,
+    options: &ImportOptions,
+) -> Result<ImportedScene, Fault> {
     if !(options.scale > 0.0 && options.scale.is_finite()) {
         return Err(Fault::new(
             "",

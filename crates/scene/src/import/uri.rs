@@ -5,7 +5,7 @@ use oaktwin_base::diagnostic::{Message, message, opt};
 use oaktwin_files as files;
 
 /// The target of a URI.
-pub(super) enum Target<'a> {
+pub(super) enum ResolvedUri<'a> {
     /// The decoded bytes of a data URI.
     Data(Vec<u8>),
     /// A file, relative to the file that refers to it.
@@ -33,13 +33,13 @@ impl Folder {
     }
 
     /// Returns the target of a URI. A file that does not exist is reported when it is read.
-    pub(super) fn resolve<'a>(&self, uri: &'a str) -> Target<'a> {
+    pub(super) fn resolve<'a>(&self, uri: &'a str) -> ResolvedUri<'a> {
         let target = resolve(uri, &self.path);
         match target {
-            Target::File(file)
+            ResolvedUri::File(file)
                 if !self.allow_outside && file.exists() && !files::is_below(&file, &self.path) =>
             {
-                Target::Outside(file)
+                ResolvedUri::Outside(file)
             }
             target => target,
         }
@@ -60,17 +60,17 @@ pub(super) fn inside() -> Message {
     ]
 }
 
-fn resolve<'a>(uri: &'a str, folder: &Path) -> Target<'a> {
+fn resolve<'a>(uri: &'a str, folder: &Path) -> ResolvedUri<'a> {
     if let Some(data) = uri.strip_prefix("data:") {
         let Some((kind, content)) = data.split_once(',') else {
-            return Target::Unsupported("a data URI without content");
+            return ResolvedUri::Unsupported("a data URI without content");
         };
         if !kind.trim_end().ends_with(";base64") {
-            return Target::Data(unescaped(content).into_owned());
+            return ResolvedUri::Data(unescaped(content).into_owned());
         }
         return match base64(content.as_bytes()) {
-            Some(bytes) => Target::Data(bytes),
-            None => Target::Unsupported("a data URI that is not base64"),
+            Some(bytes) => ResolvedUri::Data(bytes),
+            None => ResolvedUri::Unsupported("a data URI that is not base64"),
         };
     }
     let name = match uri.split_once(':') {
@@ -88,18 +88,18 @@ fn resolve<'a>(uri: &'a str, folder: &Path) -> Target<'a> {
                     .bytes()
                     .all(|b| b.is_ascii_alphanumeric() || b"+-.".contains(&b)) =>
         {
-            return Target::Unsupported("a URI that does not refer to a local file");
+            return ResolvedUri::Unsupported("a URI that does not refer to a local file");
         }
         _ => uri,
     };
     // Some exporters do not escape names: a file with the literal name takes precedence.
     let as_it_stands = folder.join(name);
     if as_it_stands.exists() {
-        return Target::File(as_it_stands);
+        return ResolvedUri::File(as_it_stands);
     }
     match String::from_utf8(unescaped(name).into_owned()) {
-        Ok(name) => Target::File(folder.join(name)),
-        Err(_) => Target::Unsupported("a name that is not UTF-8"),
+        Ok(name) => ResolvedUri::File(folder.join(name)),
+        Err(_) => ResolvedUri::Unsupported("a name that is not UTF-8"),
     }
 }
 
@@ -159,7 +159,7 @@ mod tests {
 
     fn data(uri: &str) -> Option<Vec<u8>> {
         match resolve(uri, Path::new("")) {
-            Target::Data(bytes) => Some(bytes),
+            ResolvedUri::Data(bytes) => Some(bytes),
             _ => None,
         }
     }
@@ -186,7 +186,7 @@ mod tests {
     #[test]
     fn names_are_unescaped() {
         let file = |uri| match resolve(uri, Path::new("folder")) {
-            Target::File(path) => Some(path),
+            ResolvedUri::File(path) => Some(path),
             _ => None,
         };
         assert_eq!(file("my%20mesh.bin"), Some("folder/my mesh.bin".into()));

@@ -3,7 +3,7 @@
 use super::value::Value;
 use super::weld::Welder;
 use super::{Interpolation, Primvar};
-use crate::Attribute;
+use crate::MeshAttribute;
 
 /// The triangulation, as far as attributes depend on it.
 pub(super) struct Triangles<'a> {
@@ -18,20 +18,20 @@ pub(super) struct Triangles<'a> {
 }
 
 /// Converts a checked primvar to an attribute.
-pub(super) fn attribute<T: Value>(primvar: Primvar<T>, triangles: &Triangles<'_>) -> Attribute<T> {
+pub(super) fn attribute<T: Value>(primvar: Primvar<T>, triangles: &Triangles<'_>) -> MeshAttribute<T> {
     let value = |element: u32| primvar.get(element as usize).unwrap_or(T::ZERO);
     match primvar.interpolation {
-        Interpolation::Constant => Attribute::Constant(value(0)),
+        Interpolation::Constant => MeshAttribute::Constant(value(0)),
         Interpolation::Uniform if triangles.are_faces && primvar.indices.is_none() => {
-            Attribute::Triangle(primvar.values)
+            MeshAttribute::Triangle(primvar.values)
         }
         Interpolation::Uniform => {
             let of_triangle = |triangle| value((triangles.face)(triangle));
-            Attribute::Triangle((0..triangles.vertices.len()).map(of_triangle).collect())
+            MeshAttribute::Triangle((0..triangles.vertices.len()).map(of_triangle).collect())
         }
         Interpolation::Vertex => match &primvar.indices {
-            None => Attribute::Vertex(primvar.values),
-            Some(indices) => Attribute::Vertex(
+            None => MeshAttribute::Vertex(primvar.values),
+            Some(indices) => MeshAttribute::Vertex(
                 (0..indices.len())
                     .map(|i| primvar.get(i).unwrap_or(T::ZERO))
                     .collect(),
@@ -42,9 +42,9 @@ pub(super) fn attribute<T: Value>(primvar: Primvar<T>, triangles: &Triangles<'_>
 }
 
 /// Most vertices have the same value at all their corners: such values are stored once.
-fn face_varying<T: Value>(value: &dyn Fn(u32) -> T, triangles: &Triangles<'_>) -> Attribute<T> {
+fn face_varying<T: Value>(value: &dyn Fn(u32) -> T, triangles: &Triangles<'_>) -> MeshAttribute<T> {
     if let Some(values) = one_for_each_triangle(value, triangles) {
-        return Attribute::Triangle(values);
+        return MeshAttribute::Triangle(values);
     }
     let mut welder = Welder::new(triangles.points);
     // Indices are stored only once a corner's value differs from the first one at its vertex.
@@ -63,8 +63,8 @@ fn face_varying<T: Value>(value: &dyn Fn(u32) -> T, triangles: &Triangles<'_>) -
     }
     let values = welder.values;
     match indices {
-        None => Attribute::Vertex(values),
-        Some(indices) => Attribute::Corner { values, indices },
+        None => MeshAttribute::Vertex(values),
+        Some(indices) => MeshAttribute::Corner { values, indices },
     }
 }
 

@@ -1,14 +1,14 @@
 use oaktwin_camera::math::DVec3;
 
 use super::attribute::Triangles;
-use crate::Attribute;
+use crate::MeshAttribute;
 
 /// Normalizes the normals. A zero normal is replaced by the normal of the first triangle that uses it.
 pub(super) fn unit(
-    mut normals: Attribute<[f32; 3]>,
+    mut normals: MeshAttribute<[f32; 3]>,
     positions: &[[f32; 3]],
     triangles: &Triangles<'_>,
-) -> Option<Attribute<[f32; 3]>> {
+) -> Option<MeshAttribute<[f32; 3]>> {
     let normalize = |values: &mut [[f32; 3]]| {
         let mut all = true;
         for value in values {
@@ -19,13 +19,13 @@ pub(super) fn unit(
     };
     let flat = |triangle: [u32; 3]| unit_or_zero(area(positions, triangle));
     match &mut normals {
-        Attribute::Constant(value) => {
+        MeshAttribute::Constant(value) => {
             *value = unit_or_zero(DVec3::from(value.map(f64::from)));
             if *value == [0.0; 3] {
                 return None;
             }
         }
-        Attribute::Triangle(values) => {
+        MeshAttribute::Triangle(values) => {
             if !normalize(values) {
                 for (value, &triangle) in values.iter_mut().zip(triangles.vertices) {
                     if *value == [0.0; 3] {
@@ -34,12 +34,12 @@ pub(super) fn unit(
                 }
             }
         }
-        Attribute::Vertex(values) => {
+        MeshAttribute::Vertex(values) => {
             if !normalize(values) {
                 repair(values, triangles.vertices, &flat, triangles.vertices);
             }
         }
-        Attribute::Corner { values, indices } => {
+        MeshAttribute::Corner { values, indices } => {
             if !normalize(values) {
                 repair(values, indices, &flat, triangles.vertices);
             }
@@ -64,7 +64,7 @@ fn repair(
 }
 
 /// Computes smooth normals: at each vertex, the normals of its triangles, weighted by their angles.
-pub(super) fn smooth(positions: &[[f32; 3]], triangles: &[[u32; 3]]) -> Attribute<[f32; 3]> {
+pub(super) fn smooth(positions: &[[f32; 3]], triangles: &[[u32; 3]]) -> MeshAttribute<[f32; 3]> {
     let mut sums = vec![[0.0_f32; 3]; positions.len()];
     for &triangle in triangles {
         let [a, b, c] = triangle.map(|vertex| point(positions, vertex));
@@ -84,7 +84,7 @@ pub(super) fn smooth(positions: &[[f32; 3]], triangles: &[[u32; 3]]) -> Attribut
     // Where normals cancel out (a sheet folded onto itself), the first triangle's is used.
     let flat = |triangle: [u32; 3]| unit_or_zero(area(positions, triangle));
     repair(&mut sums, triangles, &flat, triangles);
-    Attribute::Vertex(sums)
+    MeshAttribute::Vertex(sums)
 }
 
 /// The angle between two unit vectors within 1e-3 rad, computed identically on every machine.

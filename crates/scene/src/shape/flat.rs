@@ -1,5 +1,5 @@
 use super::{Axis, are_sizes, narrow};
-use crate::{Attribute, Mesh};
+use crate::{Mesh, MeshAttribute};
 
 /// Creates a cube with edges of length `size`; each side shows the whole image.
 #[must_use]
@@ -67,8 +67,8 @@ impl Builder {
         Mesh {
             positions: self.positions,
             triangles: self.triangles,
-            normals: Some(Attribute::Vertex(self.normals)),
-            uvs: Some(Attribute::Vertex(self.uvs)),
+            normals: Some(MeshAttribute::Vertex(self.normals)),
+            uvs: Some(MeshAttribute::Vertex(self.uvs)),
             ..Mesh::default()
         }
     }

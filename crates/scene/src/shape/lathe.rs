@@ -1,7 +1,7 @@
 //! Surfaces of revolution.
 
 use super::{AROUND, Axis, are_sizes, narrow};
-use crate::{Attribute, Mesh, turn};
+use crate::{Mesh, MeshAttribute, turn};
 
 /// A point of an outline: its distances from the axis and along it.
 struct Knot {
@@ -152,8 +152,8 @@ impl Lathe {
         Mesh {
             positions: self.positions,
             triangles: self.triangles,
-            normals: Some(Attribute::Vertex(self.normals)),
-            uvs: Some(Attribute::Vertex(self.uvs)),
+            normals: Some(MeshAttribute::Vertex(self.normals)),
+            uvs: Some(MeshAttribute::Vertex(self.uvs)),
             ..Mesh::default()
         }
     }

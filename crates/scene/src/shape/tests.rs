@@ -1,7 +1,7 @@
 use oaktwin_camera::math::DVec3;
 
 use super::*;
-use crate::Attribute;
+use crate::MeshAttribute;
 
 fn corners(mesh: &Mesh, triangle: usize) -> [DVec3; 3] {
     mesh.corners(triangle)
@@ -20,7 +20,7 @@ fn measure(mesh: &Mesh) -> (f64, f64) {
         volume += a.dot(b.cross(c)) / 6.0;
         area += normal.length() / 2.0;
         // Normals agree with the winding.
-        let Some(Attribute::Vertex(normals)) = &mesh.normals else {
+        let Some(MeshAttribute::Vertex(normals)) = &mesh.normals else {
             panic!("no normals")
         };
         for vertex in mesh.triangles[triangle] {
@@ -117,7 +117,7 @@ fn planes_face_along_their_axes() {
         }
         assert_eq!(
             mesh.normals,
-            Some(Attribute::Vertex(vec![normal.map(|x| x as f32); 4]))
+            Some(MeshAttribute::Vertex(vec![normal.map(|x| x as f32); 4]))
         );
     }
 }

@@ -6,7 +6,7 @@
 use oaktwin_camera::math::DVec3;
 use oaktwin_image::texture::decode_srgb;
 use oaktwin_scene::TextureSource;
-use oaktwin_scene::import::Imported;
+use oaktwin_scene::import::ImportedScene;
 use proptest::prelude::*;
 
 use crate::support::{Files, check, messages, open};
@@ -24,14 +24,14 @@ const MESHES: [(&str, &[u8]); 5] = files!(
 );
 const TEXTURES: [(&str, &[u8]); 2] = files!("ktx2_etc1s", "ktx2_uastc");
 
-fn plain() -> Imported {
+fn plain() -> ImportedScene {
     open("plain.glb", include_bytes!("compressed/plain.glb"))
 }
 
 /// A corner's position, normal, texture coordinates in the image, and colour.
 type Corner = [f32; 11];
 
-fn corners(imported: &Imported) -> Vec<[Corner; 3]> {
+fn corners(imported: &ImportedScene) -> Vec<[Corner; 3]> {
     let scene = &imported.scene;
     let [instance] = scene.instances.as_slice() else {
         panic!("{:?}", scene.instances)
@@ -96,7 +96,7 @@ fn decoded_meshes_equal_the_plain_one() {
 
 #[test]
 fn decoded_textures_resemble_the_plain_one() {
-    let pixels = |imported: &Imported| match &imported.scene.textures[0].source {
+    let pixels = |imported: &ImportedScene| match &imported.scene.textures[0].source {
         TextureSource::Encoded { bytes, .. } => decode_srgb(bytes, None).unwrap(),
         source => panic!("{source:?}"),
     };

@@ -4,8 +4,8 @@ use std::f64::consts::FRAC_1_SQRT_2;
 
 use oaktwin_camera::math::DVec3;
 use oaktwin_image::srgb;
-use oaktwin_scene::import::{self, ImportOptions, Imported};
-use oaktwin_scene::{Attribute, MetersPerUnit, Up};
+use oaktwin_scene::import::{self, ImportOptions, ImportedScene};
+use oaktwin_scene::{MeshAttribute, MetersPerUnit, Up};
 
 use crate::support::{Files, error, open};
 
@@ -79,7 +79,7 @@ pub(crate) fn everything() -> String {
 }
 
 /// The corners of an instance's triangles in the world.
-fn corners(imported: &Imported, instance: usize) -> Vec<[DVec3; 3]> {
+fn corners(imported: &ImportedScene, instance: usize) -> Vec<[DVec3; 3]> {
     let instance = &imported.scene.instances[instance];
     let mesh = &imported.scene.meshes[instance.mesh as usize];
     let point = |at: u32| DVec3::from(mesh.positions[at as usize].map(f64::from));
@@ -132,13 +132,13 @@ fn materials_and_coordinates_are_the_instance_s() {
     assert_eq!(red.base_color, Some([0.8, 0.2, 0.1].map(srgb::linear)));
     assert_eq!(
         mesh(0).normals,
-        Some(Attribute::Triangle(vec![[0.0, 0.0, 1.0]; 2]))
+        Some(MeshAttribute::Triangle(vec![[0.0, 0.0, 1.0]; 2]))
     );
     let wood = material(1).unwrap();
     assert!(wood.base_color_texture.is_some());
     assert_eq!(
         mesh(1).uvs,
-        Some(Attribute::Vertex(vec![
+        Some(MeshAttribute::Vertex(vec![
             [0.0, 0.0],
             [1.0, 0.0],
             [1.0, 1.0],
@@ -147,7 +147,7 @@ fn materials_and_coordinates_are_the_instance_s() {
     );
     // The shared node binds nothing, so the first set counts.
     assert_eq!(material(2), None);
-    assert_eq!(mesh(3).uvs, Some(Attribute::Triangle(vec![[0.5, 0.25]])));
+    assert_eq!(mesh(3).uvs, Some(MeshAttribute::Triangle(vec![[0.5, 0.25]])));
 }
 
 #[test]

@@ -2,7 +2,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use oaktwin_camera::math::DVec3;
 use oaktwin_scene::import::{self, ImportOptions};
-use oaktwin_scene::{Attribute, LightKind, TextureSource, Up, Wrap};
+use oaktwin_scene::{LightKind, MeshAttribute, TextureSource, Up, Wrap};
 
 use crate::gltf_builder::Builder;
 use crate::support::{Files, error, messages, open, triangles};
@@ -98,12 +98,12 @@ fn primitives_become_one_mesh_with_their_materials() {
         [mesh.flat_normal(2); 3]
     );
     // The origin is at the lower left.
-    let Some(Attribute::Vertex(uvs)) = &mesh.uvs else {
+    let Some(MeshAttribute::Vertex(uvs)) = &mesh.uvs else {
         panic!("{:?}", mesh.uvs)
     };
     assert_eq!(uvs[..4], [[0., 1.], [1., 1.], [1., 0.], [0., 0.]]);
     // The first primitive's vertex colours include the factor; the other has its own.
-    let Some(Attribute::Vertex(colors)) = &mesh.colors else {
+    let Some(MeshAttribute::Vertex(colors)) = &mesh.colors else {
         panic!("{:?}", mesh.colors)
     };
     assert_eq!(colors[0], [0.5, 0.25, 1.0]);

@@ -1,14 +1,14 @@
 //! Animations and morph targets, compared with arithmetic by hand.
 
 use oaktwin_camera::math::{DQuat, DVec3};
-use oaktwin_scene::import::{self, ImportOptions, Imported};
+use oaktwin_scene::import::{self, ImportOptions, ImportedScene};
 
 use crate::gltf_builder::Builder;
 use crate::support::{Files, check, messages};
 
 const NONE: [&str; 0] = [];
 
-fn at(file: &str, time_s: Option<f64>) -> Imported {
+fn at(file: &str, time_s: Option<f64>) -> ImportedScene {
     let files = Files::new().with("a.gltf", file);
     let options = ImportOptions {
         time_s,
@@ -19,7 +19,7 @@ fn at(file: &str, time_s: Option<f64>) -> Imported {
     imported
 }
 
-fn origin(imported: &Imported) -> DVec3 {
+fn origin(imported: &ImportedScene) -> DVec3 {
     imported.scene.instances[0].world_from_mesh.translation
 }
 

@@ -59,7 +59,7 @@ fn strip(inverse_bind: &[DAffine3], nodes: &str) -> Builder {
 }
 
 /// The points of the strip: left, middle and right, each below and above.
-fn points(imported: &oaktwin_scene::import::Imported) -> [DVec3; 6] {
+fn points(imported: &oaktwin_scene::import::ImportedScene) -> [DVec3; 6] {
     let [a, b, c, d] = triangles(&imported.scene).try_into().unwrap();
     [a[0], a[2], a[1], b[2], c[1], d[2]]
 }

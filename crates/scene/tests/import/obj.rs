@@ -1,4 +1,4 @@
-use oaktwin_scene::{Attribute, TextureSource, Up, Wrap};
+use oaktwin_scene::{MeshAttribute, TextureSource, Up, Wrap};
 
 use crate::support::{Files, error, messages, open, triangles};
 
@@ -57,7 +57,7 @@ fn corners_pick_texture_coordinates_and_normals() {
     );
     assert_eq!(
         mesh.normals,
-        Some(Attribute::Triangle(vec![[0., 0., 1.], [0., 1., 0.]]))
+        Some(MeshAttribute::Triangle(vec![[0., 0., 1.], [0., 1., 0.]]))
     );
     // Incomplete normals are ignored; corners without texture coordinates get the origin.
     let scene = open(
@@ -69,7 +69,7 @@ fn corners_pick_texture_coordinates_and_normals() {
     assert_eq!(mesh.normals, None);
     assert_eq!(
         mesh.uvs,
-        Some(Attribute::Vertex(vec![[1., 1.], [0., 0.], [0., 0.]]))
+        Some(MeshAttribute::Vertex(vec![[1., 1.], [0., 0.], [0., 0.]]))
     );
 }
 
@@ -78,7 +78,11 @@ fn points_may_have_colours() {
     let scene = open("a.obj", "v 0 0 0 1 0 0\nv 1 0 0 1.0 0 1 0\nv 1 1 0\nf 1 2 3\n").scene;
     assert_eq!(
         scene.meshes[0].colors,
-        Some(Attribute::Vertex(vec![[1., 0., 0.], [0., 1., 0.], [1., 1., 1.]]))
+        Some(MeshAttribute::Vertex(vec![
+            [1., 0., 0.],
+            [0., 1., 0.],
+            [1., 1., 1.]
+        ]))
     );
 }
 

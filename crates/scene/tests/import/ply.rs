@@ -1,4 +1,4 @@
-use oaktwin_scene::{Attribute, Up};
+use oaktwin_scene::{MeshAttribute, Up};
 
 use crate::support::{error, messages, open};
 
@@ -63,12 +63,15 @@ fn all_encodings_are_equivalent() {
     assert_eq!(scene.up, Up::Z);
     let mesh = &scene.meshes[0];
     assert_eq!(mesh.triangles, [[0, 1, 2], [0, 1, 2], [0, 2, 3]]);
-    assert_eq!(mesh.normals, Some(Attribute::Vertex(vec![[0.0, 0.0, 1.0]; 4])));
-    let Some(Attribute::Vertex(uvs)) = &mesh.uvs else {
+    assert_eq!(
+        mesh.normals,
+        Some(MeshAttribute::Vertex(vec![[0.0, 0.0, 1.0]; 4]))
+    );
+    let Some(MeshAttribute::Vertex(uvs)) = &mesh.uvs else {
         panic!("{:?}", mesh.uvs)
     };
     assert_eq!(uvs[2], [1.0, 1.0]);
-    let Some(Attribute::Vertex(colors)) = &mesh.colors else {
+    let Some(MeshAttribute::Vertex(colors)) = &mesh.colors else {
         panic!("{:?}", mesh.colors)
     };
     // sRGB 128 is 0.2158605 in linear light.

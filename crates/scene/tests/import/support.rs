@@ -3,7 +3,7 @@ use std::path::PathBuf;
 
 use oaktwin_camera::math::DVec3;
 use oaktwin_scene::Scene;
-use oaktwin_scene::import::{self, ImportError, ImportOptions, Imported};
+use oaktwin_scene::import::{self, ImportError, ImportOptions, ImportedScene};
 use tempfile::TempDir;
 
 /// A temporary folder with files.
@@ -25,11 +25,11 @@ impl Files {
         self.0.path().join(name)
     }
 
-    pub(crate) fn try_open(&self, name: &str) -> Result<Imported, ImportError> {
+    pub(crate) fn try_open(&self, name: &str) -> Result<ImportedScene, ImportError> {
         import::open(&self.path(name), &ImportOptions::default())
     }
 
-    pub(crate) fn open(&self, name: &str) -> Imported {
+    pub(crate) fn open(&self, name: &str) -> ImportedScene {
         let imported = self.try_open(name).unwrap();
         check(&imported.scene);
         imported
@@ -42,7 +42,7 @@ impl Files {
     }
 }
 
-pub(crate) fn open(name: &str, content: impl AsRef<[u8]>) -> Imported {
+pub(crate) fn open(name: &str, content: impl AsRef<[u8]>) -> ImportedScene {
     Files::new().with(name, content).open(name)
 }
 
@@ -106,7 +106,7 @@ pub(crate) fn triangles(scene: &Scene) -> Vec<[DVec3; 3]> {
     all
 }
 
-pub(crate) fn messages(imported: &Imported) -> Vec<String> {
+pub(crate) fn messages(imported: &ImportedScene) -> Vec<String> {
     let text =
         |finding: &oaktwin_base::diagnostic::Finding| format!("{}: {}", finding.place, finding.message);
     imported.findings.iter().map(text).collect()

@@ -2,7 +2,7 @@ use std::arch::aarch64::*;
 
 use super::f64::F64;
 use super::i32::I32;
-use crate::{I32Lanes, Lanes, Row};
+use crate::{I32Lanes, Lanes, PackedVertex};
 
 /// Eight `f32` in two registers.
 #[derive(Clone, Copy)]
@@ -128,13 +128,13 @@ impl Lanes for F32 {
         [x, y, z].map(|column| Self::from_bits(I32::from_mask(column)))
     }
     #[inline(always)]
-    fn load_rows(rows: [&Row; 8]) -> (I32, I32, Self) {
+    fn load_rows(rows: [&PackedVertex; 8]) -> (I32, I32, Self) {
         let rows = rows.map(|row| intrinsic!(vld1q_u32(row.0.as_ptr())));
         let [x, y, z] = columns(rows).map(I32::from_mask);
         (x, y, Self::from_bits(z))
     }
     #[inline(always)]
-    fn store_rows(x: I32, y: I32, z: Self, rows: &mut [Row; 8]) {
+    fn store_rows(x: I32, y: I32, z: Self, rows: &mut [PackedVertex; 8]) {
         let zero = intrinsic!(vdupq_n_s32(0));
         let (z, (low, high)) = (z.to_bits(), rows.split_at_mut(4));
         for (half, rows) in [low, high].into_iter().enumerate() {

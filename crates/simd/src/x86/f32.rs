@@ -3,7 +3,7 @@ use std::marker::PhantomData;
 
 use super::f64::Wide;
 use super::i32::I32;
-use crate::{Lanes, Row};
+use crate::{Lanes, PackedVertex};
 
 /// Eight `f32` in a register of AVX2, with `f64` as `W`.
 #[derive(Clone, Copy)]
@@ -142,7 +142,7 @@ impl<W: Wide> Lanes for F32<W> {
         .map(Self::new)
     }
     #[inline(always)]
-    fn load_rows([a, b, c, d, e, f, g, h]: [&Row; 8]) -> (I32, I32, Self) {
+    fn load_rows([a, b, c, d, e, f, g, h]: [&PackedVertex; 8]) -> (I32, I32, Self) {
         let (x, y, z) = columns(
             join(load(a), load(e)),
             join(load(b), load(f)),
@@ -152,7 +152,7 @@ impl<W: Wide> Lanes for F32<W> {
         (I32(x), I32(y), Self::from_bits(I32(z)))
     }
     #[inline(always)]
-    fn store_rows(I32(x): I32, I32(y): I32, z: Self, rows: &mut [Row; 8]) {
+    fn store_rows(I32(x): I32, I32(y): I32, z: Self, rows: &mut [PackedVertex; 8]) {
         let I32(z) = z.to_bits();
         intrinsic!({
             let zero = _mm256_setzero_si256();
@@ -194,7 +194,7 @@ fn point(points: &[[f32; 3]], index: u32) -> __m128i {
 }
 
 #[inline(always)]
-fn load(row: &Row) -> __m128i {
+fn load(row: &PackedVertex) -> __m128i {
     intrinsic!(_mm_loadu_si128(row.0.as_ptr().cast()))
 }
 

@@ -12,7 +12,7 @@ pub(crate) trait Wide: F64Lanes {
 
 /// Two registers of AVX2.
 #[derive(Clone, Copy)]
-pub(crate) struct Pair(__m256d, __m256d);
+pub(crate) struct RegisterPair(__m256d, __m256d);
 
 /// One register of AVX-512.
 #[derive(Clone, Copy)]
@@ -32,7 +32,7 @@ operator!([] Double, Div::div, _mm512_div_pd);
 
 macro_rules! pair_operators {
     ($($operator:ident::$method:ident = $intrinsic:ident),*) => {$(
-        impl std::ops::$operator for Pair {
+        impl std::ops::$operator for RegisterPair {
             type Output = Self;
 
             #[inline(always)]
@@ -50,7 +50,7 @@ pair_operators!(
     Div::div = _mm256_div_pd
 );
 
-impl F64Lanes for Pair {
+impl F64Lanes for RegisterPair {
     #[inline(always)]
     fn splat(value: f64) -> Self {
         intrinsic!(Self(_mm256_set1_pd(value), _mm256_set1_pd(value)))
@@ -73,7 +73,7 @@ impl F64Lanes for Pair {
     }
 }
 
-impl Wide for Pair {
+impl Wide for RegisterPair {
     #[inline(always)]
     fn from_f32(values: __m256) -> Self {
         intrinsic!(Self(

@@ -32,7 +32,7 @@ mod f64;
 mod i32;
 
 use self::f32::F32;
-use self::f64::{Double, Pair};
+use self::f64::{Double, RegisterPair};
 use crate::{Kernel, LaneKernel};
 
 /// Instructions beyond the baseline that this processor has. Only this module creates values.
@@ -111,7 +111,7 @@ fn avx512<K: Kernel>(kernel: K) -> K::Output {
 
 #[target_feature(enable = "avx2")]
 fn avx2_lanes<K: LaneKernel>(kernel: K) -> K::Output {
-    kernel.run::<F32<Pair>>()
+    kernel.run::<F32<RegisterPair>>()
 }
 
 #[target_feature(enable = "avx2,avx512f,avx512bw,avx512dq,avx512vl,avx512bitalg")]

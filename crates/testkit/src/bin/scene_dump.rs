@@ -7,9 +7,10 @@ use std::path::Path;
 
 use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::DAffine3;
-use oaktwin_scene::import::{self, ImportOptions, Imported};
+use oaktwin_scene::import::{self, ImportOptions, ImportedScene};
 use oaktwin_scene::{
-    Attribute, Instance, Light, LightKind, Mask, Material, Mesh, Scene, Texture, TextureSource, TextureUse,
+    Instance, Light, LightKind, Material, Mesh, MeshAttribute, Scene, Texture, TextureMask, TextureSource,
+    TextureUse,
 };
 use oaktwin_usd::stage::{SceneOptions, StageScene, open_scene};
 use serde_json::{Value, json};
@@ -92,7 +93,7 @@ fn describe_stage(read: &StageScene, arrays: &mut Arrays) -> Value {
     described
 }
 
-fn describe_file(read: &Imported, arrays: &mut Arrays) -> Value {
+fn describe_file(read: &ImportedScene, arrays: &mut Arrays) -> Value {
     let mut described = describe(&read.scene, arrays);
     described["cameras"] = read
         .cameras
@@ -143,7 +144,7 @@ fn mesh(mesh: &Mesh, arrays: &mut Arrays) -> Value {
     })
 }
 
-fn corners<const N: usize>(mesh: &Mesh, values: Option<&Attribute<[f32; N]>>) -> Option<Vec<f32>> {
+fn corners<const N: usize>(mesh: &Mesh, values: Option<&MeshAttribute<[f32; N]>>) -> Option<Vec<f32>> {
     let values = values?;
     let mut flat = Vec::with_capacity(mesh.triangles.len() * 3 * N);
     for (triangle, vertices) in mesh.triangles.iter().enumerate() {
@@ -186,7 +187,7 @@ fn material(material: &Material) -> Value {
     })
 }
 
-fn mask(mask: &Mask) -> Value {
+fn mask(mask: &TextureMask) -> Value {
     json!({
         "texture": texture_use(&mask.texture),
         "channel": mask.channel,

@@ -12,7 +12,7 @@ use std::path::Path;
 
 use oaktwin_camera::{ImageSize, StereoGeometry};
 use oaktwin_depth::preset::Platform;
-use oaktwin_depth::stereo_matching::{Pair, Parameters, StereoMatching};
+use oaktwin_depth::stereo_matching::{Parameters, RectifiedPair, StereoMatching};
 use oaktwin_image::{ImageView, npy};
 use oaktwin_testkit::process;
 use oaktwin_testkit::stereo_pair::textured_pair;
@@ -57,7 +57,7 @@ fn run(frames: usize, threads: usize, settings: &[&str]) -> Result<(), Box<dyn E
     }
     let engine = StereoMatching::new(parameters)?;
     let [left, right] = textured_pair(SIZE)?;
-    let pair = Pair::new(ImageView::from(&left), ImageView::from(&right))?;
+    let pair = RectifiedPair::new(ImageView::from(&left), ImageView::from(&right))?;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     let mut times = Vec::new();
     let mut kept = 0;

@@ -32,7 +32,7 @@ fn check_seeds(seeds: std::ops::Range<u64>) {
         let truth = Reference::new(renderer.scene(), &view).image();
         for (backend, worst) in &mut worst {
             let was_too_large = worst.is_too_large();
-            worst.look(&renderer.depth(&view, *backend), &truth);
+            worst.compare(&renderer.depth(&view, *backend), &truth);
             if worst.is_too_large() && !was_too_large {
                 findings.push(format!("{backend:?} seed {seed}: {worst:?}"));
             }
@@ -66,7 +66,7 @@ impl Worst {
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "the next float32")]
-    fn look(&mut self, ZDepth(depth): &ZDepth, truth: &[Option<Crossing>]) {
+    fn compare(&mut self, ZDepth(depth): &ZDepth, truth: &[Option<Crossing>]) {
         for (single, truth) in depth.pixels().iter().zip(truth) {
             let (Some(truth), true) = (truth, single.is_finite()) else {
                 continue;

@@ -1,9 +1,9 @@
 use oaktwin_camera::{ApertureOffsets, ImageSize, Usd, UsdOptics};
 use oaktwin_catalog::{LegacyDistortion, Origin, Twin, TwinCamera};
 
-use super::{AssetError, AssetOptions, IsaacVersion, Target, describe, float, lens, pose};
+use super::{AssetError, AssetOptions, AssetTarget, IsaacVersion, describe, float, lens, pose};
 use crate::nvidia::SENSOR_SCHEMA;
-use crate::text::{Prim, Value};
+use crate::text::{PrimSpec, SpecValue};
 
 /// Attributes of a camera prim other than optics and pose.
 pub(super) struct CameraTraits<'a> {
@@ -14,7 +14,7 @@ pub(super) struct CameraTraits<'a> {
 }
 
 /// Creates the prim of one of the device's cameras.
-pub(super) fn prim(twin: &Twin, camera: &TwinCamera, options: &AssetOptions) -> Result<Prim, AssetError> {
+pub(super) fn prim(twin: &Twin, camera: &TwinCamera, options: &AssetOptions) -> Result<PrimSpec, AssetError> {
     let spec = &camera.spec;
     let traits = CameraTraits {
         name: &spec.prim,
@@ -29,7 +29,8 @@ pub(super) fn prim(twin: &Twin, camera: &TwinCamera, options: &AssetOptions) -> 
         lens.author(&mut prim, &twin.device.name)?;
     }
     // The legacy attributes describe a pinhole, which would contradict a lens schema.
-    let by_default = options.isaac == IsaacVersion::V5_1 && options.target == Target::Isaac && lens.is_none();
+    let by_default =
+        options.isaac == IsaacVersion::V5_1 && options.target == AssetTarget::Isaac && lens.is_none();
     if by_default || options.legacy_distortion {
         add_legacy_distortion(&mut prim, camera);
     }
@@ -42,15 +43,15 @@ pub(super) fn base(
     camera: &TwinCamera,
     traits: &CameraTraits<'_>,
     options: &AssetOptions,
-) -> Prim {
+) -> PrimSpec {
     let optics = optics(twin, camera, options);
-    let mut prim = Prim::def("Camera", traits.name);
-    if options.isaac == IsaacVersion::V6 && options.target == Target::Isaac {
+    let mut prim = PrimSpec::def("Camera", traits.name);
+    if options.isaac == IsaacVersion::V6 && options.target == AssetTarget::Isaac {
         prim.api_schemas.push(SENSOR_SCHEMA.into());
     }
     prim.set(
         "clippingRange",
-        Value::Float2([
+        SpecValue::Float2([
             super::f32_of(traits.clipping_range_m.0),
             super::f32_of(traits.clipping_range_m.1),
         ]),
@@ -61,8 +62,8 @@ pub(super) fn base(
     prim.set("horizontalAperture", float(optics.horizontal_aperture_mm));
     prim.set("verticalAperture", float(optics.vertical_aperture_mm));
     add_offsets(&mut prim, &optics);
-    prim.set("projection", Value::token(&camera.spec.projection));
-    prim.set_uniform("stereoRole", Value::token(traits.stereo_role));
+    prim.set("projection", SpecValue::token(&camera.spec.projection));
+    prim.set_uniform("stereoRole", SpecValue::token(traits.stereo_role));
     pose::set(&mut prim, &pose::of_camera_prim(&camera.body_from_camera));
     prim
 }
@@ -78,7 +79,7 @@ pub(super) fn optics(twin: &Twin, camera: &TwinCamera, options: &AssetOptions) -
 }
 
 /// Adds `horizontalApertureOffset` and `verticalApertureOffset`.
-pub(super) fn add_offsets(prim: &mut Prim, optics: &UsdOptics) {
+pub(super) fn add_offsets(prim: &mut PrimSpec, optics: &UsdOptics) {
     prim.set(
         "horizontalApertureOffset",
         float(optics.horizontal_aperture_offset_mm),
@@ -91,13 +92,16 @@ pub(super) fn add_offsets(prim: &mut Prim, optics: &UsdOptics) {
 
 /// Adds the sheet's distortion rows under the names that Isaac Sim read before 5.0, if the catalog has them. "Not Applicable"
 /// rows are omitted.
-fn add_legacy_distortion(prim: &mut Prim, camera: &TwinCamera) {
+fn add_legacy_distortion(prim: &mut PrimSpec, camera: &TwinCamera) {
     let ImageSize { width, height } = camera.intrinsics.size;
     let centre = camera.intrinsics.principal_point::<Usd>();
     let Some(LegacyDistortion { poly_k, p, s, .. }) = &camera.spec.legacy_distortion else {
         return;
     };
-    prim.set("cameraProjectionType", Value::token(&camera.spec.projection_type));
+    prim.set(
+        "cameraProjectionType",
+        SpecValue::token(&camera.spec.projection_type),
+    );
     prim.set("fthetaWidth", float(f64::from(width)));
     prim.set("fthetaHeight", float(f64::from(height)));
     prim.set("fthetaCx", float(centre.x));

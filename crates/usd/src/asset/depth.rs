@@ -1,14 +1,14 @@
 use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_base::parameter::nvidia::Attributes;
-use oaktwin_base::parameter::{Kind, Row, Table};
+use oaktwin_base::parameter::{Kind, ParameterRow, Table};
 use oaktwin_catalog::{Twin, TwinCamera, TwinDepthSensor};
 
 use super::camera::{CameraTraits, base};
 use super::{
-    AssetError, AssetOptions, IsaacVersion, PRODUCTS, Target, describe, float, lens, render_product_name,
+    AssetError, AssetOptions, AssetTarget, IsaacVersion, PRODUCTS, describe, float, lens, render_product_name,
 };
 use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, OUTLIER_REMOVAL, PRODUCT_NAMESPACE, PRODUCT_SCHEMA};
-use crate::text::{Attribute, Prim, Value};
+use crate::text::{AttributeSpec, PrimSpec, SpecValue};
 
 /// The scope of the render variables that products share.
 const RENDER_VARS: &str = "RenderVars";
@@ -29,7 +29,7 @@ pub(super) fn virtual_camera(
     twin: &Twin,
     sensor: &TwinDepthSensor,
     options: &AssetOptions,
-) -> Result<Prim, AssetError> {
+) -> Result<PrimSpec, AssetError> {
     let camera = &source(twin, sensor)?;
     let traits = CameraTraits {
         name: &sensor.spec.prim,
@@ -39,7 +39,7 @@ pub(super) fn virtual_camera(
     };
     let mut prim = base(twin, camera, &traits, options);
     prim.documentation = Some(describe::depth_camera(twin, sensor, camera));
-    if options.target == Target::Ovrtx {
+    if options.target == AssetTarget::Ovrtx {
         prim.api_schemas.push(CAMERA_SCHEMA.into());
         for attribute in attributes(sensor, options) {
             prim.add(attribute);
@@ -62,16 +62,20 @@ pub(super) fn source(twin: &Twin, sensor: &TwinDepthSensor) -> Result<TwinCamera
 }
 
 /// Creates the scope of render products, one for each depth sensor.
-pub(super) fn products(twin: &Twin, options: &AssetOptions, device_path: &str) -> Result<Prim, AssetError> {
-    let mut scope = Prim::def("Scope", PRODUCTS).documented(describe::PRODUCTS);
+pub(super) fn products(
+    twin: &Twin,
+    options: &AssetOptions,
+    device_path: &str,
+) -> Result<PrimSpec, AssetError> {
+    let mut scope = PrimSpec::def("Scope", PRODUCTS).documented(describe::PRODUCTS);
     let variables = variables(options);
     for sensor in &twin.depth_sensors {
         let camera = source(twin, sensor)?;
-        let mut product = Prim::def("RenderProduct", render_product_name(&sensor.spec.prim))
+        let mut product = PrimSpec::def("RenderProduct", render_product_name(&sensor.spec.prim))
             .documented(describe::product(sensor));
         product.relate("camera", vec![format!("{device_path}/{}", sensor.spec.prim)]);
         product.set_uniform("resolution", lens::int2(&camera.intrinsics, &twin.device.name)?);
-        if options.target == Target::Isaac {
+        if options.target == AssetTarget::Isaac {
             product.api_schemas.push(PRODUCT_SCHEMA.into());
             for attribute in attributes(sensor, options) {
                 product.add(attribute);
@@ -86,10 +90,10 @@ pub(super) fn products(twin: &Twin, options: &AssetOptions, device_path: &str) -
         scope.children.push(product);
     }
     if !variables.is_empty() {
-        let mut vars = Prim::def("Scope", RENDER_VARS);
+        let mut vars = PrimSpec::def("Scope", RENDER_VARS);
         for name in variables {
-            let mut var = Prim::def("RenderVar", name);
-            var.set_uniform("sourceName", Value::string(name));
+            let mut var = PrimSpec::def("RenderVar", name);
+            var.set_uniform("sourceName", SpecValue::string(name));
             vars.children.push(var);
         }
         scope.children.push(vars);
@@ -99,40 +103,40 @@ pub(super) fn products(twin: &Twin, options: &AssetOptions, device_path: &str) -
 
 fn variables(options: &AssetOptions) -> Vec<&'static str> {
     match (options.target, options.isaac) {
-        (Target::Isaac, IsaacVersion::V5_1) => Vec::new(),
-        (Target::Isaac, IsaacVersion::V6) => VARIABLES.to_vec(),
-        (Target::Ovrtx, _) => VARIABLES.into_iter().chain([OVRTX_VARIABLE]).collect(),
+        (AssetTarget::Isaac, IsaacVersion::V5_1) => Vec::new(),
+        (AssetTarget::Isaac, IsaacVersion::V6) => VARIABLES.to_vec(),
+        (AssetTarget::Ovrtx, _) => VARIABLES.into_iter().chain([OVRTX_VARIABLE]).collect(),
     }
 }
 
 /// Returns the full name of a depth attribute for the target.
 pub(super) fn attribute_name(options: &AssetOptions, name: &str) -> String {
     let namespace = match options.target {
-        Target::Isaac => PRODUCT_NAMESPACE,
-        Target::Ovrtx => CAMERA_NAMESPACE,
+        AssetTarget::Isaac => PRODUCT_NAMESPACE,
+        AssetTarget::Ovrtx => CAMERA_NAMESPACE,
     };
     format!("{namespace}{name}")
 }
 
 /// The parameter sheet's attributes that shape the output, sorted by name.
-fn attributes(sensor: &TwinDepthSensor, options: &AssetOptions) -> Vec<Attribute> {
+fn attributes(sensor: &TwinDepthSensor, options: &AssetOptions) -> Vec<AttributeSpec> {
     let values = sensor.attributes(options.extended_disparity);
-    let shapes = |row: &&Row<Attributes>| matches!(row.about.kind, Kind::Number | Kind::Integer);
-    let mut attributes: Vec<Attribute> = Attributes::rows()
+    let shapes = |row: &&ParameterRow<Attributes>| matches!(row.about.kind, Kind::Number | Kind::Integer);
+    let mut attributes: Vec<AttributeSpec> = Attributes::rows()
         .filter(shapes)
         .map(|row| {
             let name = row.about.name;
             let number = (row.numbers)(&values)[0];
-            let attribute = |value| Attribute::new(attribute_name(options, name), value);
+            let attribute = |value| AttributeSpec::new(attribute_name(options, name), value);
             let range = values.outlier_removal_range_px;
             match (name, options.target, options.isaac) {
                 // One name, two types: a range in pixels in 5.x, a switch in 6.x.
-                (OUTLIER_REMOVAL, Target::Isaac, IsaacVersion::V5_1) => {
+                (OUTLIER_REMOVAL, AssetTarget::Isaac, IsaacVersion::V5_1) => {
                     let range = i32::try_from(range).unwrap_or(i32::MAX);
-                    attribute(Value::Int(range)).documented(describe::OUTLIER_REMOVAL)
+                    attribute(SpecValue::Int(range)).documented(describe::OUTLIER_REMOVAL)
                 }
                 (OUTLIER_REMOVAL, ..) => {
-                    attribute(Value::Bool(range > 0)).documented(describe::OUTLIER_REMOVAL)
+                    attribute(SpecValue::Bool(range > 0)).documented(describe::OUTLIER_REMOVAL)
                 }
                 ("noiseMean", ..) => attribute(float(number)).documented(describe::NOISE_MEAN),
                 _ => attribute(float(number)),
@@ -145,7 +149,7 @@ fn attributes(sensor: &TwinDepthSensor, options: &AssetOptions) -> Vec<Attribute
 
 /// Returns a note for each depth sensor whose schema is experimental.
 pub(super) fn findings(twin: &Twin, options: &AssetOptions, device_path: &str) -> Vec<Finding> {
-    if options.target != Target::Ovrtx {
+    if options.target != AssetTarget::Ovrtx {
         return Vec::new();
     }
     twin.depth_sensors

@@ -2,7 +2,7 @@
 
 use oaktwin_catalog::{DepthKind, Imu, Origin, Role, Source, Sources, Twin, TwinCamera, TwinDepthSensor};
 
-use super::{AssetOptions, Target, lens};
+use super::{AssetOptions, AssetTarget, lens};
 
 pub(super) const NOISE_MEAN: &str = "The quantization step of the disparity in pixels, not a bias: 0 switches \
     quantization and its jitter off.";
@@ -35,7 +35,7 @@ pub(super) fn layer(twin: &Twin, options: &AssetOptions, assumed_names: &str) ->
         text.push_str(&estimates.join(", "));
         text.push('.');
     }
-    if options.target == Target::Ovrtx {
+    if options.target == AssetTarget::Ovrtx {
         text.push_str(
             "\nFor ovrtx, experimental: no list of the attributes of its depth sensor's schema is published. Assumed: ",
         );

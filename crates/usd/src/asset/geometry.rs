@@ -1,10 +1,10 @@
 use super::float;
 use crate::body::{BodyMaterial, BodyPart};
-use crate::text::{Attribute, Prim, Value};
+use crate::text::{AttributeSpec, PrimSpec, SpecValue};
 
 /// Creates the scopes `visuals` and `Looks`.
-pub(super) fn scopes(parts: Vec<BodyPart>, materials: &[BodyMaterial], device_path: &str) -> [Prim; 2] {
-    let mut visuals = Prim::def("Scope", "visuals");
+pub(super) fn scopes(parts: Vec<BodyPart>, materials: &[BodyMaterial], device_path: &str) -> [PrimSpec; 2] {
+    let mut visuals = PrimSpec::def("Scope", "visuals");
     for part in parts {
         let looks = format!("{device_path}/Looks/{}", part.material);
         let mut mesh = mesh(part);
@@ -12,7 +12,7 @@ pub(super) fn scopes(parts: Vec<BodyPart>, materials: &[BodyMaterial], device_pa
         mesh.relate("material:binding", vec![looks]);
         visuals.children.push(mesh);
     }
-    let mut looks = Prim::def("Scope", "Looks");
+    let mut looks = PrimSpec::def("Scope", "Looks");
     looks.children.extend(
         materials
             .iter()
@@ -22,16 +22,16 @@ pub(super) fn scopes(parts: Vec<BodyPart>, materials: &[BodyMaterial], device_pa
 }
 
 /// Creates a polygon mesh without subdivision, with normals.
-pub(super) fn mesh(part: BodyPart) -> Prim {
-    let mut mesh = Prim::def("Mesh", part.name);
-    mesh.set("extent", Value::Float3Array(extent(&part.points)));
-    mesh.set("faceVertexCounts", Value::IntArray(part.face_vertex_counts));
-    mesh.set("faceVertexIndices", Value::IntArray(part.face_vertex_indices));
-    let mut normals = Attribute::new("normals", Value::Normal3fArray(part.normals));
+pub(super) fn mesh(part: BodyPart) -> PrimSpec {
+    let mut mesh = PrimSpec::def("Mesh", part.name);
+    mesh.set("extent", SpecValue::Float3Array(extent(&part.points)));
+    mesh.set("faceVertexCounts", SpecValue::IntArray(part.face_vertex_counts));
+    mesh.set("faceVertexIndices", SpecValue::IntArray(part.face_vertex_indices));
+    let mut normals = AttributeSpec::new("normals", SpecValue::Normal3fArray(part.normals));
     normals.interpolation = Some("faceVarying");
     mesh.add(normals);
-    mesh.set("points", Value::Point3fArray(part.points));
-    mesh.set_uniform("subdivisionScheme", Value::token("none"));
+    mesh.set("points", SpecValue::Point3fArray(part.points));
+    mesh.set_uniform("subdivisionScheme", SpecValue::token("none"));
     mesh
 }
 
@@ -47,11 +47,11 @@ fn extent(points: &[[f32; 3]]) -> Vec<[f32; 3]> {
     vec![bound(f32::min), bound(f32::max)]
 }
 
-fn material(material: &BodyMaterial, path: &str) -> Prim {
+fn material(material: &BodyMaterial, path: &str) -> PrimSpec {
     const SHADER: &str = "Surface";
-    let mut shader = Prim::def("Shader", SHADER);
-    shader.set_uniform("info:id", Value::token("UsdPreviewSurface"));
-    shader.set("inputs:diffuseColor", Value::Color3f(material.diffuse));
+    let mut shader = PrimSpec::def("Shader", SHADER);
+    shader.set_uniform("info:id", SpecValue::token("UsdPreviewSurface"));
+    shader.set("inputs:diffuseColor", SpecValue::Color3f(material.diffuse));
     for (name, value) in [
         ("metallic", material.metallic),
         ("roughness", material.roughness),
@@ -61,10 +61,10 @@ fn material(material: &BodyMaterial, path: &str) -> Prim {
     ] {
         shader.set(format!("inputs:{name}"), float(value.into()));
     }
-    shader.add(Attribute::without_value("outputs:surface", "token"));
+    shader.add(AttributeSpec::without_value("outputs:surface", "token"));
 
-    let mut prim = Prim::def("Material", material.name);
-    let mut surface = Attribute::without_value("outputs:surface", "token");
+    let mut prim = PrimSpec::def("Material", material.name);
+    let mut surface = AttributeSpec::without_value("outputs:surface", "token");
     surface.connections = vec![format!("{path}/{SHADER}.outputs:surface")];
     prim.add(surface);
     prim.with_child(shader)

@@ -1,14 +1,14 @@
 use std::collections::BTreeSet;
 
 use super::AssetError;
-use crate::text::{Layer, Prim, Property, is_identifier};
+use crate::text::{Layer, PrimSpec, Property, is_identifier};
 
 /// Rejects invalid or duplicate prim names and non-finite numbers, which a user's catalog or calibration may contain.
 pub(super) fn check(layer: &Layer, model: &str) -> Result<(), AssetError> {
     check_children("", &layer.prims, model)
 }
 
-fn check_children(parent: &str, children: &[Prim], model: &str) -> Result<(), AssetError> {
+fn check_children(parent: &str, children: &[PrimSpec], model: &str) -> Result<(), AssetError> {
     let mut seen = BTreeSet::new();
     for prim in children {
         if !is_identifier(&prim.name) {

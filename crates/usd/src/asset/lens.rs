@@ -3,17 +3,17 @@ use oaktwin_camera::{Camera, Intrinsics, LensModel, OpenCv, OpenCvLens};
 use oaktwin_catalog::{LensChoice, Origin, Twin, TwinCamera};
 
 use super::{AssetError, AssetOptions, ROOT, float};
-use crate::text::{Prim, Value};
+use crate::text::{PrimSpec, SpecValue};
 
 /// The lens-distortion schema of a camera prim.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct LensSchema {
     intrinsics: Intrinsics,
-    kind: Kind,
+    kind: LensKind,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-enum Kind {
+enum LensKind {
     /// The coefficients k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4.
     Pinhole([f64; 12]),
     /// The coefficients k1 k2 k3 k4.
@@ -38,10 +38,10 @@ pub(super) fn of_camera(twin: &Twin, camera: &TwinCamera, options: &AssetOptions
         OpenCvLens::Pinhole(all) => {
             let mut coefficients = [0.0; 12];
             coefficients.copy_from_slice(&all[..12]);
-            Kind::Pinhole(coefficients)
+            LensKind::Pinhole(coefficients)
         }
         // All coefficients are written, because the schema's fallback value of k1 is not 0.
-        OpenCvLens::Fisheye(k) => Kind::Fisheye(k),
+        OpenCvLens::Fisheye(k) => LensKind::Fisheye(k),
     };
     Some(LensSchema {
         intrinsics: optics.intrinsics,
@@ -54,21 +54,21 @@ pub(super) fn of_camera(twin: &Twin, camera: &TwinCamera, options: &AssetOptions
 pub(super) fn of_depth_camera(twin: &Twin, camera: &TwinCamera) -> Option<LensSchema> {
     matches!(twin.origin, Origin::Calibration { .. }).then_some(LensSchema {
         intrinsics: camera.intrinsics,
-        kind: Kind::Pinhole([0.0; 12]),
+        kind: LensKind::Pinhole([0.0; 12]),
     })
 }
 
 impl LensSchema {
     /// Applies the schema and writes all of its attributes.
-    pub(super) fn author(&self, prim: &mut Prim, model: &str) -> Result<(), AssetError> {
+    pub(super) fn author(&self, prim: &mut PrimSpec, model: &str) -> Result<(), AssetError> {
         let (schema, token, names, coefficients): (_, _, &[&str], &[f64]) = match &self.kind {
-            Kind::Pinhole(k) => (
+            LensKind::Pinhole(k) => (
                 "OmniLensDistortionOpenCvPinholeAPI",
                 "opencvPinhole",
                 &PINHOLE_NAMES,
                 k,
             ),
-            Kind::Fisheye(k) => (
+            LensKind::Fisheye(k) => (
                 "OmniLensDistortionOpenCvFisheyeAPI",
                 "opencvFisheye",
                 &FISHEYE_NAMES,
@@ -76,7 +76,7 @@ impl LensSchema {
             ),
         };
         prim.api_schemas.push(schema.into());
-        prim.set("omni:lensdistortion:model", Value::token(token));
+        prim.set("omni:lensdistortion:model", SpecValue::token(token));
         let name = |attribute: &str| format!("omni:lensdistortion:{token}:{attribute}");
         let c = self.intrinsics.principal_point::<OpenCv>();
         for (attribute, value) in [
@@ -97,14 +97,14 @@ impl LensSchema {
     /// Returns the lens model's name for the prim's documentation.
     pub(super) fn description(&self) -> &'static str {
         match &self.kind {
-            Kind::Pinhole(_) => "OpenCV's rational and thin-prism model",
-            Kind::Fisheye(_) => "OpenCV's fisheye model",
+            LensKind::Pinhole(_) => "OpenCV's rational and thin-prism model",
+            LensKind::Fisheye(_) => "OpenCV's fisheye model",
         }
     }
 }
 
 /// Returns the image size as `int2`.
-pub(super) fn int2(intrinsics: &Intrinsics, model: &str) -> Result<Value, AssetError> {
+pub(super) fn int2(intrinsics: &Intrinsics, model: &str) -> Result<SpecValue, AssetError> {
     let int = |value: u32| {
         i32::try_from(value).map_err(|_| AssetError::TooLarge {
             model: model.into(),
@@ -112,7 +112,7 @@ pub(super) fn int2(intrinsics: &Intrinsics, model: &str) -> Result<Value, AssetE
             value,
         })
     };
-    Ok(Value::Int2([
+    Ok(SpecValue::Int2([
         int(intrinsics.size.width)?,
         int(intrinsics.size.height)?,
     ]))

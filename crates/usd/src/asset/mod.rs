@@ -50,11 +50,11 @@ pub use error::AssetError;
 pub use files::{AssetFile, files};
 pub use names::{PrimNames, render_product_name};
 pub use oaktwin_catalog::LensChoice;
-pub use options::{AssetOptions, Format, IsaacVersion, Target};
+pub use options::{AssetOptions, AssetTarget, Format, IsaacVersion};
 pub use overrides::{OverrideBase, overrides};
 
 use crate::body;
-use crate::text::{Dictionary, Layer, Prim, UpAxis, Value};
+use crate::text::{Dictionary, Layer, PrimSpec, SpecValue, UpAxis};
 use crate::usdz;
 
 /// The name of the default prim.
@@ -115,7 +115,7 @@ pub fn asset(twin: &Twin, options: &AssetOptions) -> Result<Asset, AssetError> {
 
     let body = (options.body || options.rigid_body).then(|| body::body(twin));
 
-    let mut device_prim = Prim::def("Xform", &device.prim).documented(describe::device(twin, options));
+    let mut device_prim = PrimSpec::def("Xform", &device.prim).documented(describe::device(twin, options));
     for sensor in &twin.depth_sensors {
         device_prim
             .children
@@ -144,11 +144,11 @@ pub fn asset(twin: &Twin, options: &AssetOptions) -> Result<Asset, AssetError> {
         .depth_sensors
         .first()
         .map_or_else(String::new, |sensor| depth::assumed_names(sensor, options));
-    let mut root = Prim::def("Xform", ROOT).documented(describe::root(twin));
+    let mut root = PrimSpec::def("Xform", ROOT).documented(describe::root(twin));
     root.kind = Some("component".into());
     root.asset_info = Dictionary::from([
-        ("name".into(), Value::string(&device.id)),
-        ("version".into(), Value::string(env!("CARGO_PKG_VERSION"))),
+        ("name".into(), SpecValue::string(&device.id)),
+        ("version".into(), SpecValue::string(env!("CARGO_PKG_VERSION"))),
     ]);
     root.children.push(device_prim);
 
@@ -178,12 +178,12 @@ fn layer_data(twin: &Twin, options: &AssetOptions) -> Dictionary {
     };
     Dictionary::from([(
         "oaktwin".into(),
-        Value::Dictionary(Dictionary::from([
-            ("isaac".into(), Value::string(options.isaac.name())),
-            ("model".into(), Value::string(&twin.device.id)),
-            ("origin".into(), Value::string(origin)),
-            ("target".into(), Value::string(options.target.name())),
-            ("version".into(), Value::string(env!("CARGO_PKG_VERSION"))),
+        SpecValue::Dictionary(Dictionary::from([
+            ("isaac".into(), SpecValue::string(options.isaac.name())),
+            ("model".into(), SpecValue::string(&twin.device.id)),
+            ("origin".into(), SpecValue::string(origin)),
+            ("target".into(), SpecValue::string(options.target.name())),
+            ("version".into(), SpecValue::string(env!("CARGO_PKG_VERSION"))),
         ])),
     )])
 }
@@ -197,6 +197,6 @@ fn f32_of(value: f64) -> f32 {
     value as f32
 }
 
-fn float(value: f64) -> Value {
-    Value::Float(f32_of(value))
+fn float(value: f64) -> SpecValue {
+    SpecValue::Float(f32_of(value))
 }

@@ -10,7 +10,7 @@ pub struct AssetOptions {
     /// The Isaac Sim version whose schemas are used.
     pub isaac: IsaacVersion,
     /// The renderer.
-    pub target: Target,
+    pub target: AssetTarget,
     /// The stereo cameras' lenses if there is no calibration.
     pub lens: LensChoice,
     /// The conversion of a calibrated principal point to aperture offsets.
@@ -29,7 +29,7 @@ impl Default for AssetOptions {
     fn default() -> Self {
         Self {
             isaac: IsaacVersion::default(),
-            target: Target::default(),
+            target: AssetTarget::default(),
             lens: LensChoice::default(),
             aperture_offsets: ApertureOffsets::default(),
             extended_disparity: false,
@@ -55,7 +55,7 @@ choice! {
 
 choice! {
     /// The renderer that an asset is for. NVIDIA publishes no list of the attributes of ovrtx.
-    Target {
+    AssetTarget {
         /// The depth sensor's schema is on the render product.
         Isaac = "isaac",
         /// The depth sensor's schema is on the camera; experimental.

@@ -2,10 +2,10 @@ use oaktwin_base::diagnostic::{Finding, Level};
 use oaktwin_catalog::{Origin, Twin};
 
 use super::{
-    Asset, AssetError, AssetOptions, PRODUCTS, PrimNames, ROOT, Target, camera, depth, describe, float,
+    Asset, AssetError, AssetOptions, AssetTarget, PRODUCTS, PrimNames, ROOT, camera, depth, describe, float,
     guard, layer_data, lens, render_product_name,
 };
-use crate::text::{Layer, Prim, UpAxis};
+use crate::text::{Layer, PrimSpec, UpAxis};
 
 /// The asset that a layer of overrides builds on.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,12 +51,12 @@ pub fn overrides(twin: &Twin, options: &AssetOptions, base: &OverrideBase<'_>) -
     if twin.origin == Origin::Nominal {
         return Err(AssetError::NothingToOverride { model: model.clone() });
     }
-    let mut device = Prim::over(base.device);
-    let mut products = Prim::over(PRODUCTS);
+    let mut device = PrimSpec::over(base.device);
+    let mut products = PrimSpec::over(PRODUCTS);
     for sensor in &twin.depth_sensors {
         let name = base.names.of(&sensor.spec.prim);
         let source = &depth::source(twin, sensor)?;
-        let mut prim = Prim::over(name);
+        let mut prim = PrimSpec::over(name);
         add_optics(&mut prim, &camera::optics(twin, source, options));
         if let Some(lens) = lens::of_depth_camera(twin, source) {
             lens.author(&mut prim, model)?;
@@ -66,17 +66,17 @@ pub fn overrides(twin: &Twin, options: &AssetOptions, base: &OverrideBase<'_>) -
             float(sensor.focal_length_px),
         );
         match options.target {
-            Target::Isaac => {
-                let mut product = Prim::over(render_product_name(name));
+            AssetTarget::Isaac => {
+                let mut product = PrimSpec::over(render_product_name(name));
                 product.set(focal_length.0, focal_length.1);
                 products.children.push(product);
             }
-            Target::Ovrtx => prim.set(focal_length.0, focal_length.1),
+            AssetTarget::Ovrtx => prim.set(focal_length.0, focal_length.1),
         }
         device.children.push(prim);
     }
     for twin_camera in &twin.cameras {
-        let mut prim = Prim::over(base.names.of(&twin_camera.spec.prim));
+        let mut prim = PrimSpec::over(base.names.of(&twin_camera.spec.prim));
         add_optics(&mut prim, &camera::optics(twin, twin_camera, options));
         if let Some(lens) = lens::of_camera(twin, twin_camera, options) {
             lens.author(&mut prim, model)?;
@@ -94,7 +94,7 @@ pub fn overrides(twin: &Twin, options: &AssetOptions, base: &OverrideBase<'_>) -
         meters_per_unit: Some(base.meters_per_unit),
         up_axis: Some(base.up_axis),
         sub_layers: vec![base.asset.into()],
-        prims: vec![Prim::over(base.root).with_child(device)],
+        prims: vec![PrimSpec::over(base.root).with_child(device)],
     };
     guard::check(&layer, model)?;
     let mut findings = lens::findings(twin, options);
@@ -112,7 +112,7 @@ pub fn overrides(twin: &Twin, options: &AssetOptions, base: &OverrideBase<'_>) -
     })
 }
 
-fn add_optics(prim: &mut Prim, optics: &oaktwin_camera::UsdOptics) {
+fn add_optics(prim: &mut PrimSpec, optics: &oaktwin_camera::UsdOptics) {
     prim.set("focalLength", float(optics.focal_length_mm));
     camera::add_offsets(prim, optics);
 }

@@ -1,9 +1,9 @@
 use oaktwin_camera::{Axes, RigidTransform};
 
-use crate::text::{Prim, Value};
+use crate::text::{PrimSpec, SpecValue};
 
 /// Sets a prim's pose with `xformOp:translate` and `xformOp:orient`, the pair that Isaac Sim's tools write.
-pub(super) fn set(prim: &mut Prim, parent_from_prim: &RigidTransform) {
+pub(super) fn set(prim: &mut PrimSpec, parent_from_prim: &RigidTransform) {
     let t = parent_from_prim.translation;
     let q = parent_from_prim.quaternion();
     // Rounding to 1 pm and 1e-15 removes arithmetic noise, so that the text reads 0.0375.
@@ -11,15 +11,15 @@ pub(super) fn set(prim: &mut Prim, parent_from_prim: &RigidTransform) {
     let unit = |x: f64| tidy(x, 1e15);
     prim.set(
         "xformOp:translate",
-        Value::Double3([metres(t.x), metres(t.y), metres(t.z)]),
+        SpecValue::Double3([metres(t.x), metres(t.y), metres(t.z)]),
     );
     prim.set(
         "xformOp:orient",
-        Value::Quatd([unit(q.w), unit(q.x), unit(q.y), unit(q.z)]),
+        SpecValue::Quatd([unit(q.w), unit(q.x), unit(q.y), unit(q.z)]),
     );
     prim.set_uniform(
         "xformOpOrder",
-        Value::TokenArray(vec!["xformOp:translate".into(), "xformOp:orient".into()]),
+        SpecValue::TokenArray(vec!["xformOp:translate".into(), "xformOp:orient".into()]),
     );
 }
 

@@ -15,16 +15,16 @@ fn text(twin: &Twin, options: &AssetOptions) -> String {
 }
 
 /// Returns the prim at `/Root/DEVICE/PATH`.
-fn prim<'a>(asset: &'a Asset, path: &str) -> &'a Prim {
+fn prim<'a>(asset: &'a Asset, path: &str) -> &'a PrimSpec {
     path.split('/')
         .fold(&asset.layer.prims[0].children[0], |prim, name| {
             prim.child(name).unwrap_or_else(|| panic!("{path}"))
         })
 }
 
-fn number(prim: &Prim, name: &str) -> f64 {
+fn number(prim: &PrimSpec, name: &str) -> f64 {
     match prim.attribute(name).and_then(|attribute| attribute.value.clone()) {
-        Some(Value::Float(value)) => value.into(),
+        Some(SpecValue::Float(value)) => value.into(),
         other => panic!("{name}: {other:?}"),
     }
 }
@@ -159,8 +159,8 @@ fn cameras_look_forward_and_are_upright() {
     let asset = asset(&nominal_of("oak_d_pro_poe"), &plain()).unwrap();
     let left = prim(&asset, "Camera_left_ov9282");
     let value = |name: &str| left.attribute(name).unwrap().value.clone().unwrap();
-    assert_eq!(value("xformOp:translate"), Value::Double3([0.0, 0.0375, 0.0]));
-    let Value::Quatd([w, x, y, z]) = value("xformOp:orient") else {
+    assert_eq!(value("xformOp:translate"), SpecValue::Double3([0.0, 0.0375, 0.0]));
+    let SpecValue::Quatd([w, x, y, z]) = value("xformOp:orient") else {
         panic!("a quatd");
     };
     let q = oaktwin_camera::math::DQuat::from_xyzw(x, y, z, w);
@@ -181,8 +181,8 @@ fn isaac_version_selects_attribute_names_types_and_render_variables() {
     };
     let new = asset(&twin, &v6).unwrap();
     let value = |asset: &Asset| prim(asset, product).attribute(outlier).unwrap().value.clone();
-    assert_eq!(value(&old), Some(Value::Int(3)));
-    assert_eq!(value(&new), Some(Value::Bool(true)));
+    assert_eq!(value(&old), Some(SpecValue::Int(3)));
+    assert_eq!(value(&new), Some(SpecValue::Bool(true)));
     let depth_attributes = |asset: &Asset| {
         let product = prim(asset, product);
         let names = product.properties.iter().map(|p| p.name().to_owned());
@@ -215,7 +215,7 @@ fn isaac_version_selects_attribute_names_types_and_render_variables() {
 #[test]
 fn ovrtx_assets_apply_the_schema_to_the_camera_and_note_that_it_is_assumed() {
     let options = AssetOptions {
-        target: Target::Ovrtx,
+        target: AssetTarget::Ovrtx,
         ..plain()
     };
     let asset = asset(&nominal_of("oak_d_tof"), &options).unwrap();
@@ -277,7 +277,7 @@ fn rigid_bodies_have_mass_collider_and_materials() {
         1e-7,
     );
     let collider = prim(&made, "collisions").children[0].clone();
-    let Some(Value::Float3Array(extent)) = &collider.attribute("extent").unwrap().value else {
+    let Some(SpecValue::Float3Array(extent)) = &collider.attribute("extent").unwrap().value else {
         panic!("an extent");
     };
     // x is the depth, y the width, z the height.

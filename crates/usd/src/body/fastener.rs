@@ -3,15 +3,15 @@
 use oaktwin_camera::math::{DVec2, DVec3};
 
 use super::BodyPart;
-use super::loft::{End, Frame, loft};
+use super::loft::{End, LoftFrame, loft};
 use super::material;
-use super::mesh::Mesh;
+use super::mesh::BodyMesh;
 use super::outline::{COARSE, MEDIUM, circle, rounded_rectangle};
 
 /// Creates a round socket for a screw-on plug (M12 or M8, depending on the thread radius), `height` high on the wall at
 /// `base`, facing backward.
 pub(super) fn socket(name: &str, base: DVec3, thread_radius: f64, height: f64) -> [BodyPart; 2] {
-    let frame = Frame::backward(base);
+    let frame = LoftFrame::backward(base);
     let ring = |radius: f64| circle(DVec2::ZERO, radius, MEDIUM);
     let flange = thread_radius + 1.7;
     let step = 0.4 * height;
@@ -39,7 +39,7 @@ pub(super) fn socket(name: &str, base: DVec3, thread_radius: f64, height: f64) -
 
 /// Creates a USB-C receptacle in the wall at `base`, facing backward.
 pub(super) fn usb_c(base: DVec3, height: f64) -> BodyPart {
-    let frame = Frame::backward(base);
+    let frame = LoftFrame::backward(base);
     let slot = |grow: f64| rounded_rectangle(DVec2::ZERO, DVec2::new(4.2, 1.3) + grow, 1.3 + grow, COARSE);
     let stations = [
         (-0.5, slot(0.3)),
@@ -60,9 +60,9 @@ pub(super) fn screws(bases: impl IntoIterator<Item = DVec3>) -> BodyPart {
         (0.95, ring(1.1)),
         (-0.1, ring(1.0)),
     ];
-    let mut mesh = Mesh::default();
+    let mut mesh = BodyMesh::default();
     for base in bases {
-        mesh.append(&loft(Frame::backward(base), &stations, End::Flat, End::Flat));
+        mesh.append(&loft(LoftFrame::backward(base), &stations, End::Flat, End::Flat));
     }
     mesh.into_part("screws", material::NICKEL)
 }

@@ -1,7 +1,7 @@
 use oaktwin_camera::math::DVec2;
 use oaktwin_catalog::{BodyShape, Role, Twin};
 
-use super::loft::{End, Frame, loft};
+use super::loft::{End, LoftFrame, loft};
 use super::material;
 use super::outline::{FINE, Outline, circle, fraction, rounded_rectangle};
 use super::plate::{Opening, plate};
@@ -115,7 +115,7 @@ fn glass(panel: &Panel) -> BodyPart {
         .collect();
     let mesh = if openings.is_empty() {
         let stations: Vec<_> = levels.into_iter().zip(outer).collect();
-        loft(Frame::FORWARD, &stations, End::Flat, End::Flat)
+        loft(LoftFrame::FORWARD, &stations, End::Flat, End::Flat)
     } else {
         plate(&outer, levels, &openings, &panel.cuts)
     };
@@ -147,7 +147,7 @@ fn hood(window: &Window, panel: &Panel) -> Option<BodyPart> {
     let lens = window.outline(window.lens_x, 0.0);
     stations.push((window.lens_x, lens.clone()));
     stations.push((back_x, lens));
-    let mesh = loft(Frame::FORWARD, &stations, End::Closed, End::Closed);
+    let mesh = loft(LoftFrame::FORWARD, &stations, End::Closed, End::Closed);
     Some(mesh.into_part(&format!("hood_{}", window.suffix()), material::PLASTIC))
 }
 
@@ -161,7 +161,7 @@ fn bezel(window: &Window, panel: &Panel) -> BodyPart {
         (x + 0.1, ring(0.1)),
         (x - 0.1, ring(0.05)),
     ];
-    loft(Frame::FORWARD, &stations, End::Closed, End::Closed)
+    loft(LoftFrame::FORWARD, &stations, End::Closed, End::Closed)
         .into_part(&format!("bezel_{}", window.suffix()), material::NICKEL)
 }
 
@@ -178,7 +178,7 @@ fn lens(window: &Window, panel: &Panel) -> [BodyPart; 2] {
         (top, ring(0.82)),
         (top - 1.2, ring(0.74)),
     ];
-    let barrel = loft(Frame::FORWARD, &barrel, End::Flat, End::Flat);
+    let barrel = loft(LoftFrame::FORWARD, &barrel, End::Flat, End::Flat);
     // A spherical cap whose sagitta is 0.3 times the radius of its base.
     let (base_x, base, sagitta) = (top - 1.35, 0.76 * radius, 0.3 * 0.76 * radius);
     let sphere = (base * base + sagitta * sagitta) / (2.0 * sagitta);
@@ -189,7 +189,12 @@ fn lens(window: &Window, panel: &Panel) -> [BodyPart; 2] {
         let x = base_x + sphere * (angle.cos() - widest.cos());
         element.push((x, circle(window.centre, sphere * angle.sin(), FINE)));
     }
-    let element = loft(Frame::FORWARD, &element, End::Flat, End::Pole(base_x + sagitta));
+    let element = loft(
+        LoftFrame::FORWARD,
+        &element,
+        End::Flat,
+        End::Pole(base_x + sagitta),
+    );
     [
         barrel.into_part(&format!("barrel_{}", window.suffix()), material::PLASTIC),
         element.into_part(&format!("lens_{}", window.suffix()), material::LENS),
@@ -224,10 +229,10 @@ fn lights(twin: &Twin, envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
             (x + 0.06, window(centre, half, 1.0, 0.1)),
         ];
         parts.push(
-            loft(Frame::FORWARD, &frame, End::Closed, End::Closed)
+            loft(LoftFrame::FORWARD, &frame, End::Closed, End::Closed)
                 .into_part(&format!("{name}_frame"), material::PLASTIC),
         );
-        parts.push(loft(Frame::FORWARD, &pane, End::Flat, End::Flat).into_part(name, material::INFRARED));
+        parts.push(loft(LoftFrame::FORWARD, &pane, End::Flat, End::Flat).into_part(name, material::INFRARED));
     };
     if let Some([_, y, z]) = twin.device.body.projector_mm {
         let projector = DVec2::new(y, z);
@@ -266,8 +271,8 @@ fn flood_light(centre: DVec2, x: f64) -> [BodyPart; 2] {
         (x + 0.18, ring(0.9)),
     ];
     [
-        loft(Frame::FORWARD, &seat, End::Flat, End::Flat).into_part("flood_led_seat", material::PLASTIC),
-        loft(Frame::FORWARD, &dome, End::Flat, End::Pole(x + 0.25)).into_part("flood_led", material::LED),
+        loft(LoftFrame::FORWARD, &seat, End::Flat, End::Flat).into_part("flood_led_seat", material::PLASTIC),
+        loft(LoftFrame::FORWARD, &dome, End::Flat, End::Pole(x + 0.25)).into_part("flood_led", material::LED),
     ]
 }
 

@@ -4,9 +4,9 @@ use oaktwin_camera::math::{DVec2, DVec3};
 use oaktwin_catalog::BodyShape;
 
 use super::front::Panel;
-use super::loft::{End, Frame, loft};
+use super::loft::{End, LoftFrame, loft};
 use super::material;
-use super::mesh::Mesh;
+use super::mesh::BodyMesh;
 use super::outline::{COARSE, FINE, Outline, fraction, rounded_rectangle};
 use super::{BodyPart, Envelope, fastener};
 
@@ -32,7 +32,7 @@ pub(super) fn collider(envelope: &Envelope, family: BodyShape) -> BodyPart {
     let radius = envelope.corner_radius(family);
     let outline = || rounded_rectangle(envelope.centre(), envelope.half, radius, 2);
     let stations = [(envelope.back_x(), outline()), (envelope.front.x, outline())];
-    loft(Frame::FORWARD, &stations, End::Flat, End::Flat).into_part("collider", material::ALUMINIUM)
+    loft(LoftFrame::FORWARD, &stations, End::Flat, End::Flat).into_part("collider", material::ALUMINIUM)
 }
 
 /// Creates the block that holds the glass, from `back_x` to the front face, as wide and high as the envelope.
@@ -75,11 +75,11 @@ fn shell(
     }
     stations.push((front_x, panel.pocket()));
     stations.push((panel.floor_x, panel.pocket()));
-    loft(Frame::FORWARD, &stations, End::Flat, End::Flat).into_part("shell", metal)
+    loft(LoftFrame::FORWARD, &stations, End::Flat, End::Flat).into_part("shell", metal)
 }
 
 /// Creates a vertical fin centred at `y` that spans `x` and `z`.
-fn fin(y: f64, thickness: f64, x: [f64; 2], z: [f64; 2]) -> Mesh {
+fn fin(y: f64, thickness: f64, x: [f64; 2], z: [f64; 2]) -> BodyMesh {
     let centre = DVec2::new((z[0] + z[1]) / 2.0, (x[0] + x[1]) / 2.0);
     let half = DVec2::new((z[1] - z[0]).abs() / 2.0, (x[1] - x[0]).abs() / 2.0);
     let bevel = 0.25 * thickness;
@@ -91,7 +91,7 @@ fn fin(y: f64, thickness: f64, x: [f64; 2], z: [f64; 2]) -> Mesh {
         (thickness / 2.0, outline(bevel)),
     ];
     loft(
-        Frame::left(DVec3::new(0.0, y, 0.0)),
+        LoftFrame::left(DVec3::new(0.0, y, 0.0)),
         &stations,
         End::Flat,
         End::Flat,
@@ -115,7 +115,7 @@ fn bar(envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
     let wall = back + fins;
     let mut parts = vec![shell(envelope, BodyShape::Bar, panel, wall, material::ALUMINIUM)];
     let reach = half.y - 4.0;
-    let mut comb = Mesh::default();
+    let mut comb = BodyMesh::default();
     for y in spread(0.47 * half.x, 4.4) {
         let z = [centre.y - reach, centre.y + reach];
         comb.append(&fin(centre.x + y, 1.7, [back, wall + 1.5], z));
@@ -152,7 +152,7 @@ fn compact(envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
         wall,
         material::ALUMINIUM,
     )];
-    let mut comb = Mesh::default();
+    let mut comb = BodyMesh::default();
     for y in spread(0.78 * half.x, 4.4) {
         let z = [centre.y - 0.08 * half.y, centre.y + half.y - 4.0];
         comb.append(&fin(centre.x + y, 1.7, [back, wall + 1.5], z));
@@ -193,13 +193,13 @@ fn comb(envelope: &Envelope, panel: &Panel) -> Vec<BodyPart> {
         (wall + 0.8, core(0.0)),
         (block_back + 3.0, core(0.0)),
     ];
-    parts.push(loft(Frame::FORWARD, &stations, End::Flat, End::Flat).into_part("core", metal));
+    parts.push(loft(LoftFrame::FORWARD, &stations, End::Flat, End::Flat).into_part("core", metal));
 
     let radius = envelope.corner_radius(BodyShape::Comb);
     let bay_half = 0.36 * half.x;
     let thickness = 1.9;
     let reach = half.y;
-    let mut fins = Mesh::default();
+    let mut fins = BodyMesh::default();
     // Fins cover the width over which the block's rounded corners leave its full height.
     for y in spread(half.x - radius.max(3.0) - thickness / 2.0, 4.8) {
         let bottom = if y.abs() < bay_half { 0.1 * half.y } else { -reach };

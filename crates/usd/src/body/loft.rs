@@ -1,18 +1,18 @@
 use oaktwin_camera::math::{DVec2, DVec3};
 
-use super::mesh::Mesh;
+use super::mesh::BodyMesh;
 use super::outline::Outline;
 
 /// A right-handed frame: outlines lie in (u, v) and are swept along w.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
+pub(super) struct LoftFrame {
     origin: DVec3,
     u: DVec3,
     v: DVec3,
     w: DVec3,
 }
 
-impl Frame {
+impl LoftFrame {
     /// The frame that points forward: (u, v, w) is (y, z, x).
     pub(super) const FORWARD: Self = Self {
         origin: DVec3::ZERO,
@@ -59,8 +59,8 @@ pub(super) enum End {
 
 /// Joins outlines of equal length, in order. Along +w the surface faces outward, along -w inward (the wall of a
 /// pocket).
-pub(super) fn loft(frame: Frame, stations: &[(f64, Outline)], start: End, end: End) -> Mesh {
-    let mut mesh = Mesh::default();
+pub(super) fn loft(frame: LoftFrame, stations: &[(f64, Outline)], start: End, end: End) -> BodyMesh {
+    let mut mesh = BodyMesh::default();
     let Some(count) = stations.first().map(|(_, outline)| outline.len()) else {
         return mesh;
     };
@@ -86,7 +86,7 @@ pub(super) fn loft(frame: Frame, stations: &[(f64, Outline)], start: End, end: E
     mesh
 }
 
-fn cap(mesh: &mut Mesh, frame: Frame, outline: &[DVec2], first: usize, end: End, reversed: bool) {
+fn cap(mesh: &mut BodyMesh, frame: LoftFrame, outline: &[DVec2], first: usize, end: End, reversed: bool) {
     let count = outline.len();
     match end {
         End::Flat => {

@@ -7,13 +7,13 @@ const CREASE_COS: f64 = 0.819_152_044_288_991_8;
 
 /// A mesh under construction in the body frame, mm.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Mesh {
+pub(super) struct BodyMesh {
     pub(super) points: Vec<DVec3>,
     counts: Vec<usize>,
     indices: Vec<usize>,
 }
 
-impl Mesh {
+impl BodyMesh {
     pub(super) fn triangle(&mut self, a: usize, b: usize, c: usize) {
         self.counts.push(3);
         self.indices.extend([a, b, c]);

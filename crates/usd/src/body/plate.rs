@@ -1,7 +1,7 @@
 use oaktwin_camera::math::DVec2;
 
-use super::loft::Frame;
-use super::mesh::Mesh;
+use super::loft::LoftFrame;
+use super::mesh::BodyMesh;
 use super::outline::Outline;
 
 /// A convex opening through a plate, with front and back outlines of equal length.
@@ -14,9 +14,9 @@ pub(super) struct Opening {
 /// Creates a plate with openings whose outer outline is `outer[i]` at x = `levels[i]`, from back to front.
 ///
 /// The openings are sorted by descending u. `cuts` holds the u of the lines between them, one fewer.
-pub(super) fn plate(outer: &[Outline; 3], levels: [f64; 3], openings: &[Opening], cuts: &[f64]) -> Mesh {
-    let frame = Frame::FORWARD;
-    let mut mesh = Mesh::default();
+pub(super) fn plate(outer: &[Outline; 3], levels: [f64; 3], openings: &[Opening], cuts: &[f64]) -> BodyMesh {
+    let frame = LoftFrame::FORWARD;
+    let mut mesh = BodyMesh::default();
     // Seams cross the outer outline at the same fraction of the same edges on every level.
     let splits = split(&outer[0], cuts);
     let rings: Vec<Vec<usize>> = outer
@@ -67,33 +67,33 @@ pub(super) fn plate(outer: &[Outline; 3], levels: [f64; 3], openings: &[Opening]
 
 /// A point on an outline: a fraction of the edge that starts at a vertex, and the cut that created it, if any.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct OutlinePoint {
     edge: usize,
     share: f64,
     cut: Option<usize>,
 }
 
-impl Place {
+impl OutlinePoint {
     fn on(&self, outline: &[DVec2]) -> DVec2 {
         outline[self.edge].lerp(outline[(self.edge + 1) % outline.len()], self.share)
     }
 }
 
 /// Returns the vertices of an outline and its intersections with vertical lines.
-fn split(outline: &[DVec2], cuts: &[f64]) -> Vec<Place> {
+fn split(outline: &[DVec2], cuts: &[f64]) -> Vec<OutlinePoint> {
     let mut places = Vec::with_capacity(outline.len() + 2 * cuts.len());
     for edge in 0..outline.len() {
-        places.push(Place {
+        places.push(OutlinePoint {
             edge,
             share: 0.0,
             cut: None,
         });
         let (a, b) = (outline[edge].x, outline[(edge + 1) % outline.len()].x);
-        let mut crossed: Vec<Place> = cuts
+        let mut crossed: Vec<OutlinePoint> = cuts
             .iter()
             .enumerate()
             .filter(|(_, u)| (a - **u) * (b - **u) < 0.0)
-            .map(|(cut, &u)| Place {
+            .map(|(cut, &u)| OutlinePoint {
                 edge,
                 share: (u - a) / (b - a),
                 cut: Some(cut),
@@ -106,7 +106,7 @@ fn split(outline: &[DVec2], cuts: &[f64]) -> Vec<Place> {
 }
 
 /// Returns the upper and the lower point of a cut.
-fn seam(places: &[Place], flat: &[DVec2], cut: usize) -> (usize, usize) {
+fn seam(places: &[OutlinePoint], flat: &[DVec2], cut: usize) -> (usize, usize) {
     let mut on_cut = (0..places.len()).filter(|&i| places[i].cut == Some(cut));
     let (a, b) = (on_cut.next().unwrap_or(0), on_cut.next().unwrap_or(0));
     if flat[a].y > flat[b].y { (a, b) } else { (b, a) }
@@ -131,7 +131,7 @@ fn cell(count: usize, index: usize, seams: &[(usize, usize)]) -> Vec<usize> {
     }
 }
 
-fn walls(mesh: &mut Mesh, near: &[usize], far: &[usize]) {
+fn walls(mesh: &mut BodyMesh, near: &[usize], far: &[usize]) {
     for i in 0..near.len() {
         let j = (i + 1) % near.len();
         mesh.quad(near[i], near[j], far[j], far[i]);
@@ -142,13 +142,13 @@ fn walls(mesh: &mut Mesh, near: &[usize], far: &[usize]) {
 ///
 /// Each edge of one ring is joined to the vertex of the other that lies farthest along the edge's normal; by convexity
 /// no triangle is flipped. Edges are visited in order of direction, once around both rings.
-fn bridge(mesh: &mut Mesh, hole: &[usize], cell: &[usize], reversed: bool) {
-    let at = |mesh: &Mesh, i: usize| DVec2::new(mesh.points[i].y, mesh.points[i].z);
-    let edge = |mesh: &Mesh, ring: &[usize], i: usize| {
+fn bridge(mesh: &mut BodyMesh, hole: &[usize], cell: &[usize], reversed: bool) {
+    let at = |mesh: &BodyMesh, i: usize| DVec2::new(mesh.points[i].y, mesh.points[i].z);
+    let edge = |mesh: &BodyMesh, ring: &[usize], i: usize| {
         at(mesh, ring[(i + 1) % ring.len()]) - at(mesh, ring[i % ring.len()])
     };
     let normal = -edge(mesh, hole, 0).perp();
-    let along = |mesh: &Mesh, i: usize| at(mesh, cell[i]).dot(normal);
+    let along = |mesh: &BodyMesh, i: usize| at(mesh, cell[i]).dot(normal);
     let start = (0..cell.len())
         .max_by(|&a, &b| along(mesh, a).total_cmp(&along(mesh, b)))
         .unwrap_or(0);

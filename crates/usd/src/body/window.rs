@@ -22,16 +22,16 @@ pub(super) struct Window {
     pub(super) lens_x: f64,
     pub(super) lens_radius: f64,
     front_x: f64,
-    shape: Shape,
+    shape: WindowShape,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Shape {
+enum WindowShape {
     Round(f64),
     Rectangle(DVec2),
 }
 
-impl Shape {
+impl WindowShape {
     fn outline(self, centre: DVec2, grow: f64) -> Outline {
         match self {
             Self::Round(radius) => circle(centre, radius + grow, FINE),
@@ -129,7 +129,7 @@ impl Candidate {
                 lens_x: centre.x,
                 lens_radius,
                 front_x,
-                shape: Shape::Round((radius + MARGIN).max(min_half)),
+                shape: WindowShape::Round((radius + MARGIN).max(min_half)),
             },
             rectangle: (extent + MARGIN).max(DVec2::splat(min_half)),
         })
@@ -182,7 +182,7 @@ pub(super) fn fit(
         .collect();
     for (candidate, tight) in candidates.iter_mut().zip(tight) {
         if tight {
-            candidate.window.shape = Shape::Rectangle(candidate.rectangle);
+            candidate.window.shape = WindowShape::Rectangle(candidate.rectangle);
         }
     }
     let mut windows: Vec<Window> = candidates.into_iter().map(|candidate| candidate.window).collect();

@@ -1,10 +1,10 @@
 use oaktwin_base::diagnostic::{Finding, Level, nearest};
 
 use super::rule::Rule;
-use super::scene::{CheckedCamera, DepthSensor, Generation};
+use super::scene::{CheckedCamera, CheckedDepthSensor, Generation};
 use crate::depth_sensor::attribute_types;
 use crate::nvidia::{OUTLIER_REMOVAL, PRODUCT_NAMESPACE};
-use crate::stage::Value;
+use crate::stage::AttributeValue;
 
 pub(super) const CAMERA_TYPE: Rule = Rule {
     code: "camera-type",
@@ -71,7 +71,7 @@ pub(super) fn camera_rules(camera: &CheckedCamera<'_>, findings: &mut Vec<Findin
     }
 }
 
-pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>) {
+pub(super) fn depth_rules(sensor: &CheckedDepthSensor<'_>, findings: &mut Vec<Finding>) {
     let path = &sensor.prim.path;
     let namespace = sensor.generation.namespace();
     for (name, attribute) in sensor.prim.in_namespace(namespace) {
@@ -98,7 +98,8 @@ pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>)
                 format!("author it as `{expected}`"),
             ));
         }
-        if let Some(Value::Int(mode)) = attribute.value.as_ref().filter(|_| name == "rgbDepthOutputMode")
+        if let Some(AttributeValue::Int(mode)) =
+            attribute.value.as_ref().filter(|_| name == "rgbDepthOutputMode")
             && !(0..=7).contains(mode)
         {
             findings.push(super::depth::DEPTH_VALUE.with_remedy(

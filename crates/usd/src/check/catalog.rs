@@ -5,7 +5,7 @@ use oaktwin_catalog::{Twin, TwinDepthSensor};
 
 use super::depth::Parameters;
 use super::rule::Rule;
-use super::scene::{CheckedCamera, DepthSensor, Scene};
+use super::scene::{CheckedCamera, CheckedDepthSensor, CheckedScene};
 use super::units::slip;
 use super::{brief, num, same};
 use crate::asset::PrimNames;
@@ -28,7 +28,11 @@ const PRINTED_MM: f64 = 5.5e-5;
 /// The maximum relative deviation of a unit's focal length from its model's. Five factory calibrations: up to 2.1 %.
 const CALIBRATED: f64 = 0.1;
 
-pub(super) fn camera_rules(scene: &Scene<'_>, camera: &CheckedCamera<'_>, findings: &mut Vec<Finding>) {
+pub(super) fn camera_rules(
+    scene: &CheckedScene<'_>,
+    camera: &CheckedCamera<'_>,
+    findings: &mut Vec<Finding>,
+) {
     let Some(known) = camera.known else { return };
     let expected = known.optics();
     let model = &known.twin.device.name;
@@ -108,7 +112,7 @@ pub(super) fn camera_rules(scene: &Scene<'_>, camera: &CheckedCamera<'_>, findin
     }
 }
 
-pub(super) fn depth_rules(sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>) {
+pub(super) fn depth_rules(sensor: &CheckedDepthSensor<'_>, findings: &mut Vec<Finding>) {
     let Some(known) = sensor.known else { return };
     let spec = &known.spec;
     let parameters = Parameters::of(sensor);
@@ -158,7 +162,7 @@ fn focal_length(path: &str, known: &TwinDepthSensor, value: f64, findings: &mut 
 }
 
 /// Reports missing cameras and depth sensors of a model, as a note if the model was only recognised.
-pub(super) fn scene_rules(scene: &Scene<'_>, model: Option<&Twin>, findings: &mut Vec<Finding>) {
+pub(super) fn scene_rules(scene: &CheckedScene<'_>, model: Option<&Twin>, findings: &mut Vec<Finding>) {
     let mut twins: Vec<&Twin> = model.into_iter().collect();
     for camera in &scene.cameras {
         if let Some(known) = camera.known

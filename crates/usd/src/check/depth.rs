@@ -4,7 +4,7 @@ use oaktwin_base::parameter::{Kind, Table};
 use oaktwin_catalog::{DepthKind, DepthSensor as Spec};
 
 use super::rule::Rule;
-use super::scene::{CheckedCamera, DepthSensor, Scene};
+use super::scene::{CheckedCamera, CheckedDepthSensor, CheckedScene};
 use super::{num, same};
 
 pub(super) const DEPTH_VALUE: Rule = Rule {
@@ -73,11 +73,11 @@ const FOCAL_LENGTH_TOLERANCE_PX: f64 = 0.5 + 1e-3;
 /// The numbers of a depth sensor, authored or the schema's defaults (Isaac Sim 5.1).
 #[derive(Clone, Copy)]
 pub(super) struct Parameters<'a> {
-    sensor: &'a DepthSensor<'a>,
+    sensor: &'a CheckedDepthSensor<'a>,
 }
 
 impl<'a> Parameters<'a> {
-    pub(super) fn of(sensor: &'a DepthSensor<'a>) -> Self {
+    pub(super) fn of(sensor: &'a CheckedDepthSensor<'a>) -> Self {
         Self { sensor }
     }
 
@@ -115,7 +115,7 @@ impl<'a> Parameters<'a> {
     }
 }
 
-pub(super) fn rules(scene: &Scene<'_>, sensor: &DepthSensor<'_>, findings: &mut Vec<Finding>) {
+pub(super) fn rules(scene: &CheckedScene<'_>, sensor: &CheckedDepthSensor<'_>, findings: &mut Vec<Finding>) {
     let parameters = Parameters::of(sensor);
     let path = &sensor.prim.path;
     if !values(path, &parameters, findings) {
@@ -206,8 +206,8 @@ fn focal_length(
 }
 
 fn sensor_size(
-    scene: &Scene<'_>,
-    sensor: &DepthSensor<'_>,
+    scene: &CheckedScene<'_>,
+    sensor: &CheckedDepthSensor<'_>,
     parameters: &Parameters<'_>,
     findings: &mut Vec<Finding>,
 ) {
@@ -262,7 +262,7 @@ fn min_distance(path: &str, parameters: &Parameters<'_>, spec: Option<&Spec>, fi
 }
 
 fn clipping(
-    scene: &Scene<'_>,
+    scene: &CheckedScene<'_>,
     path: &str,
     parameters: &Parameters<'_>,
     camera: &CheckedCamera<'_>,

@@ -25,7 +25,7 @@ use oaktwin_catalog::{Catalog, Twin};
 
 use crate::stage::{SceneLimit, Stage, StageError, open};
 
-pub use report::{CameraReport, DepthReport, LensReport, Report, View};
+pub use report::{CheckReport, LensReport, PinholeReport, UsdCameraReport, UsdDepthReport};
 pub use rule::Rule;
 pub use scene::ResolutionSource;
 
@@ -103,15 +103,15 @@ impl Default for CheckOptions<'static> {
 ///
 /// # Errors
 /// Returns an error if the file cannot be read as USD, as [`open`] does. Problems in its content are findings.
-pub fn check(path: impl AsRef<Path>, options: &CheckOptions<'_>) -> Result<Report, StageError> {
+pub fn check(path: impl AsRef<Path>, options: &CheckOptions<'_>) -> Result<CheckReport, StageError> {
     Ok(check_stage(&open(path, options.limit)?, options))
 }
 
 /// Checks an open stage.
 #[must_use]
-pub fn check_stage(stage: &Stage, options: &CheckOptions<'_>) -> Report {
+pub fn check_stage(stage: &Stage, options: &CheckOptions<'_>) -> CheckReport {
     let twins = options.catalog.nominals();
-    let scene = scene::Scene::new(stage, &twins, options.model);
+    let scene = scene::CheckedScene::new(stage, &twins, options.model);
     let mut findings = stage.findings.clone();
     stage::rules(stage, &mut findings);
     for camera in &scene.cameras {

@@ -3,29 +3,29 @@ use oaktwin_camera::{ImageSize, Intrinsics, Usd};
 use serde::Serialize;
 
 use super::depth::Parameters;
-use super::scene::{CheckedCamera, DepthSensor, Generation, ResolutionSource, Scene};
+use super::scene::{CheckedCamera, CheckedDepthSensor, CheckedScene, Generation, ResolutionSource};
 use crate::lens::Lens;
 use crate::nvidia::{CAMERA_SCHEMA, PRODUCT_SCHEMA};
 use crate::stage::StageMetadata;
 
 /// The result of checking a file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Report {
+pub struct CheckReport {
     /// The file's path as given by the caller.
     pub file: String,
     /// The root layer's metadata.
     pub stage: StageMetadata,
     /// The cameras, in stage order.
-    pub cameras: Vec<CameraReport>,
+    pub cameras: Vec<UsdCameraReport>,
     /// The depth sensors, in stage order.
-    pub depth_sensors: Vec<DepthReport>,
+    pub depth_sensors: Vec<UsdDepthReport>,
     /// The findings: errors, warnings, then notes, each sorted by place.
     pub findings: Vec<Finding>,
 }
 
 /// A camera as interpreted by Isaac Sim and by OpenUSD.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct CameraReport {
+pub struct UsdCameraReport {
     /// The path of the camera prim.
     pub path: String,
     /// The name of the model that it was checked against, if given or recognised.
@@ -36,16 +36,16 @@ pub struct CameraReport {
     pub resolution_from: ResolutionSource,
     /// Isaac Sim's intrinsics: square pixels, centred. `None` if the attributes are invalid or the camera is not
     /// perspective.
-    pub isaac: Option<View>,
+    pub isaac: Option<PinholeReport>,
     /// OpenUSD's intrinsics: each axis by its aperture, with aperture offsets.
-    pub openusd: Option<View>,
+    pub openusd: Option<PinholeReport>,
     /// The lens-distortion schema, whose parameters Isaac Sim's renderer uses instead.
     pub lens: Option<LensReport>,
 }
 
 /// Pinhole intrinsics at the report's resolution.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct View {
+pub struct PinholeReport {
     /// The horizontal focal length, px.
     pub fx: f64,
     /// The vertical focal length, px.
@@ -79,7 +79,7 @@ pub struct LensReport {
 
 /// A depth sensor.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct DepthReport {
+pub struct UsdDepthReport {
     /// The path of the prim that carries its attributes.
     pub path: String,
     /// The schema.
@@ -104,7 +104,7 @@ pub struct DepthReport {
     pub nearest_by_disparity_m: f64,
 }
 
-impl Report {
+impl CheckReport {
     /// Returns the most severe level among the findings.
     #[must_use]
     pub fn worst(&self) -> Option<Level> {
@@ -112,8 +112,8 @@ impl Report {
     }
 }
 
-pub(super) fn report(scene: &Scene<'_>, findings: Vec<Finding>) -> Report {
-    Report {
+pub(super) fn report(scene: &CheckedScene<'_>, findings: Vec<Finding>) -> CheckReport {
+    CheckReport {
         file: scene.stage.file.clone(),
         stage: scene.stage.metadata.clone(),
         cameras: scene.cameras.iter().map(camera_report).collect(),
@@ -126,13 +126,13 @@ pub(super) fn report(scene: &Scene<'_>, findings: Vec<Finding>) -> Report {
     }
 }
 
-fn camera_report(camera: &CheckedCamera<'_>) -> CameraReport {
+fn camera_report(camera: &CheckedCamera<'_>) -> UsdCameraReport {
     let optics = camera.camera.optics();
     let perspective = camera.camera.is_perspective();
     let view = |k: Intrinsics| {
         let sound = [k.fx, k.fy].iter().all(|f| f.is_finite() && *f > 0.0);
         let c = k.principal_point::<Usd>();
-        let view = View {
+        let view = PinholeReport {
             fx: k.fx,
             fy: k.fy,
             cx: c.x,
@@ -143,7 +143,7 @@ fn camera_report(camera: &CheckedCamera<'_>) -> CameraReport {
         };
         (perspective && sound && c.x.is_finite() && c.y.is_finite()).then_some(view)
     };
-    CameraReport {
+    UsdCameraReport {
         path: camera.path().to_owned(),
         model: camera.known.map(|known| known.twin.device.name.clone()),
         resolution: camera.resolution,
@@ -164,7 +164,7 @@ fn lens_report(lens: &Lens) -> LensReport {
     }
 }
 
-fn depth_report(scene: &Scene<'_>, sensor: &DepthSensor<'_>) -> DepthReport {
+fn depth_report(scene: &CheckedScene<'_>, sensor: &CheckedDepthSensor<'_>) -> UsdDepthReport {
     let parameters = Parameters::of(sensor);
     // The shortest decimal that identifies the float: 0.2 rather than 0.20000000298.
     let decimal = |name| {
@@ -181,7 +181,7 @@ fn depth_report(scene: &Scene<'_>, sensor: &DepthSensor<'_>) -> DepthReport {
             .into_iter()
             .collect(),
     };
-    DepthReport {
+    UsdDepthReport {
         path: sensor.prim.path.clone(),
         schema: match sensor.generation {
             Generation::Product => PRODUCT_SCHEMA,

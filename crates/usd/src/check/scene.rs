@@ -15,10 +15,10 @@ use crate::stage::{Prim, RenderProduct, SceneCamera, Stage};
 /// OpenUSD's fallback for `metersPerUnit`.
 pub(super) const FALLBACK_METERS_PER_UNIT: f64 = 0.01;
 
-pub(super) struct Scene<'a> {
+pub(super) struct CheckedScene<'a> {
     pub stage: &'a Stage,
     pub cameras: Vec<CheckedCamera<'a>>,
-    pub depth_sensors: Vec<DepthSensor<'a>>,
+    pub depth_sensors: Vec<CheckedDepthSensor<'a>>,
 }
 
 /// A camera with its lens, catalog entry and products.
@@ -54,11 +54,11 @@ impl Known<'_> {
 }
 
 /// A prim with a depth sensor's attributes, and the sensor's camera.
-pub(super) struct DepthSensor<'a> {
+pub(super) struct CheckedDepthSensor<'a> {
     pub prim: &'a Prim,
     pub generation: Generation,
     pub product: Option<&'a RenderProduct>,
-    /// The camera's index in [`Scene::cameras`].
+    /// The camera's index in [`CheckedScene::cameras`].
     pub camera: Option<usize>,
     pub known: Option<&'a TwinDepthSensor>,
 }
@@ -95,7 +95,7 @@ impl Generation {
     }
 }
 
-impl<'a> Scene<'a> {
+impl<'a> CheckedScene<'a> {
     pub(super) fn new(stage: &'a Stage, twins: &'a [Twin], model: Option<&'a Twin>) -> Self {
         let cameras: Vec<CheckedCamera> = stage
             .cameras
@@ -119,7 +119,7 @@ impl<'a> Scene<'a> {
                     [target] => position(&target.path),
                     _ => None,
                 };
-                depth_sensors.push(DepthSensor {
+                depth_sensors.push(CheckedDepthSensor {
                     prim,
                     generation: Generation::Product,
                     product: Some(product),
@@ -131,7 +131,7 @@ impl<'a> Scene<'a> {
         for (index, camera) in stage.cameras.iter().enumerate() {
             let prim = &camera.prim;
             if prim.has_api(CAMERA_SCHEMA) || prim.in_namespace(CAMERA_NAMESPACE).next().is_some() {
-                depth_sensors.push(DepthSensor {
+                depth_sensors.push(CheckedDepthSensor {
                     prim,
                     generation: Generation::Camera,
                     product: cameras[index].products.first().map(|(product, _)| *product),
@@ -147,7 +147,7 @@ impl<'a> Scene<'a> {
         }
     }
 
-    pub(super) fn camera(&self, sensor: &DepthSensor<'_>) -> Option<&CheckedCamera<'a>> {
+    pub(super) fn camera(&self, sensor: &CheckedDepthSensor<'_>) -> Option<&CheckedCamera<'a>> {
         self.cameras.get(sensor.camera?)
     }
 

@@ -1,7 +1,7 @@
 use oaktwin_base::diagnostic::{Finding, Level};
 
 use super::rule::Rule;
-use super::scene::{Generation, Scene};
+use super::scene::{CheckedScene, Generation};
 use crate::lens;
 use crate::nvidia::{CAMERA_NAMESPACE, CAMERA_SCHEMA, PRODUCT_NAMESPACE, PRODUCT_SCHEMA, SENSOR_SCHEMA};
 use crate::stage::Prim;
@@ -60,7 +60,7 @@ const FAMILIES: [Family; 3] = [
     },
 ];
 
-pub(super) fn rules(scene: &Scene<'_>, findings: &mut Vec<Finding>) {
+pub(super) fn rules(scene: &CheckedScene<'_>, findings: &mut Vec<Finding>) {
     let stage = scene.stage;
     let cameras = stage.cameras.iter().map(|camera| &camera.prim);
     let products = stage.products.iter().map(|product| &product.prim);
@@ -115,7 +115,7 @@ fn family_rules(prim: &Prim, family: &Family, findings: &mut Vec<Finding>) {
     }
 }
 
-fn conflicts(scene: &Scene<'_>, findings: &mut Vec<Finding>) {
+fn conflicts(scene: &CheckedScene<'_>, findings: &mut Vec<Finding>) {
     for camera in &scene.cameras {
         let prim = &camera.camera.prim;
         if !prim.has_api(CAMERA_SCHEMA) {

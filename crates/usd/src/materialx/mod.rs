@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 
 use document::Element;
 
-use crate::text::{Attribute, Layer, Prim, Value, is_identifier};
+use crate::text::{AttributeSpec, Layer, PrimSpec, SpecValue, is_identifier};
 
 /// The reason why a document could not be read.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -32,7 +32,7 @@ const MAX_DEPTH: usize = 128;
 /// Returns an error if the XML is malformed or has no `materialx` element.
 pub fn to_layer(document: &[u8]) -> Result<Layer, MaterialXError> {
     let document = document::parse(document)?;
-    let mut materials = Prim::def("", "Materials");
+    let mut materials = PrimSpec::def("", "Materials");
     for element in &document.children {
         if element.category == "surfacematerial" && !identifier(element.name()).is_empty() {
             materials.children.push(material(&document, element));
@@ -40,24 +40,24 @@ pub fn to_layer(document: &[u8]) -> Result<Layer, MaterialXError> {
     }
     Ok(Layer {
         default_prim: Some("MaterialX".to_owned()),
-        prims: vec![Prim::def("", "MaterialX").with_child(materials)],
+        prims: vec![PrimSpec::def("", "MaterialX").with_child(materials)],
         ..Layer::default()
     })
 }
 
-fn material(document: &Element, element: &Element) -> Prim {
+fn material(document: &Element, element: &Element) -> PrimSpec {
     let name = identifier(element.name());
     let mut network = Network {
         document,
         path: format!("/MaterialX/Materials/{name}"),
-        prim: Prim::def("Material", name),
+        prim: PrimSpec::def("Material", name),
         known: BTreeSet::new(),
     };
     if let Some(surface) = element
         .input("surfaceshader")
         .and_then(|input| network.source(document, input, "", 0))
     {
-        let mut output = Attribute::without_value("outputs:mtlx:surface", "token");
+        let mut output = AttributeSpec::without_value("outputs:mtlx:surface", "token");
         output.connections.push(surface);
         network.prim.add(output);
     }
@@ -69,7 +69,7 @@ struct Network<'a> {
     document: &'a Element,
     /// The path of the material.
     path: String,
-    prim: Prim,
+    prim: PrimSpec,
     /// The graphs and names of the nodes converted so far.
     known: BTreeSet<(String, String)>,
 }
@@ -112,24 +112,24 @@ impl Network<'_> {
         Some(output)
     }
 
-    fn graph(&mut self, name: &str) -> &mut Prim {
+    fn graph(&mut self, name: &str) -> &mut PrimSpec {
         let children = &mut self.prim.children;
         let at = children.iter().position(|child| child.name == name);
         let at = at.unwrap_or_else(|| {
-            children.push(Prim::def("NodeGraph", name));
+            children.push(PrimSpec::def("NodeGraph", name));
             children.len() - 1
         });
         &mut children[at]
     }
 
-    fn shader(&mut self, scope: &Element, node: &Element, graph: &str, depth: usize) -> Prim {
-        let mut shader = Prim::def("Shader", identifier(node.name()));
+    fn shader(&mut self, scope: &Element, node: &Element, graph: &str, depth: usize) -> PrimSpec {
+        let mut shader = PrimSpec::def("Shader", identifier(node.name()));
         let kind = node.get("type").unwrap_or_default();
         let definition = match node.get("nodedef") {
             Some(definition) => definition.to_owned(),
             None => format!("ND_{}_{kind}", node.category),
         };
-        shader.set_uniform("info:id", Value::Token(definition));
+        shader.set_uniform("info:id", SpecValue::Token(definition));
         for input in node.inputs() {
             // The value of an exposed input is authored on the graph.
             let value = match input.get("interfacename") {
@@ -141,21 +141,21 @@ impl Network<'_> {
                 continue;
             }
             if let Some(source) = self.source(scope, value, graph, depth) {
-                let mut attribute = Attribute::without_value(name, "token");
+                let mut attribute = AttributeSpec::without_value(name, "token");
                 attribute.connections.push(source);
                 shader.add(attribute);
             } else if let Some(parsed) = self.value(scope, node, value) {
-                if let (Value::Asset(_), Some(space)) = (&parsed, value.get("colorspace")) {
-                    shader.set("inputs:sourceColorSpace", Value::token(space));
+                if let (SpecValue::Asset(_), Some(space)) = (&parsed, value.get("colorspace")) {
+                    shader.set("inputs:sourceColorSpace", SpecValue::token(space));
                 }
                 shader.set(name, parsed);
             }
         }
-        shader.add(Attribute::without_value("outputs:out", "token"));
+        shader.add(AttributeSpec::without_value("outputs:out", "token"));
         shader
     }
 
-    fn value(&self, scope: &Element, node: &Element, input: &Element) -> Option<Value> {
+    fn value(&self, scope: &Element, node: &Element, input: &Element) -> Option<SpecValue> {
         let text = input.get("value")?;
         let numbers = || -> Option<Vec<f32>> {
             text.split(',')
@@ -175,20 +175,20 @@ impl Network<'_> {
                     .into_iter()
                     .find_map(|element| element.get("fileprefix"))
                     .unwrap_or_default();
-                Some(Value::Asset(format!("{prefix}{text}")))
+                Some(SpecValue::Asset(format!("{prefix}{text}")))
             }
             "color3" | "color4" | "vector3" | "vector4" => match numbers()?[..] {
-                [r, g, b] | [r, g, b, _] => Some(Value::Color3f([r, g, b])),
+                [r, g, b] | [r, g, b, _] => Some(SpecValue::Color3f([r, g, b])),
                 _ => None,
             },
             "vector2" => match numbers()?[..] {
-                [x, y] => Some(Value::Float2([x, y])),
+                [x, y] => Some(SpecValue::Float2([x, y])),
                 _ => None,
             },
-            "float" => numbers()?.first().copied().map(Value::Float),
-            "integer" => text.trim().parse().ok().map(Value::Int),
-            "boolean" => text.trim().parse().ok().map(Value::Bool),
-            "string" => Some(Value::string(text)),
+            "float" => numbers()?.first().copied().map(SpecValue::Float),
+            "integer" => text.trim().parse().ok().map(SpecValue::Int),
+            "boolean" => text.trim().parse().ok().map(SpecValue::Bool),
+            "string" => Some(SpecValue::string(text)),
             _ => None,
         }
     }
@@ -257,7 +257,7 @@ mod tests {
         let surface = material.child("SS").unwrap();
         assert_eq!(
             surface.attribute("info:id").unwrap().value,
-            Some(Value::token("ND_standard_surface_surfaceshader"))
+            Some(SpecValue::token("ND_standard_surface_surfaceshader"))
         );
         assert_eq!(
             surface.attribute("inputs:base_color").unwrap().connections,
@@ -265,17 +265,17 @@ mod tests {
         );
         assert_eq!(
             surface.attribute("inputs:base").unwrap().value,
-            Some(Value::Float(0.5))
+            Some(SpecValue::Float(0.5))
         );
         assert!(surface.attribute("inputs:specular_roughness").is_none());
         let image = material.child("NG").unwrap().child("base").unwrap();
         assert_eq!(
             image.attribute("inputs:file").unwrap().value,
-            Some(Value::Asset("textures/wood.png".into()))
+            Some(SpecValue::Asset("textures/wood.png".into()))
         );
         assert_eq!(
             image.attribute("inputs:sourceColorSpace").unwrap().value,
-            Some(Value::token("srgb_texture"))
+            Some(SpecValue::token("srgb_texture"))
         );
     }
 

@@ -3,11 +3,11 @@ use oaktwin_camera::math::DVec3;
 use proptest::prelude::*;
 
 use super::*;
-use crate::stage::{Attribute, Value};
+use crate::stage::{Attribute, AttributeValue};
 
 const SIZE: ImageSize = ImageSize::new(640, 400);
 
-fn prim_camera(schemas: &[&str], attributes: &[(&str, Value)]) -> SceneCamera {
+fn prim_camera(schemas: &[&str], attributes: &[(&str, AttributeValue)]) -> SceneCamera {
     let mut camera = SceneCamera::default();
     camera.prim.path = "/World/Camera".to_owned();
     camera.prim.api_schemas = schemas.iter().map(|s| (*s).to_owned()).collect();
@@ -24,26 +24,27 @@ fn prim_camera(schemas: &[&str], attributes: &[(&str, Value)]) -> SceneCamera {
     camera
 }
 
-fn apertures(focal: f64, horizontal: f64, vertical: f64) -> Vec<(&'static str, Value)> {
+fn apertures(focal: f64, horizontal: f64, vertical: f64) -> Vec<(&'static str, AttributeValue)> {
     vec![
-        ("focalLength", Value::Float(focal)),
-        ("horizontalAperture", Value::Float(horizontal)),
-        ("verticalAperture", Value::Float(vertical)),
+        ("focalLength", AttributeValue::Float(focal)),
+        ("horizontalAperture", AttributeValue::Float(horizontal)),
+        ("verticalAperture", AttributeValue::Float(vertical)),
     ]
 }
 
-fn opencv(token: &str, values: &[(&str, f64)], size: [i64; 2]) -> Vec<(String, Value)> {
+fn opencv(token: &str, values: &[(&str, f64)], size: [i64; 2]) -> Vec<(String, AttributeValue)> {
     let name = |name: &str| format!("omni:lensdistortion:{token}:{name}");
     let mut all = vec![
-        (MODEL.to_owned(), Value::Text(token.to_owned())),
-        (name("imageSize"), Value::Ints(size.to_vec())),
+        (MODEL.to_owned(), AttributeValue::Text(token.to_owned())),
+        (name("imageSize"), AttributeValue::Ints(size.to_vec())),
     ];
-    all.extend(values.iter().map(|(n, v)| (name(n), Value::Float(*v))));
+    all.extend(values.iter().map(|(n, v)| (name(n), AttributeValue::Float(*v))));
     all
 }
 
-fn with_lens(schema: &str, attributes: &[(String, Value)]) -> SceneCamera {
-    let borrowed: Vec<(&str, Value)> = attributes.iter().map(|(n, v)| (n.as_str(), v.clone())).collect();
+fn with_lens(schema: &str, attributes: &[(String, AttributeValue)]) -> SceneCamera {
+    let borrowed: Vec<(&str, AttributeValue)> =
+        attributes.iter().map(|(n, v)| (n.as_str(), v.clone())).collect();
     prim_camera(&[schema], &borrowed)
 }
 
@@ -54,7 +55,7 @@ fn codes(findings: &[Finding]) -> Vec<&str> {
 #[test]
 fn isaac_projection_ignores_aperture_offsets() {
     let mut attributes = apertures(20.0, 20.0, 20.0);
-    attributes.push(("horizontalApertureOffset", Value::Float(1.0)));
+    attributes.push(("horizontalApertureOffset", AttributeValue::Float(1.0)));
     let prim = prim_camera(&[], &attributes);
     let (isaac, findings) = camera(&prim, SIZE, Projection::Isaac).unwrap();
     assert_eq!((isaac.intrinsics.fx, isaac.intrinsics.fy), (640.0, 640.0));
@@ -105,7 +106,10 @@ fn rejects_invalid_attributes_by_name() {
             "{error}"
         );
     }
-    let prim = prim_camera(&[], &[("projection", Value::Text("orthographic".to_owned()))]);
+    let prim = prim_camera(
+        &[],
+        &[("projection", AttributeValue::Text("orthographic".to_owned()))],
+    );
     let error = camera(&prim, SIZE, Projection::Isaac).unwrap_err().to_string();
     assert!(error.contains("projection `orthographic`"), "{error}");
 }
@@ -119,7 +123,7 @@ fn clipping_range_is_in_metres_or_reported() {
         ([f64::NAN, 5.0], None),
         ([1.0, f64::INFINITY], Some((0.01, f64::INFINITY))),
     ] {
-        let prim = prim_camera(&[], &[("clippingRange", Value::Floats(range.to_vec()))]);
+        let prim = prim_camera(&[], &[("clippingRange", AttributeValue::Floats(range.to_vec()))]);
         let (got, finding) = clipping_range_m(&prim, 0.01);
         assert_eq!(got, expected, "{range:?}");
         assert_eq!(finding.is_none(), expected.is_some());
@@ -203,7 +207,7 @@ fn reads_the_fisheye_of_wide_models() {
 fn f_theta_uses_schema_fallbacks() {
     let mut prim = prim_camera(
         &["OmniLensDistortionFthetaAPI"],
-        &[(MODEL, Value::Text("ftheta".to_owned()))],
+        &[(MODEL, AttributeValue::Text("ftheta".to_owned()))],
     );
     let (view, findings) = camera(&prim, ImageSize::new(1936, 1216), Projection::Isaac).unwrap();
     assert!(findings.is_empty());
@@ -215,7 +219,7 @@ fn f_theta_uses_schema_fallbacks() {
             format!("omni:lensdistortion:ftheta:{name}"),
             Attribute {
                 type_name: String::new(),
-                value: Some(Value::Float(value)),
+                value: Some(AttributeValue::Float(value)),
                 animated: false,
             },
         );
@@ -235,7 +239,7 @@ fn unsupported_models_are_reported_and_become_pinholes() {
         ("OmniLensDistortionKannalaBrandtK3API", "kannalaBrandtK3"),
         ("OmniLensDistortionLutAPI", "lut"),
     ] {
-        let prim = prim_camera(&[schema], &[(MODEL, Value::Text(token.to_owned()))]);
+        let prim = prim_camera(&[schema], &[(MODEL, AttributeValue::Text(token.to_owned()))]);
         let (view, findings) = camera(&prim, SIZE, Projection::Isaac).unwrap();
         assert_eq!(
             (view.lens, codes(&findings)),
@@ -246,7 +250,7 @@ fn unsupported_models_are_reported_and_become_pinholes() {
         &[],
         &[(
             "cameraProjectionType",
-            Value::Text("fisheyePolynomial".to_owned()),
+            AttributeValue::Text("fisheyePolynomial".to_owned()),
         )],
     );
     let (_, findings) = camera(&legacy, SIZE, Projection::Isaac).unwrap();
@@ -259,7 +263,10 @@ fn model_token_selects_between_two_schemas() {
         "OmniLensDistortionOpenCvPinholeAPI",
         "OmniLensDistortionOpenCvFisheyeAPI",
     ];
-    let prim = prim_camera(&both, &[(MODEL, Value::Text("opencvFisheye".to_owned()))]);
+    let prim = prim_camera(
+        &both,
+        &[(MODEL, AttributeValue::Text("opencvFisheye".to_owned()))],
+    );
     let (view, _) = camera(&prim, ImageSize::new(2048, 1024), Projection::Isaac).unwrap();
     assert!(matches!(view.lens, LensModel::OpenCvFisheye(_)));
     let prim = prim_camera(&both, &[]);

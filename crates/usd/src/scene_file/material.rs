@@ -1,11 +1,12 @@
 use oaktwin_files as files;
 use oaktwin_image::{CodecError, png, texture};
 use oaktwin_scene::{
-    ColorSpace, DEFAULT_INDEX, LightKind, Mask, Material, Opacity, Scene, TextureSource, TextureUse, Wrap,
+    ColorSpace, DEFAULT_INDEX, LightKind, Material, Opacity, Scene, TextureMask, TextureSource, TextureUse,
+    Wrap,
 };
 
 use super::ImageFiles;
-use crate::text::{Attribute, Prim, Value};
+use crate::text::{AttributeSpec, PrimSpec, SpecValue};
 
 /// The outputs of an image.
 const CHANNELS: [&str; 4] = ["r", "g", "b", "a"];
@@ -58,7 +59,7 @@ impl<'a> Materials<'a> {
     }
 
     /// Binds a material to a prim.
-    pub(super) fn relate(&self, prim: &mut Prim, material: Option<u32>) {
+    pub(super) fn relate(&self, prim: &mut PrimSpec, material: Option<u32>) {
         let Some(index) = material.filter(|index| self.scene.materials.len() > *index as usize) else {
             return;
         };
@@ -67,7 +68,7 @@ impl<'a> Materials<'a> {
     }
 
     /// Adds the materials below the root, and completes the bindings of its descendants.
-    pub(super) fn bind(&self, root: &mut Prim) {
+    pub(super) fn bind(&self, root: &mut PrimSpec) {
         if self.scene.materials.is_empty() {
             return;
         }
@@ -78,7 +79,7 @@ impl<'a> Materials<'a> {
         }
         let path = format!("/{}/{scope}", root.name);
         rebind(root, &path);
-        let mut looks = Prim::def("Scope", scope);
+        let mut looks = PrimSpec::def("Scope", scope);
         for (index, material) in (0..).zip(&self.scene.materials) {
             looks
                 .children
@@ -88,20 +89,20 @@ impl<'a> Materials<'a> {
     }
 
     /// Adds an opacity to a surface. Returns the nodes of its mask.
-    fn opacity(&self, opacity: &Opacity, surface: &mut Prim, path: &str) -> Vec<Prim> {
-        surface.set("inputs:opacityThreshold", Value::Float(opacity.threshold));
+    fn opacity(&self, opacity: &Opacity, surface: &mut PrimSpec, path: &str) -> Vec<PrimSpec> {
+        surface.set("inputs:opacityThreshold", SpecValue::Float(opacity.threshold));
         let image = opacity
             .mask
             .and_then(|mask| Some((mask, self.image(mask.texture.texture)?)));
         let Some((mask, file)) = image else {
-            surface.set("inputs:opacity", Value::Float(opacity.value));
+            surface.set("inputs:opacity", SpecValue::Float(opacity.value));
             return Vec::new();
         };
         let mut used = mask.texture;
         let channel = usize::from(mask.channel & 3);
         used.scale[channel] *= opacity.value;
         used.bias[channel] *= opacity.value;
-        let mut input = Attribute::without_value("inputs:opacity", "float");
+        let mut input = AttributeSpec::without_value("inputs:opacity", "float");
         input.connections = vec![format!("{path}/Mask.outputs:{}", CHANNELS[channel])];
         surface.add(input);
         let space = self.scene.textures[used.texture as usize].color_space;
@@ -109,44 +110,44 @@ impl<'a> Materials<'a> {
         texture_nodes(names, &used, file, space, None, path)
     }
 
-    fn prim(&self, material: &Material, name: String, path: &str) -> Prim {
+    fn prim(&self, material: &Material, name: String, path: &str) -> PrimSpec {
         let mut surface = shader("Surface", "UsdPreviewSurface");
-        let mut prim = Prim::def("Material", name);
+        let mut prim = PrimSpec::def("Material", name);
         prim.documentation = (!material.name.is_empty()).then(|| material.name.clone());
-        let mut output = Attribute::without_value("outputs:surface", "token");
+        let mut output = AttributeSpec::without_value("outputs:surface", "token");
         output.connections = vec![format!("{path}/Surface.outputs:surface")];
         prim.add(output);
-        surface.add(Attribute::without_value("outputs:surface", "token"));
-        surface.set("inputs:emissiveColor", Value::Color3f(material.emissive));
-        surface.set("inputs:metallic", Value::Float(material.metallic));
-        surface.set("inputs:roughness", Value::Float(material.roughness));
+        surface.add(AttributeSpec::without_value("outputs:surface", "token"));
+        surface.set("inputs:emissiveColor", SpecValue::Color3f(material.emissive));
+        surface.set("inputs:metallic", SpecValue::Float(material.metallic));
+        surface.set("inputs:roughness", SpecValue::Float(material.roughness));
         let mut nodes = Vec::new();
         if let Some((texture, file)) =
             (material.base_color_texture).and_then(|texture| Some((texture, self.image(texture.texture)?)))
         {
-            let mut input = Attribute::without_value("inputs:diffuseColor", "color3f");
+            let mut input = AttributeSpec::without_value("inputs:diffuseColor", "color3f");
             input.connections = vec![format!("{path}/Texture.outputs:rgb")];
             surface.add(input);
             let space = self.scene.textures[texture.texture as usize].color_space;
             let names = ["Texture", "Coordinates", "Transform"];
             nodes = texture_nodes(names, &texture, file, space, material.base_color, path);
         } else if let Some(color) = material.base_color {
-            surface.set("inputs:diffuseColor", Value::Color3f(color));
+            surface.set("inputs:diffuseColor", SpecValue::Color3f(color));
         } else {
-            let mut input = Attribute::without_value("inputs:diffuseColor", "color3f");
+            let mut input = AttributeSpec::without_value("inputs:diffuseColor", "color3f");
             input.connections = vec![format!("{path}/Color.outputs:result")];
             surface.add(input);
             let mut reader = shader("Color", "UsdPrimvarReader_float3");
-            reader.set("inputs:varname", Value::string("displayColor"));
-            reader.add(Attribute::without_value("outputs:result", "float3"));
+            reader.set("inputs:varname", SpecValue::string("displayColor"));
+            reader.add(AttributeSpec::without_value("outputs:result", "float3"));
             nodes.push(reader);
         }
         if material.index.to_bits() != DEFAULT_INDEX.to_bits() {
-            surface.set("inputs:ior", Value::Float(material.index));
+            surface.set("inputs:ior", SpecValue::Float(material.index));
         }
         if let Some(specular) = material.specular {
-            surface.set("inputs:useSpecularWorkflow", Value::Int(1));
-            surface.set("inputs:specularColor", Value::Color3f(specular));
+            surface.set("inputs:useSpecularWorkflow", SpecValue::Int(1));
+            surface.set("inputs:specularColor", SpecValue::Color3f(specular));
         }
         // The shader knows thin walls only, and nothing else than opacity.
         if let Some(opacity) = &material.opacity {
@@ -154,7 +155,7 @@ impl<'a> Materials<'a> {
         } else if let Some(transmission) = &material.transmission {
             let opacity = (1.0 - transmission.share).max(MIN_OPACITY);
             match transmission.mask {
-                None => surface.set("inputs:opacity", Value::Float(opacity)),
+                None => surface.set("inputs:opacity", SpecValue::Float(opacity)),
                 Some(mask) => {
                     let mask = opposite(mask, 1.0 - opacity);
                     nodes.extend(self.opacity(&mask, &mut surface, path));
@@ -206,7 +207,7 @@ fn encoded(source: &TextureSource, image_files: ImageFiles) -> Result<Image, Cod
 }
 
 /// Returns the opacity of a surface that transmits a share of light, multiplied by a mask.
-fn opposite(mut mask: Mask, share: f32) -> Opacity {
+fn opposite(mut mask: TextureMask, share: f32) -> Opacity {
     let channel = usize::from(mask.channel & 3);
     let used = &mut mask.texture;
     used.scale[channel] *= -share;
@@ -240,15 +241,15 @@ fn texture_nodes(
     space: ColorSpace,
     color: Option<[f32; 3]>,
     path: &str,
-) -> Vec<Prim> {
+) -> Vec<PrimSpec> {
     let mut image = shader(image_name, "UsdUVTexture");
-    image.set("inputs:file", Value::Asset(file.to_owned()));
+    image.set("inputs:file", SpecValue::Asset(file.to_owned()));
     let space = match space {
         ColorSpace::Auto => "auto",
         ColorSpace::Srgb => "sRGB",
         ColorSpace::Raw => "raw",
     };
-    image.set("inputs:sourceColorSpace", Value::token(space));
+    image.set("inputs:sourceColorSpace", SpecValue::token(space));
     for (name, wrap) in [("wrapS", used.wrap_s), ("wrapT", used.wrap_t)] {
         let wrap = match wrap {
             Wrap::Repeat => "repeat",
@@ -256,24 +257,30 @@ fn texture_nodes(
             Wrap::Clamp => "clamp",
             Wrap::Black => "black",
         };
-        image.set(format!("inputs:{name}"), Value::token(wrap));
+        image.set(format!("inputs:{name}"), SpecValue::token(wrap));
     }
     let factor = color.unwrap_or([1.0; 3]);
     for (name, values) in [("scale", used.scale), ("bias", used.bias)] {
         let [r, g, b, a] = values;
         let [x, y, z] = factor;
-        image.set(format!("inputs:{name}"), Value::Float4([r * x, g * y, b * z, a]));
+        image.set(
+            format!("inputs:{name}"),
+            SpecValue::Float4([r * x, g * y, b * z, a]),
+        );
     }
-    image.add(Attribute::without_value("outputs:rgb", "float3"));
+    image.add(AttributeSpec::without_value("outputs:rgb", "float3"));
     for channel in CHANNELS {
-        image.add(Attribute::without_value(format!("outputs:{channel}"), "float"));
+        image.add(AttributeSpec::without_value(
+            format!("outputs:{channel}"),
+            "float",
+        ));
     }
     let mut reader = shader(reader_name, "UsdPrimvarReader_float2");
-    reader.set("inputs:varname", Value::string("st"));
-    reader.add(Attribute::without_value("outputs:result", "float2"));
+    reader.set("inputs:varname", SpecValue::string("st"));
+    reader.add(AttributeSpec::without_value("outputs:result", "float2"));
     let is_plain = used.image_from_uv == [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let node = if is_plain { reader_name } else { transform_name };
-    let mut coordinates = Attribute::without_value("inputs:st", "float2");
+    let mut coordinates = AttributeSpec::without_value("inputs:st", "float2");
     coordinates.connections = vec![format!("{path}/{node}.outputs:result")];
     image.add(coordinates);
     if is_plain {
@@ -284,20 +291,20 @@ fn texture_nodes(
     let mut turn = shader(transform_name, "UsdTransform2d");
     turn.set(
         "inputs:scale",
-        Value::Float2([scale, (a * d - b * c) / scale.max(f32::MIN_POSITIVE)]),
+        SpecValue::Float2([scale, (a * d - b * c) / scale.max(f32::MIN_POSITIVE)]),
     );
-    turn.set("inputs:rotation", Value::Float(c.atan2(a).to_degrees()));
-    turn.set("inputs:translation", Value::Float2([x, y]));
-    let mut input = Attribute::without_value("inputs:in", "float2");
+    turn.set("inputs:rotation", SpecValue::Float(c.atan2(a).to_degrees()));
+    turn.set("inputs:translation", SpecValue::Float2([x, y]));
+    let mut input = AttributeSpec::without_value("inputs:in", "float2");
     input.connections = vec![format!("{path}/{reader_name}.outputs:result")];
     turn.add(input);
-    turn.add(Attribute::without_value("outputs:result", "float2"));
+    turn.add(AttributeSpec::without_value("outputs:result", "float2"));
     vec![image, turn, reader]
 }
 
-fn shader(name: &str, id: &str) -> Prim {
-    let mut shader = Prim::def("Shader", name);
-    shader.set_uniform("info:id", Value::token(id));
+fn shader(name: &str, id: &str) -> PrimSpec {
+    let mut shader = PrimSpec::def("Shader", name);
+    shader.set_uniform("info:id", SpecValue::token(id));
     shader
 }
 
@@ -306,7 +313,7 @@ fn name(material: u32) -> String {
 }
 
 /// Completes the targets of bindings in a prim and its descendants.
-fn rebind(prim: &mut Prim, scope: &str) {
+fn rebind(prim: &mut PrimSpec, scope: &str) {
     for property in &mut prim.properties {
         if let crate::text::Property::Relationship(relationship) = property {
             for target in &mut relationship.targets {
@@ -338,7 +345,7 @@ mod tests {
     fn what_transmits_is_not_opaque() {
         let mut texture = TextureUse::new(0);
         (texture.scale[1], texture.bias[1]) = (0.5, 0.25);
-        let opacity = opposite(Mask { texture, channel: 1 }, 0.75);
+        let opacity = opposite(TextureMask { texture, channel: 1 }, 0.75);
         let used = opacity.mask.unwrap().texture;
         for value in [0.0, 0.5, 1.0_f32] {
             let transmitted = 0.75 * (0.5 * value + 0.25);

@@ -1,30 +1,33 @@
-use oaktwin_scene::{Attribute as Data, Instance, MaterialSpan, Mesh};
+use oaktwin_scene::{Instance, MaterialSpan, Mesh, MeshAttribute};
 
 use super::material::Materials;
-use crate::text::{Attribute, Prim, Value};
+use crate::text::{AttributeSpec, PrimSpec, SpecValue};
 
 /// Creates the mesh of an instance, without its name and transform.
-pub(super) fn prim(mesh: &Mesh, instance: &Instance, materials: &Materials<'_>) -> Prim {
-    let mut prim = Prim::def("Mesh", "");
-    prim.set("extent", Value::Float3Array(extent(&mesh.positions)));
-    prim.set("faceVertexCounts", Value::IntArray(vec![3; mesh.triangles.len()]));
+pub(super) fn prim(mesh: &Mesh, instance: &Instance, materials: &Materials<'_>) -> PrimSpec {
+    let mut prim = PrimSpec::def("Mesh", "");
+    prim.set("extent", SpecValue::Float3Array(extent(&mesh.positions)));
+    prim.set(
+        "faceVertexCounts",
+        SpecValue::IntArray(vec![3; mesh.triangles.len()]),
+    );
     prim.set(
         "faceVertexIndices",
-        Value::IntArray(integers(mesh.triangles.as_flattened())),
+        SpecValue::IntArray(integers(mesh.triangles.as_flattened())),
     );
-    prim.set("points", Value::Point3fArray(mesh.positions.clone()));
-    prim.set_uniform("subdivisionScheme", Value::token("none"));
+    prim.set("points", SpecValue::Point3fArray(mesh.positions.clone()));
+    prim.set_uniform("subdivisionScheme", SpecValue::token("none"));
     if mesh.double_sided {
-        prim.set_uniform("doubleSided", Value::Bool(true));
+        prim.set_uniform("doubleSided", SpecValue::Bool(true));
     }
     if let Some(normals) = &mesh.normals {
-        primvar(&mut prim, "normals", normals, Value::Normal3fArray);
+        primvar(&mut prim, "normals", normals, SpecValue::Normal3fArray);
     }
     if let Some(uvs) = &mesh.uvs {
-        primvar(&mut prim, "st", uvs, Value::TexCoord2fArray);
+        primvar(&mut prim, "st", uvs, SpecValue::TexCoord2fArray);
     }
     if let Some(colors) = &mesh.colors {
-        primvar(&mut prim, "displayColor", colors, Value::Color3fArray);
+        primvar(&mut prim, "displayColor", colors, SpecValue::Color3fArray);
     }
     label(&mut prim, instance);
     match mesh.materials.as_slice() {
@@ -36,26 +39,31 @@ pub(super) fn prim(mesh: &Mesh, instance: &Instance, materials: &Materials<'_>) 
 }
 
 /// Adds data at the corners of triangles as a primitive variable.
-fn primvar<T: Copy>(prim: &mut Prim, name: &str, data: &Data<T>, value: impl Fn(Vec<T>) -> Value) {
+fn primvar<T: Copy>(
+    prim: &mut PrimSpec,
+    name: &str,
+    data: &MeshAttribute<T>,
+    value: impl Fn(Vec<T>) -> SpecValue,
+) {
     let (values, interpolation) = match data {
-        Data::Constant(value) => (vec![*value], "constant"),
-        Data::Triangle(values) => (values.clone(), "uniform"),
-        Data::Vertex(values) => (values.clone(), "vertex"),
-        Data::Corner { values, .. } => (values.clone(), "faceVarying"),
+        MeshAttribute::Constant(value) => (vec![*value], "constant"),
+        MeshAttribute::Triangle(values) => (values.clone(), "uniform"),
+        MeshAttribute::Vertex(values) => (values.clone(), "vertex"),
+        MeshAttribute::Corner { values, .. } => (values.clone(), "faceVarying"),
     };
-    let mut attribute = Attribute::new(format!("primvars:{name}"), value(values));
+    let mut attribute = AttributeSpec::new(format!("primvars:{name}"), value(values));
     attribute.interpolation = Some(interpolation);
     prim.add(attribute);
-    if let Data::Corner { indices, .. } = data {
+    if let MeshAttribute::Corner { indices, .. } = data {
         prim.set(
             format!("primvars:{name}:indices"),
-            Value::IntArray(integers(indices.as_flattened())),
+            SpecValue::IntArray(integers(indices.as_flattened())),
         );
     }
 }
 
 /// Adds the labels of an instance and of its ancestors, by taxonomy.
-fn label(prim: &mut Prim, instance: &Instance) {
+fn label(prim: &mut PrimSpec, instance: &Instance) {
     let mut taxonomies: Vec<(&str, Vec<String>)> = Vec::new();
     for label in &instance.labels {
         match taxonomies
@@ -69,24 +77,27 @@ fn label(prim: &mut Prim, instance: &Instance) {
     for (taxonomy, names) in taxonomies {
         let taxonomy = super::tree::identifier(taxonomy);
         prim.api_schemas.push(format!("SemanticsLabelsAPI:{taxonomy}"));
-        prim.set(format!("semantics:labels:{taxonomy}"), Value::TokenArray(names));
+        prim.set(
+            format!("semantics:labels:{taxonomy}"),
+            SpecValue::TokenArray(names),
+        );
     }
 }
 
 /// Adds a subset of the faces for each material.
-fn subsets(prim: &mut Prim, instance: &Instance, spans: &[MaterialSpan], materials: &Materials<'_>) {
+fn subsets(prim: &mut PrimSpec, instance: &Instance, spans: &[MaterialSpan], materials: &Materials<'_>) {
     prim.set_uniform(
         "subsetFamily:materialBind:familyType",
-        Value::token("nonOverlapping"),
+        SpecValue::token("nonOverlapping"),
     );
     let mut start = 0;
     for (i, span) in spans.iter().enumerate() {
-        let mut subset = Prim::def("GeomSubset", format!("subset_{i}"));
-        subset.set_uniform("elementType", Value::token("face"));
-        subset.set_uniform("familyName", Value::token("materialBind"));
+        let mut subset = PrimSpec::def("GeomSubset", format!("subset_{i}"));
+        subset.set_uniform("elementType", SpecValue::token("face"));
+        subset.set_uniform("familyName", SpecValue::token("materialBind"));
         subset.set(
             "indices",
-            Value::IntArray((start..span.end).map(integer).collect()),
+            SpecValue::IntArray((start..span.end).map(integer).collect()),
         );
         materials.relate(&mut subset, instance.material(span.material));
         prim.children.push(subset);

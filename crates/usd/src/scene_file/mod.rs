@@ -15,11 +15,11 @@ use oaktwin_scene::{Scene, Up};
 
 use self::material::Materials;
 use self::tree::Tree;
-use crate::text::{Layer, Prim, UpAxis, Value};
+use crate::text::{Layer, PrimSpec, SpecValue, UpAxis};
 
 /// A scene as a USD layer, and the images that it refers to.
 #[derive(Clone, Debug, PartialEq)]
-pub struct SceneFile {
+pub struct SceneLayer {
     /// The layer.
     pub layer: Layer,
     /// The images: their paths relative to the layer, and their bytes.
@@ -40,7 +40,7 @@ pub enum ImageFiles {
 ///
 /// # Errors
 /// Returns an error for a texture that cannot be decoded, or copied.
-pub fn scene_file(scene: &Scene, folder: &str, files: ImageFiles) -> Result<SceneFile, CodecError> {
+pub fn scene_file(scene: &Scene, folder: &str, files: ImageFiles) -> Result<SceneLayer, CodecError> {
     let materials = Materials::new(scene, folder, files)?;
     let mut tree = Tree::default();
     for instance in &scene.instances {
@@ -65,14 +65,14 @@ pub fn scene_file(scene: &Scene, folder: &str, files: ImageFiles) -> Result<Scen
         prims: vec![root],
         ..Layer::default()
     };
-    Ok(SceneFile {
+    Ok(SceneLayer {
         layer,
         images: materials.into_images(),
     })
 }
 
 /// Sets the transform of a prim. `resets` ignores its parents' transforms.
-fn place(prim: &mut Prim, world_from_prim: &DAffine3, resets: bool) {
+fn place(prim: &mut PrimSpec, world_from_prim: &DAffine3, resets: bool) {
     let m = world_from_prim.matrix3;
     let axis = |v: oaktwin_camera::math::DVec3, w: f64| [v.x, v.y, v.z, w];
     let rows = [
@@ -81,11 +81,11 @@ fn place(prim: &mut Prim, world_from_prim: &DAffine3, resets: bool) {
         axis(m.z_axis, 0.0),
         axis(world_from_prim.translation, 1.0),
     ];
-    prim.set("xformOp:transform", Value::Matrix4d(rows));
+    prim.set("xformOp:transform", SpecValue::Matrix4d(rows));
     let reset = resets.then(|| "!resetXformStack!".to_owned());
     let order = reset
         .into_iter()
         .chain(["xformOp:transform".to_owned()])
         .collect();
-    prim.set_uniform("xformOpOrder", Value::TokenArray(order));
+    prim.set_uniform("xformOpOrder", SpecValue::TokenArray(order));
 }

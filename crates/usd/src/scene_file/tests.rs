@@ -3,8 +3,8 @@ use std::sync::Arc;
 use oaktwin_camera::math::{DAffine3, DQuat, DVec3};
 use oaktwin_image::Image;
 use oaktwin_scene::{
-    Attribute, ColorSpace, Instance, Label, Light, LightKind, Mask, Material, MaterialSpan, Mesh, Opacity,
-    Scene, Texture, TextureSource, TextureUse, Up, Wrap,
+    ColorSpace, Instance, Label, Light, LightKind, Material, MaterialSpan, Mesh, MeshAttribute, Opacity,
+    Scene, Texture, TextureMask, TextureSource, TextureUse, Up, Wrap,
 };
 
 use super::*;
@@ -18,8 +18,8 @@ fn meshes() -> Vec<Mesh> {
     let square = Mesh {
         positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.25], [0.0, 1.0, 0.0]],
         triangles: vec![[0, 1, 2], [0, 2, 3]],
-        normals: Some(Attribute::Vertex(vec![[0.0, 0.0, 1.0]; 4])),
-        uvs: Some(Attribute::Corner {
+        normals: Some(MeshAttribute::Vertex(vec![[0.0, 0.0, 1.0]; 4])),
+        uvs: Some(MeshAttribute::Corner {
             values: vec![[0.0, 0.0], [0.5, 1.0]],
             indices: vec![[0, 1, 0], [1, 1, 0]],
         }),
@@ -30,7 +30,7 @@ fn meshes() -> Vec<Mesh> {
     let painted = Mesh {
         normals: None,
         uvs: None,
-        colors: Some(Attribute::Vertex(vec![[0.25, 0.5, 1.0]; 4])),
+        colors: Some(MeshAttribute::Vertex(vec![[0.25, 0.5, 1.0]; 4])),
         materials: vec![span(2, 2)],
         ..square.clone()
     };
@@ -82,7 +82,7 @@ fn materials() -> Vec<Material> {
             base_color_texture: Some(textured),
             opacity: Opacity::new(
                 1.0,
-                Some(Mask {
+                Some(TextureMask {
                     texture: textured,
                     channel: 3,
                 }),
@@ -152,7 +152,7 @@ fn assert_same_mesh((scene, mesh): (&Scene, &Mesh), (other_scene, other): (&Scen
             )
         };
         assert_eq!(corners(mesh), corners(other));
-        let look = |scene: &Scene, mesh: &Mesh| {
+        let describe = |scene: &Scene, mesh: &Mesh| {
             let material = scene.materials[mesh.material(i).unwrap() as usize].clone();
             (
                 material.base_color,
@@ -165,7 +165,7 @@ fn assert_same_mesh((scene, mesh): (&Scene, &Mesh), (other_scene, other): (&Scen
                 material.specular,
             )
         };
-        assert_eq!(look(scene, mesh), look(other_scene, other));
+        assert_eq!(describe(scene, mesh), describe(other_scene, other));
     }
 }
 

@@ -3,7 +3,7 @@ use std::collections::BTreeMap;
 use oaktwin_camera::math::DAffine3;
 
 use super::place;
-use crate::text::{Prim, is_identifier};
+use crate::text::{PrimSpec, is_identifier};
 
 /// The default root, which is also added if the paths have different ones.
 const ROOT: &str = "World";
@@ -16,20 +16,20 @@ pub(super) struct Tree {
 
 struct Node {
     elements: Vec<String>,
-    prim: Prim,
+    prim: PrimSpec,
     world_from_prim: DAffine3,
 }
 
 /// A level of the hierarchy.
 #[derive(Default)]
 struct Level {
-    prim: Option<(Prim, DAffine3)>,
+    prim: Option<(PrimSpec, DAffine3)>,
     children: Vec<(String, Self)>,
     index: BTreeMap<String, usize>,
 }
 
 impl Tree {
-    pub(super) fn insert(&mut self, path: &str, prim: Prim, world_from_prim: &DAffine3) {
+    pub(super) fn insert(&mut self, path: &str, prim: PrimSpec, world_from_prim: &DAffine3) {
         let elements = path
             .split('/')
             .filter(|element| !element.is_empty())
@@ -42,7 +42,7 @@ impl Tree {
     }
 
     /// Builds the hierarchy: the first element of all paths is the root if they share one that has no mesh itself.
-    pub(super) fn into_root(self) -> Prim {
+    pub(super) fn into_root(self) -> PrimSpec {
         let first = self.nodes.first().and_then(|node| node.elements.first().cloned());
         let shared = first.filter(|first| {
             self.nodes
@@ -81,14 +81,14 @@ impl Level {
         &mut self.children[at].1
     }
 
-    fn into_prim(self, name: String, is_below_transform: bool) -> Prim {
+    fn into_prim(self, name: String, is_below_transform: bool) -> PrimSpec {
         let has_transform = self.prim.is_some();
         let mut prim = match self.prim {
             Some((mut prim, world_from_prim)) => {
                 place(&mut prim, &world_from_prim, is_below_transform);
                 prim
             }
-            None => Prim::def("Xform", ""),
+            None => PrimSpec::def("Xform", ""),
         };
         prim.name = name;
         let mut taken = BTreeMap::new();

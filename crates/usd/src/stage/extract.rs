@@ -19,8 +19,8 @@ use super::resolver::InspectingResolver;
 use super::scene::{Builder, Children, Context, Findings, pose};
 use super::walk::{VisitedPrim, Visitor, Walk, Which};
 use super::{
-    Physics, Prim, RenderProduct, SceneCamera, SceneLimit, SceneOptions, Stage, StageError, StageMetadata,
-    StageScene, StageTiming, Value, composition,
+    AttributeValue, Physics, Prim, RenderProduct, SceneCamera, SceneLimit, SceneOptions, Stage, StageError,
+    StageMetadata, StageScene, StageTiming, composition,
 };
 use crate::nvidia::{CAMERA_NAMESPACE, PRODUCT_NAMESPACE};
 
@@ -297,10 +297,10 @@ impl Visitor for Extraction<'_> {
         context: &Context,
     ) -> Outcome<Option<Context>> {
         let reader = walk.reader;
-        let own = prim.own(reader);
-        let mut inner = context.with(own, path);
+        let opinions = prim.opinions(reader);
+        let mut inner = context.with(opinions, path);
         if let Some(motion) = &mut self.motion {
-            inner.node = motion.visit(reader, prim, path, context, &inner, own);
+            inner.node = motion.visit(reader, prim, path, context, &inner, opinions);
             if let (Some(node), "Camera") = (inner.node, prim.type_name.as_str()) {
                 motion.camera(node, self.cameras.len());
             }
@@ -323,19 +323,19 @@ impl Visitor for Extraction<'_> {
             if let Some(prototype) = &prim.prototype {
                 builder.enter_prototype(prototype, path);
             }
-            match builder.add(walk, prim, path, own, &inner)? {
+            match builder.add(walk, prim, path, opinions, &inner)? {
                 Children::Visit => {}
                 Children::VisitWithoutDrawing => inner.drawn = false,
             }
         }
-        Ok(Some(inner.hand_down(prim, own)))
+        Ok(Some(inner.hand_down(prim, opinions)))
     }
 }
 
 fn metadata(stage: &usd::Stage) -> StageMetadata {
     let field = |name: &str| stage.stage_metadata(name).ok().flatten().map(plain_value);
     let text = |value| match value {
-        Value::Text(text) => Some(text),
+        AttributeValue::Text(text) => Some(text),
         _ => None,
     };
     StageMetadata {

@@ -18,11 +18,11 @@ mod inspect;
 mod limit;
 mod motion;
 mod opinion;
-mod own;
 mod packages;
 mod physics;
 mod plain;
 mod prim;
+mod prim_opinions;
 mod reader;
 mod resolver;
 mod scene;
@@ -42,7 +42,7 @@ pub use animated::{AnimatedStage, StageChange, StageContents, StageTiming};
 pub use error::StageError;
 pub use limit::SceneLimit;
 pub use physics::{JointEnd, Physics, PhysicsBody, PhysicsJoint};
-pub use prim::{Attribute, Prim, RenderProduct, SceneCamera, Target, Value};
+pub use prim::{Attribute, AttributeValue, Prim, RelationshipTarget, RenderProduct, SceneCamera};
 pub use scene::{SceneOptions, StageScene};
 
 /// The maximum size of a layer, in bytes. A text layer of this size has about 40 million quads.

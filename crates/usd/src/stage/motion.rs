@@ -7,7 +7,7 @@ use oaktwin_camera::RigidTransform;
 use oaktwin_camera::math::{DAffine3, DVec3};
 use oaktwin_scene::Scene;
 
-use super::own::Own;
+use super::prim_opinions::PrimOpinions;
 use super::reader::{Reader, Record};
 use super::scene::{Context, is_invertible, pose, rigid};
 use super::transform::{LocalTransform, is_transformed, local_transform};
@@ -91,7 +91,7 @@ impl Motion {
         path: &str,
         context: &Context,
         inner: &Context,
-        own: &Own,
+        opinions: &PrimOpinions,
     ) -> Option<usize> {
         let kind = prim.type_name.as_str();
         let is_mount = self.mount.as_deref() == Some(path);
@@ -113,7 +113,7 @@ impl Motion {
         }
         let local = match is_moved {
             true => Local::Animated(Box::new(Record::clone(prim))),
-            false => Local::Constant(own.transform),
+            false => Local::Constant(opinions.transform),
         };
         let node = self.nodes.len();
         self.nodes.push(Node {
@@ -274,17 +274,19 @@ impl Moving {
             let parent = node
                 .parent
                 .map_or(node.stage_from_parent, |parent| stage_from_prim[parent]);
-            let own = node.local(reader).map_or(parent, |local| local.below(parent));
-            stage_from_prim.push(own);
+            let opinions = node.local(reader).map_or(parent, |local| local.below(parent));
+            stage_from_prim.push(opinions);
             for &instance in &self.instances[index] {
-                let world_from_mesh = world_from_stage * own;
+                let world_from_mesh = world_from_stage * opinions;
                 if !is_invertible(&world_from_mesh) {
                     return None;
                 }
                 moved.instances.push((instance, world_from_mesh));
             }
             if let Some(camera) = node.camera {
-                moved.cameras.push((camera, pose(&own, self.meters_per_unit)?.0));
+                moved
+                    .cameras
+                    .push((camera, pose(&opinions, self.meters_per_unit)?.0));
             }
         }
         Some(moved)

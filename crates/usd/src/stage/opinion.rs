@@ -11,7 +11,7 @@ use super::usda::SPLINE_FIELD;
 
 /// The kind of an attribute's strongest opinion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Source {
+pub(super) enum OpinionKind {
     Default,
     /// Time samples or value clips.
     Samples,
@@ -20,27 +20,31 @@ pub(super) enum Source {
 }
 
 /// Returns the kind of the strongest opinion on an attribute; `None` without one.
-pub(super) fn strongest(stage: &usd::Stage, attribute: &usd::Attribute, has_clips: bool) -> Option<Source> {
+pub(super) fn strongest(
+    stage: &usd::Stage,
+    attribute: &usd::Attribute,
+    has_clips: bool,
+) -> Option<OpinionKind> {
     for (name, path) in attribute.property_stack().ok()? {
         let Some(layer) = stage.layer(&name) else { continue };
         let has = |field: &str| layer.data().has_field(&path, field);
         if has(SAMPLES_FIELD) {
-            return Some(Source::Samples);
+            return Some(OpinionKind::Samples);
         }
         if has(SPLINE_FIELD) {
-            return Some(Source::Spline);
+            return Some(OpinionKind::Spline);
         }
         if has("default") {
             drop(layer);
             let is_weaker = has_clips && clips_are_stronger(stage, &attribute.path().prim_path(), &name);
             return Some(if is_weaker {
-                Source::Samples
+                OpinionKind::Samples
             } else {
-                Source::Default
+                OpinionKind::Default
             });
         }
     }
-    has_clips.then_some(Source::Samples)
+    has_clips.then_some(OpinionKind::Samples)
 }
 
 /// Whether a prim or one of its ancestors has value clips in a layer that is stronger than `default`.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use openusd::{sdf, usd};
 
 use super::reader::{Reader, Record};
-use super::{Attribute, Prim, Target, Value};
+use super::{Attribute, AttributeValue, Prim, RelationshipTarget};
 
 /// Returns a prim's type.
 pub(super) fn type_name(prim: &usd::Prim) -> Option<String> {
@@ -54,10 +54,15 @@ fn plain_attribute(reader: &Reader, attribute: &usd::Attribute) -> Attribute {
 }
 
 /// Converts the targets of the relationship `name` of the prim composed at `record`, whose scene path is `path`.
-pub(super) fn plain_targets(reader: &Reader, record: &Record, path: &str, name: &str) -> Vec<Target> {
+pub(super) fn plain_targets(
+    reader: &Reader,
+    record: &Record,
+    path: &str,
+    name: &str,
+) -> Vec<RelationshipTarget> {
     let prim = reader.stage.prim(record.path.clone());
     let targets = prim.relationship(name).targets().unwrap_or_default();
-    let targets = targets.iter().map(|target| Target {
+    let targets = targets.iter().map(|target| RelationshipTarget {
         path: scene_path(target.as_str(), record.path.as_str(), path),
         ..plain_target(&reader.stage, target)
     });
@@ -81,46 +86,50 @@ fn scene_path(target: &str, composed: &str, path: &str) -> String {
 }
 
 /// Converts the target of a relationship.
-fn plain_target(stage: &usd::Stage, target: &sdf::Path) -> Target {
+fn plain_target(stage: &usd::Stage, target: &sdf::Path) -> RelationshipTarget {
     let prim = stage.prim(target.clone());
     let exists = prim.is_valid().unwrap_or(false);
-    Target {
+    RelationshipTarget {
         path: target.to_string(),
         type_name: exists.then(|| type_name(&prim).unwrap_or_default()),
     }
 }
 
 /// Converts a value to one of the plain types.
-pub(super) fn plain_value(value: sdf::Value) -> Value {
+pub(super) fn plain_value(value: sdf::Value) -> AttributeValue {
     use sdf::Value as V;
-    let floats = |components: &[f32]| Value::Floats(components.iter().map(|c| f64::from(*c)).collect());
+    let floats =
+        |components: &[f32]| AttributeValue::Floats(components.iter().map(|c| f64::from(*c)).collect());
     match value {
-        V::Bool(v) => Value::Bool(v),
-        V::Uchar(v) => Value::Int(v.into()),
-        V::Int(v) => Value::Int(v.into()),
-        V::Uint(v) => Value::Int(v.into()),
-        V::Int64(v) => Value::Int(v),
-        V::Uint64(v) => i64::try_from(v).map_or_else(|_| Value::Other("Uint64".to_owned()), Value::Int),
-        V::Half(v) => Value::Float(v.to_f64()),
-        V::Float(v) => Value::Float(v.into()),
-        V::Double(v) => Value::Float(v),
-        V::TimeCode(v) => Value::Float(v.value()),
-        V::String(v) => Value::Text(v),
-        V::Token(v) => Value::Text(v.as_str().to_owned()),
-        V::AssetPath(v) => Value::Text(v.authored_path),
-        V::TokenVec(v) => Value::Texts(v.iter().map(|token| token.as_str().to_owned()).collect()),
-        V::StringVec(v) => Value::Texts(v),
-        V::IntVec(v) => Value::Ints(v.into_iter().map(i64::from).collect()),
-        V::Vec2i(v) => Value::Ints(vec![v.x.into(), v.y.into()]),
-        V::Vec3i(v) => Value::Ints(vec![v.x.into(), v.y.into(), v.z.into()]),
+        V::Bool(v) => AttributeValue::Bool(v),
+        V::Uchar(v) => AttributeValue::Int(v.into()),
+        V::Int(v) => AttributeValue::Int(v.into()),
+        V::Uint(v) => AttributeValue::Int(v.into()),
+        V::Int64(v) => AttributeValue::Int(v),
+        V::Uint64(v) => i64::try_from(v).map_or_else(
+            |_| AttributeValue::Other("Uint64".to_owned()),
+            AttributeValue::Int,
+        ),
+        V::Half(v) => AttributeValue::Float(v.to_f64()),
+        V::Float(v) => AttributeValue::Float(v.into()),
+        V::Double(v) => AttributeValue::Float(v),
+        V::TimeCode(v) => AttributeValue::Float(v.value()),
+        V::String(v) => AttributeValue::Text(v),
+        V::Token(v) => AttributeValue::Text(v.as_str().to_owned()),
+        V::AssetPath(v) => AttributeValue::Text(v.authored_path),
+        V::TokenVec(v) => AttributeValue::Texts(v.iter().map(|token| token.as_str().to_owned()).collect()),
+        V::StringVec(v) => AttributeValue::Texts(v),
+        V::IntVec(v) => AttributeValue::Ints(v.into_iter().map(i64::from).collect()),
+        V::Vec2i(v) => AttributeValue::Ints(vec![v.x.into(), v.y.into()]),
+        V::Vec3i(v) => AttributeValue::Ints(vec![v.x.into(), v.y.into(), v.z.into()]),
         V::Vec2f(v) => floats(&[v.x, v.y]),
         V::Vec3f(v) => floats(&[v.x, v.y, v.z]),
         V::Vec4f(v) => floats(&[v.x, v.y, v.z, v.w]),
-        V::Vec2d(v) => Value::Floats(vec![v.x, v.y]),
-        V::Vec3d(v) => Value::Floats(vec![v.x, v.y, v.z]),
+        V::Vec2d(v) => AttributeValue::Floats(vec![v.x, v.y]),
+        V::Vec3d(v) => AttributeValue::Floats(vec![v.x, v.y, v.z]),
         V::FloatVec(v) => floats(&v),
-        V::DoubleVec(v) => Value::Floats(v),
-        other => Value::Other(<&'static str>::from(&other).to_owned()),
+        V::DoubleVec(v) => AttributeValue::Floats(v),
+        other => AttributeValue::Other(<&'static str>::from(&other).to_owned()),
     }
 }
 

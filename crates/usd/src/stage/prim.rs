@@ -23,7 +23,7 @@ pub struct Attribute {
     /// The declared type, such as `float` or `token[]`.
     pub type_name: String,
     /// The default value, or else the first time sample. `None` if the attribute is only declared or blocked.
-    pub value: Option<Value>,
+    pub value: Option<AttributeValue>,
     /// Whether it has time samples.
     pub animated: bool,
 }
@@ -31,7 +31,7 @@ pub struct Attribute {
 /// An attribute's value, converted to one of a few types. Half and single precision become `f64` exactly.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
-pub enum Value {
+pub enum AttributeValue {
     /// `bool`.
     Bool(bool),
     /// Any integer type whose value fits.
@@ -75,19 +75,19 @@ pub struct RenderProduct {
     /// The render product prim.
     pub prim: Prim,
     /// The targets of its `camera` relationship.
-    pub cameras: Vec<Target>,
+    pub cameras: Vec<RelationshipTarget>,
 }
 
 /// A relationship's target.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Target {
+pub struct RelationshipTarget {
     /// The target path.
     pub path: String,
     /// The type of the target prim; `None` if there is no such prim.
     pub type_name: Option<String>,
 }
 
-impl Value {
+impl AttributeValue {
     /// Returns the value if it is a number.
     #[must_use]
     pub fn number(&self) -> Option<f64> {
@@ -131,7 +131,7 @@ impl Prim {
 
     /// Returns the value of an attribute, if authored.
     #[must_use]
-    pub fn value(&self, name: &str) -> Option<&Value> {
+    pub fn value(&self, name: &str) -> Option<&AttributeValue> {
         self.attributes.get(name)?.value.as_ref()
     }
 
@@ -145,7 +145,7 @@ impl Prim {
     #[must_use]
     pub fn text(&self, name: &str) -> Option<&str> {
         match self.value(name)? {
-            Value::Text(text) => Some(text),
+            AttributeValue::Text(text) => Some(text),
             _ => None,
         }
     }
@@ -162,7 +162,7 @@ impl Prim {
     /// Returns the value of an `int2` attribute as an image size; `None` if it is not positive.
     #[must_use]
     pub fn size(&self, name: &str) -> Option<ImageSize> {
-        let Value::Ints(ints) = self.value(name)? else {
+        let AttributeValue::Ints(ints) = self.value(name)? else {
             return None;
         };
         let [width, height] = ints[..] else { return None };

@@ -9,7 +9,7 @@ use openusd::tf::Token;
 use openusd::usd;
 
 use super::budget::Budget;
-use super::opinion::{self, Source};
+use super::opinion::{self, OpinionKind};
 use super::packages::Packages;
 
 /// An error of the USD library.
@@ -99,7 +99,7 @@ impl Reader {
                 let attribute = self.stage.attribute(path);
                 // Exporters often author a single sample.
                 let is_constant = || attribute.time_sample_times().is_ok_and(|times| times.len() == 1);
-                self.strongest(&attribute) == Some(Source::Samples)
+                self.strongest(&attribute) == Some(OpinionKind::Samples)
                     && (self.budget.has_clips() || !is_constant())
             })
     }
@@ -208,13 +208,13 @@ impl Reader {
             default().or_else(|| self.strongest(attribute).and(None))
         } else if let Some(time) = self.time.get() {
             match self.strongest(attribute)? {
-                Source::Default | Source::Spline => default(),
-                Source::Samples => at(time),
+                OpinionKind::Default | OpinionKind::Spline => default(),
+                OpinionKind::Samples => at(time),
             }
         } else {
             default().or_else(|| match self.strongest(attribute)? {
-                Source::Default | Source::Spline => None,
-                Source::Samples => at(*attribute.time_sample_times().ok()?.first()?),
+                OpinionKind::Default | OpinionKind::Spline => None,
+                OpinionKind::Samples => at(*attribute.time_sample_times().ok()?.first()?),
             })
         };
         value.filter(|value| !matches!(value, Value::None | Value::ValueBlock))
@@ -230,9 +230,9 @@ impl Reader {
     }
 
     /// Returns the kind of the strongest opinion on an attribute, and notes splines.
-    fn strongest(&self, attribute: &usd::Attribute) -> Option<Source> {
+    fn strongest(&self, attribute: &usd::Attribute) -> Option<OpinionKind> {
         let source = opinion::strongest(&self.stage, attribute, self.budget.has_clips());
-        if source == Some(Source::Spline) {
+        if source == Some(OpinionKind::Spline) {
             self.splines.borrow_mut().insert(attribute.path().to_string());
         }
         source

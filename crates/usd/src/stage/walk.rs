@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use openusd::sdf::{Path, Specifier};
 
-use super::own::Own;
+use super::prim_opinions::PrimOpinions;
 use super::reader::{Outcome, Reader, Record, child_path};
 
 /// The maximum depth of prims. Only layers that reference themselves through others exceed it.
@@ -14,20 +14,21 @@ const MAX_DEPTH: usize = 1000;
 /// A prim of a traversal.
 pub(super) struct VisitedPrim {
     record: Record,
-    own: OnceCell<Own>,
+    opinions: OnceCell<PrimOpinions>,
 }
 
 impl VisitedPrim {
     fn new(record: Record) -> Self {
         Self {
             record,
-            own: OnceCell::new(),
+            opinions: OnceCell::new(),
         }
     }
 
     /// Returns the prim's own inheritable opinions, which are read once.
-    pub(super) fn own(&self, reader: &Reader) -> &Own {
-        self.own.get_or_init(|| Own::of(reader, &self.record))
+    pub(super) fn opinions(&self, reader: &Reader) -> &PrimOpinions {
+        self.opinions
+            .get_or_init(|| PrimOpinions::of(reader, &self.record))
     }
 }
 

@@ -3,7 +3,7 @@ use std::fmt::Write;
 use super::number::{push_f32, push_f64, push_i32};
 use super::order::{dictionary_order, is_identifier};
 use super::quote::{push_asset, push_string};
-use super::{Attribute, Dictionary, Layer, Prim, Property, Relationship, Specifier, Value};
+use super::{AttributeSpec, Dictionary, Layer, PrimSpec, Property, Relationship, SpecValue, Specifier};
 
 impl Layer {
     /// Returns the layer in OpenUSD's text format, laid out as OpenUSD exports it.
@@ -56,7 +56,7 @@ impl Emitter {
         }
     }
 
-    fn prim(&mut self, prim: &Prim) {
+    fn prim(&mut self, prim: &PrimSpec) {
         self.indent();
         self.out.push_str(match prim.specifier {
             Specifier::Def => "def ",
@@ -97,7 +97,7 @@ impl Emitter {
     }
 
     /// Emits the metadata sorted by the fields' full names, as OpenUSD does.
-    fn prim_metadata(&mut self, prim: &Prim) {
+    fn prim_metadata(&mut self, prim: &PrimSpec) {
         if !prim.api_schemas.is_empty() {
             self.indent();
             self.out.push_str("prepend apiSchemas = ");
@@ -128,7 +128,7 @@ impl Emitter {
         }
     }
 
-    fn attribute(&mut self, attribute: &Attribute) {
+    fn attribute(&mut self, attribute: &AttributeSpec) {
         let has_metadata = attribute.documentation.is_some() || attribute.interpolation.is_some();
         if attribute.value.is_some() || has_metadata || attribute.connections.is_empty() {
             self.attribute_head(attribute);
@@ -155,7 +155,7 @@ impl Emitter {
         }
     }
 
-    fn attribute_head(&mut self, attribute: &Attribute) {
+    fn attribute_head(&mut self, attribute: &AttributeSpec) {
         self.indent();
         if attribute.custom {
             self.out.push_str("custom ");
@@ -262,35 +262,35 @@ impl Emitter {
         self.out.push('}');
     }
 
-    fn value(&mut self, value: &Value) {
+    fn value(&mut self, value: &SpecValue) {
         let out = &mut self.out;
         match value {
-            Value::Bool(v) => out.push(if *v { '1' } else { '0' }),
-            Value::Int(v) => push_i32(out, *v),
-            Value::Float(v) => push_f32(out, *v),
-            Value::Double(v) => push_f64(out, *v),
-            Value::String(v) | Value::Token(v) => push_string(out, v),
-            Value::Asset(v) => push_asset(out, v),
-            Value::Int2(v) => push_tuple(out, v, push_i32),
-            Value::Float2(v) => push_tuple(out, v, push_f32),
-            Value::Float4(v) => push_tuple(out, v, push_f32),
-            Value::Color3f(v) => push_tuple(out, v, push_f32),
-            Value::Double3(v) => push_tuple(out, v, push_f64),
-            Value::Quatd(v) => push_tuple(out, v, push_f64),
-            Value::Matrix4d(rows) => {
+            SpecValue::Bool(v) => out.push(if *v { '1' } else { '0' }),
+            SpecValue::Int(v) => push_i32(out, *v),
+            SpecValue::Float(v) => push_f32(out, *v),
+            SpecValue::Double(v) => push_f64(out, *v),
+            SpecValue::String(v) | SpecValue::Token(v) => push_string(out, v),
+            SpecValue::Asset(v) => push_asset(out, v),
+            SpecValue::Int2(v) => push_tuple(out, v, push_i32),
+            SpecValue::Float2(v) => push_tuple(out, v, push_f32),
+            SpecValue::Float4(v) => push_tuple(out, v, push_f32),
+            SpecValue::Color3f(v) => push_tuple(out, v, push_f32),
+            SpecValue::Double3(v) => push_tuple(out, v, push_f64),
+            SpecValue::Quatd(v) => push_tuple(out, v, push_f64),
+            SpecValue::Matrix4d(rows) => {
                 out.push_str("( ");
                 push_separated(out, rows, |out, row| push_tuple(out, &row, push_f64));
                 out.push_str(" )");
             }
-            Value::TokenArray(v) => self.strings(v),
-            Value::IntArray(v) => push_array(out, v, push_i32),
-            Value::FloatArray(v) => push_array(out, v, push_f32),
-            Value::Float3Array(v)
-            | Value::Point3fArray(v)
-            | Value::Normal3fArray(v)
-            | Value::Color3fArray(v) => push_vectors(out, v),
-            Value::TexCoord2fArray(v) => push_vectors(out, v),
-            Value::Dictionary(entries) => self.dictionary(entries),
+            SpecValue::TokenArray(v) => self.strings(v),
+            SpecValue::IntArray(v) => push_array(out, v, push_i32),
+            SpecValue::FloatArray(v) => push_array(out, v, push_f32),
+            SpecValue::Float3Array(v)
+            | SpecValue::Point3fArray(v)
+            | SpecValue::Normal3fArray(v)
+            | SpecValue::Color3fArray(v) => push_vectors(out, v),
+            SpecValue::TexCoord2fArray(v) => push_vectors(out, v),
+            SpecValue::Dictionary(entries) => self.dictionary(entries),
         }
     }
 
@@ -316,7 +316,7 @@ impl Emitter {
     }
 }
 
-impl Prim {
+impl PrimSpec {
     fn has_metadata(&self) -> bool {
         !self.api_schemas.is_empty()
             || !self.asset_info.is_empty()

@@ -1,4 +1,4 @@
-use super::{Dictionary, Value};
+use super::{Dictionary, SpecValue};
 
 /// A layer: metadata and root prims.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,7 +18,7 @@ pub struct Layer {
     /// `upAxis`.
     pub up_axis: Option<UpAxis>,
     /// The root prims.
-    pub prims: Vec<Prim>,
+    pub prims: Vec<PrimSpec>,
 }
 
 /// The up axis of a stage.
@@ -41,7 +41,7 @@ pub enum Specifier {
 
 /// A prim and its descendants.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Prim {
+pub struct PrimSpec {
     /// `def` or `over`.
     pub specifier: Specifier,
     /// The type, such as `Camera`; empty if none is authored.
@@ -79,20 +79,20 @@ pub struct Reference {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Property {
     /// An attribute.
-    Attribute(Attribute),
+    Attribute(AttributeSpec),
     /// A relationship.
     Relationship(Relationship),
 }
 
 /// An attribute.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Attribute {
+pub struct AttributeSpec {
     /// The name with its namespaces, such as `omni:lensdistortion:model`.
     pub name: String,
     /// The name of the type; the type of `value` if there is one.
     pub type_name: &'static str,
     /// The default value.
-    pub value: Option<Value>,
+    pub value: Option<SpecValue>,
     /// Whether it is `uniform`: constant over time.
     pub uniform: bool,
     /// Whether it is `custom`: not part of a schema.
@@ -116,7 +116,7 @@ pub struct Relationship {
     pub documentation: Option<String>,
 }
 
-impl Prim {
+impl PrimSpec {
     /// Creates an empty `def TYPE "NAME"`.
     pub fn def(type_name: impl Into<String>, name: impl Into<String>) -> Self {
         Self::new(Specifier::Def, type_name.into(), name.into())
@@ -158,17 +158,17 @@ impl Prim {
     }
 
     /// Adds a schema attribute that may vary over time.
-    pub fn set(&mut self, name: impl Into<String>, value: Value) {
-        self.add(Attribute::new(name, value));
+    pub fn set(&mut self, name: impl Into<String>, value: SpecValue) {
+        self.add(AttributeSpec::new(name, value));
     }
 
     /// Adds a `uniform` schema attribute.
-    pub fn set_uniform(&mut self, name: impl Into<String>, value: Value) {
-        self.add(Attribute::new(name, value).uniform());
+    pub fn set_uniform(&mut self, name: impl Into<String>, value: SpecValue) {
+        self.add(AttributeSpec::new(name, value).uniform());
     }
 
     /// Adds an attribute.
-    pub fn add(&mut self, attribute: Attribute) {
+    pub fn add(&mut self, attribute: AttributeSpec) {
         self.properties.push(Property::Attribute(attribute));
     }
 
@@ -183,7 +183,7 @@ impl Prim {
 
     /// Returns the attribute called `name` if it is authored.
     #[must_use]
-    pub fn attribute(&self, name: &str) -> Option<&Attribute> {
+    pub fn attribute(&self, name: &str) -> Option<&AttributeSpec> {
         self.properties.iter().find_map(|property| match property {
             Property::Attribute(attribute) if attribute.name == name => Some(attribute),
             _ => None,
@@ -197,9 +197,9 @@ impl Prim {
     }
 }
 
-impl Attribute {
+impl AttributeSpec {
     /// Creates a schema attribute with a value.
-    pub fn new(name: impl Into<String>, value: Value) -> Self {
+    pub fn new(name: impl Into<String>, value: SpecValue) -> Self {
         Self {
             type_name: value.type_name(),
             value: Some(value),

@@ -12,6 +12,6 @@ mod order;
 mod quote;
 mod value;
 
-pub use layer::{Attribute, Layer, Prim, Property, Reference, Relationship, Specifier, UpAxis};
+pub use layer::{AttributeSpec, Layer, PrimSpec, Property, Reference, Relationship, Specifier, UpAxis};
 pub use order::is_identifier;
-pub use value::{Dictionary, Value};
+pub use value::{Dictionary, SpecValue};

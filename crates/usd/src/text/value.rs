@@ -1,11 +1,11 @@
 use std::collections::BTreeMap;
 
 /// Named values, sorted by name.
-pub type Dictionary = BTreeMap<String, Value>;
+pub type Dictionary = BTreeMap<String, SpecValue>;
 
 /// A value with its OpenUSD type.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Value {
+pub enum SpecValue {
     /// `bool`.
     Bool(bool),
     /// `int`.
@@ -54,7 +54,7 @@ pub enum Value {
     Dictionary(Dictionary),
 }
 
-impl Value {
+impl SpecValue {
     /// Creates a token.
     pub fn token(text: impl Into<String>) -> Self {
         Self::Token(text.into())

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use oaktwin_catalog::Catalog;
-use oaktwin_usd::check::{CheckOptions, RULES, Report, check};
+use oaktwin_usd::check::{CheckOptions, CheckReport, RULES, check};
 
 fn fixtures() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/check");
@@ -19,7 +19,7 @@ fn fixtures() -> Vec<PathBuf> {
 }
 
 /// Returns the findings, one per line, without absolute paths.
-fn lines(report: &Report) -> String {
+fn lines(report: &CheckReport) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).canonicalize().unwrap();
     let lines: Vec<String> = report.findings.iter().map(ToString::to_string).collect();
     lines.join("\n").replace(folder.to_str().unwrap(), "…")

@@ -8,9 +8,9 @@ use oaktwin_camera::{
 use oaktwin_catalog::{Catalog, Origin, Twin};
 
 use oaktwin_usd::asset::{
-    AssetOptions, Format, IsaacVersion, LensChoice, OverrideBase, PrimNames, Target, asset, overrides,
+    AssetOptions, AssetTarget, Format, IsaacVersion, LensChoice, OverrideBase, PrimNames, asset, overrides,
 };
-use oaktwin_usd::check::{CheckOptions, RULES, Report, check, check_stage};
+use oaktwin_usd::check::{CheckOptions, CheckReport, RULES, check, check_stage};
 use oaktwin_usd::stage::{self, SceneLimit};
 
 /// Returns a unit with typical calibration: focal lengths 2 % off, unequal fx and fy, an off-centre principal point.
@@ -62,7 +62,11 @@ fn every_option() -> Vec<AssetOptions> {
                 } else {
                     IsaacVersion::V5_1
                 },
-                target: if bit(1) { Target::Ovrtx } else { Target::Isaac },
+                target: if bit(1) {
+                    AssetTarget::Ovrtx
+                } else {
+                    AssetTarget::Isaac
+                },
                 lens: if bit(2) {
                     LensChoice::Fisheye
                 } else {
@@ -79,7 +83,7 @@ fn every_option() -> Vec<AssetOptions> {
 }
 
 /// Returns the findings above the level of notes.
-fn problems(report: &Report) -> Vec<String> {
+fn problems(report: &CheckReport) -> Vec<String> {
     let worse = report
         .findings
         .iter()

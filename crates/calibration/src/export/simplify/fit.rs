@@ -12,7 +12,7 @@ const CONVERGED: f64 = 1e-6;
 /// The range of the damping; beyond it no step makes the residual smaller.
 const DAMPING: std::ops::RangeInclusive<f64> = 1e-15..=1e6;
 
-pub(super) struct Found<const N: usize> {
+pub(super) struct FittedLens<const N: usize> {
     /// fx, fy, cx, cy in OpenCV's convention, px.
     pub(super) intrinsics: [f64; 4],
     pub(super) coefficients: [f64; N],
@@ -25,7 +25,7 @@ pub(super) fn fit<const N: usize>(
     family: Family<N>,
     intrinsics: &Intrinsics,
     start: [f64; N],
-) -> Option<Found<N>> {
+) -> Option<FittedLens<N>> {
     let c = intrinsics.principal_point::<OpenCv>();
     let mut at: Vec<f64> = [intrinsics.fx, intrinsics.fy, c.x, c.y]
         .into_iter()
@@ -55,7 +55,7 @@ pub(super) fn fit<const N: usize>(
         damping = damping.max(*DAMPING.start());
     }
     let (intrinsics, coefficients) = split::<N>(&at)?;
-    (intrinsics[0] > 0.0 && intrinsics[1] > 0.0).then_some(Found {
+    (intrinsics[0] > 0.0 && intrinsics[1] > 0.0).then_some(FittedLens {
         intrinsics,
         coefficients,
     })

@@ -4,12 +4,12 @@ use std::collections::BTreeSet;
 
 use super::Problem;
 use super::flow::{Flow, open_brackets};
-use super::line::Line;
+use super::line::YamlLine;
 use super::scalar::{scalar, without_tag};
 use crate::raw::{MAX_DEPTH, Node, Position, Value};
 
 /// Parses lines, of which there is at least one.
-pub(super) fn document(lines: &[Line<'_>]) -> Result<Node, Problem> {
+pub(super) fn document(lines: &[YamlLine<'_>]) -> Result<Node, Problem> {
     let mut block = Block {
         lines: lines.to_vec(),
         at: 0,
@@ -26,12 +26,12 @@ pub(super) fn document(lines: &[Line<'_>]) -> Result<Node, Problem> {
 }
 
 struct Block<'a> {
-    lines: Vec<Line<'a>>,
+    lines: Vec<YamlLine<'a>>,
     at: usize,
 }
 
 impl<'a> Block<'a> {
-    fn peek(&self) -> Option<Line<'a>> {
+    fn peek(&self) -> Option<YamlLine<'a>> {
         self.lines.get(self.at).copied()
     }
 
@@ -152,7 +152,7 @@ impl<'a> Block<'a> {
     }
 }
 
-fn position(line: Line<'_>) -> Position {
+fn position(line: YamlLine<'_>) -> Position {
     Position {
         line: line.number,
         column: line.indent + 1,
@@ -164,7 +164,7 @@ fn is_item(text: &str) -> bool {
 }
 
 /// Splits `key: value`.
-fn key_and_rest(line: Line<'_>) -> Option<(String, &str)> {
+fn key_and_rest(line: YamlLine<'_>) -> Option<(String, &str)> {
     let text = line.text;
     if text.starts_with(['[', '{']) {
         return None;

@@ -2,7 +2,7 @@ use super::Problem;
 
 /// A line with content, without its comment.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Line<'a> {
+pub(super) struct YamlLine<'a> {
     /// The number in the file, from 1.
     pub(super) number: usize,
     /// The column of the first character, from 0.
@@ -12,8 +12,8 @@ pub(super) struct Line<'a> {
 }
 
 /// Returns the lines of the first document.
-pub(super) fn lines(text: &str) -> Result<Vec<Line<'_>>, Problem> {
-    let mut lines: Vec<Line<'_>> = Vec::new();
+pub(super) fn lines(text: &str) -> Result<Vec<YamlLine<'_>>, Problem> {
+    let mut lines: Vec<YamlLine<'_>> = Vec::new();
     for (number, whole) in (1..).zip(text.lines()) {
         if let Some(c) = whole.chars().find(|c| c.is_control() && *c != '\t') {
             return Err(Problem::new(
@@ -36,7 +36,7 @@ pub(super) fn lines(text: &str) -> Result<Vec<Line<'_>>, Problem> {
         if text.starts_with('\t') {
             return Err(Problem::new(number, "indented by a tab instead of spaces"));
         }
-        lines.push(Line {
+        lines.push(YamlLine {
             number,
             indent: content.len() - text.len(),
             text,

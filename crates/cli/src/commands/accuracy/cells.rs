@@ -1,10 +1,10 @@
 //! The cells of the tables of `accuracy`.
 
-use oaktwin::accuracy::{Band, Reading, Row};
+use oaktwin::accuracy::{AccuracyRow, Band, Reading};
 
 use crate::number::{fixed, signed};
 
-pub(super) fn distance(row: &Row) -> String {
+pub(super) fn distance(row: &AccuracyRow) -> String {
     let text = format!("{:.3}", row.distance_m);
     let whole = text.trim_end_matches('0');
     let digits = whole.len().max(text.len() - 1);
@@ -27,7 +27,7 @@ pub(super) fn quartiles(reading: &Reading) -> String {
         .map_or_else(|| "-".to_owned(), |[low, high]| format!("{low:.2}-{high:.2}"))
 }
 
-pub(super) fn band(row: &Row) -> String {
+pub(super) fn band(row: &AccuracyRow) -> String {
     if row.bands.is_empty() {
         return "-".to_owned();
     }

@@ -1,13 +1,13 @@
 //! The tables of `accuracy`.
 
-use oaktwin::accuracy::{Devices, Reading, Report, Row, Verdict};
-use oaktwin::catalog::Table;
+use oaktwin::accuracy::{AccuracyReport, AccuracyRow, Devices, Reading, Verdict};
+use oaktwin::catalog::TextTable;
 
 use super::cells::{band, distance, error, quartiles};
 use crate::number::{fixed, signed};
 use crate::output;
 
-pub(super) fn own(report: &Report, title: String) -> Table {
+pub(super) fn distance_table(report: &AccuracyReport, title: String) -> TextTable {
     let many = report.devices.are_many();
     let is_factory = matches!(report.devices, Devices::Factory { .. });
     let header = [
@@ -44,7 +44,7 @@ pub(super) fn own(report: &Report, title: String) -> Table {
         ]
     });
     without_column(
-        Table {
+        TextTable {
             title,
             header: header.map(str::to_owned).to_vec(),
             rows: rows.collect(),
@@ -53,7 +53,7 @@ pub(super) fn own(report: &Report, title: String) -> Table {
     )
 }
 
-pub(super) fn single_view(report: &Report, carries: bool) -> String {
+pub(super) fn single_view(report: &AccuracyReport, carries: bool) -> String {
     let [carried, recomputed] = [
         "Depth copied from the rendering: exact by construction; only its position is wrong",
         "Depth recomputed from the quantized and jittered disparity",
@@ -76,11 +76,11 @@ pub(super) fn single_view(report: &Report, carries: bool) -> String {
 
 /// Returns the table of one reading of Isaac Sim's sensor. If depth is recomputed, it includes the jitter and the invalid share.
 fn reading_table<'a>(
-    report: &'a Report,
+    report: &'a AccuracyReport,
     title: String,
     is_recomputed: bool,
-    reading: impl Fn(&'a Row) -> Option<(&'a Reading, Verdict)>,
-) -> Table {
+    reading: impl Fn(&'a AccuracyRow) -> Option<(&'a Reading, Verdict)>,
+) -> TextTable {
     let mut header = vec!["Distance\n[m]", "Error\n[%]", "Pixel error\n[%]"];
     if is_recomputed {
         header.extend(["Jitter of d\n[%]", "Invalid\n[%]"]);
@@ -112,14 +112,14 @@ fn reading_table<'a>(
         ]);
         Some(cells)
     });
-    Table {
+    TextTable {
         title,
         header: header.into_iter().map(str::to_owned).collect(),
         rows: rows.collect(),
     }
 }
 
-fn without_column(mut table: Table, column: Option<usize>) -> Table {
+fn without_column(mut table: TextTable, column: Option<usize>) -> TextTable {
     if let Some(column) = column {
         for cells in std::iter::once(&mut table.header).chain(&mut table.rows) {
             cells.remove(column);

@@ -1,15 +1,15 @@
 //! The report of `accuracy` as text.
 
-use oaktwin::accuracy::{Devices, Report};
+use oaktwin::accuracy::{AccuracyReport, Devices};
 use oaktwin::catalog::Source;
 
 use super::{tables, verdict};
 use crate::output;
 
-pub(super) fn report(report: &Report) -> String {
+pub(super) fn report(report: &AccuracyReport) -> String {
     let mut text = heading(report);
     match report.carries_depth {
-        None => text += &output::number_table(&tables::own(report, String::new())),
+        None => text += &output::number_table(&tables::distance_table(report, String::new())),
         Some(carries) => text += &tables::single_view(report, carries),
     }
     text += "\n";
@@ -20,7 +20,7 @@ pub(super) fn report(report: &Report) -> String {
     text
 }
 
-fn heading(report: &Report) -> String {
+fn heading(report: &AccuracyReport) -> String {
     let devices = match report.devices {
         Devices::Population { count } => {
             format!("the median of {count} devices (seeds 0 to {})", count - 1)

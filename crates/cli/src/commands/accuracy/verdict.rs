@@ -2,12 +2,12 @@
 
 use std::fmt::Write;
 
-use oaktwin::accuracy::{Comparison, Report, Row, Verdict};
+use oaktwin::accuracy::{AccuracyReport, AccuracyRow, Comparison, Verdict};
 
 use super::cells::distance;
 
-pub(super) fn text(report: &Report) -> String {
-    let of = |verdict: Verdict| -> Vec<&Row> {
+pub(super) fn text(report: &AccuracyReport) -> String {
+    let of = |verdict: Verdict| -> Vec<&AccuracyRow> {
         report
             .distances
             .iter()

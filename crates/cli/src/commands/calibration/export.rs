@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use oaktwin::calibration::export::{self, Export, Format};
+use oaktwin::calibration::export::{self, CalibrationFiles, Format};
 use oaktwin::calibration::{Calibration, Raw, nominal_calibration};
 use oaktwin::diagnostic::Finding;
 use oaktwin::{files, unit};
@@ -18,7 +18,7 @@ pub(crate) fn run(context: &Context, args: &CalibrationExportArgs) -> Result<Exi
     if args.to == Format::Kalibr && is_folder {
         made.extend(imu(context, &args.from, &calibration));
     }
-    let Export {
+    let CalibrationFiles {
         files,
         findings: losses,
     } = made;
@@ -61,7 +61,7 @@ fn open(
 }
 
 /// Returns the file of the inertial sensor of the named model, or of the model of the calibration's board.
-fn imu(context: &Context, name: &str, calibration: &Calibration) -> Export {
+fn imu(context: &Context, name: &str, calibration: &Calibration) -> CalibrationFiles {
     let catalog = &context.catalog;
     let board = &calibration.board;
     let device = catalog

@@ -1,6 +1,6 @@
 use std::path::Path;
 
-use oaktwin::calibration::import::{FileFinding, ImportOptions, InputFile, import};
+use oaktwin::calibration::import::{CalibrationImportOptions, FileFinding, InputFile, import};
 use oaktwin::calibration::raw::MAX_BYTES;
 use oaktwin::calibration::{self, Calibration};
 use oaktwin::{files, unit};
@@ -26,7 +26,7 @@ pub(crate) fn run(context: &Context, args: &CalibrationImportArgs) -> Result<Exi
             })
         })
         .collect::<Result<Vec<InputFile>>>()?;
-    let options = ImportOptions {
+    let options = CalibrationImportOptions {
         cameras: args.cameras.clone(),
         unit: args.unit,
         size: size::parse("--size", args.size.as_deref())?,

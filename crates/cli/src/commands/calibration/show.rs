@@ -16,12 +16,12 @@ pub(super) fn run(context: &Context, args: &CalibrationShowArgs) -> Result<Exit>
         .map(|model| context.device(model))
         .transpose()?;
     let board = &calibration.board;
-    let own = || {
+    let device_of_unit = || {
         context
             .catalog
             .device_of_unit(&board.product_name, &board.board_name)
     };
-    let device = named.or_else(|| own().ok());
+    let device = named.or_else(|| device_of_unit().ok());
     if let Some(device) = device {
         let nominal = context.catalog.nominal(device);
         findings.extend(calibration::check_against(

@@ -2,7 +2,9 @@
 
 use oaktwin::camera::RigidTransform;
 use oaktwin::camera::math::DVec3;
-use oaktwin::coverage::{self, Base, Candidate, Coverage, MeasuringRig, Options, Placement, Region, Sweep};
+use oaktwin::coverage::{
+    self, Base, Candidate, Coverage, CoverageOptions, MeasuringRig, Placement, PlacementSweep, Region,
+};
 use oaktwin::files::OutputFiles;
 use oaktwin::render::{OpenOptions, Renderer, SceneFile, trajectory};
 use oaktwin::scene::{Bounds, Up};
@@ -71,16 +73,16 @@ pub(super) fn measure(
     })?)
 }
 
-pub(super) fn options(args: &CoverageArgs) -> Options {
-    Options {
+pub(super) fn options(args: &CoverageArgs) -> CoverageOptions {
+    CoverageOptions {
         samples: args.samples,
         tolerance_mm: args.tolerance,
-        ..Options::default()
+        ..CoverageOptions::default()
     }
 }
 
 /// The poses of the models.
-pub(super) fn placements(args: &CoverageArgs, sweep: &Sweep, up: Up) -> Result<Vec<Placement>> {
+pub(super) fn placements(args: &CoverageArgs, sweep: &PlacementSweep, up: Up) -> Result<Vec<Placement>> {
     let base = if let Some(file) = &args.poses {
         let poses = trajectory::read(file)?;
         Base::Poses(poses.iter().map(|pose| pose.world_from_mount).collect())

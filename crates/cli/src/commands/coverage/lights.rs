@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use oaktwin::coverage::{self, InLight, InLights, LIGHTS, MeasuringRig, Region, Sweep};
+use oaktwin::coverage::{self, InLight, InLights, LIGHTS, MeasuringRig, PlacementSweep, Region};
 use oaktwin::diagnostic::add_new;
 use oaktwin::files::OutputFiles;
 use oaktwin::image::png;
@@ -18,7 +18,7 @@ pub(super) fn run(
     context: &Context,
     args: &CoverageArgs,
     region: &Region,
-    sweep: &Sweep,
+    sweep: &PlacementSweep,
     folder: &Path,
 ) -> Result<Exit> {
     let mut scene = asked::scene(args)?;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use oaktwin::coverage::{self, Carrier, MeasuringRig, MotionCoverage, Region, Sweep};
+use oaktwin::coverage::{self, Carrier, MeasuringRig, MotionCoverage, PlacementSweep, Region};
 use oaktwin::files::WrittenFile;
 use oaktwin::image::png;
 use oaktwin::render::Renderer;
@@ -16,7 +16,7 @@ use crate::{output, progress};
 
 /// The result of the command.
 #[derive(Serialize)]
-struct Report<'a> {
+struct MotionCoverageReport<'a> {
     scene: &'a Path,
     robot: Option<&'a Path>,
     mount: Option<&'a str>,
@@ -25,7 +25,12 @@ struct Report<'a> {
     files: &'a [WrittenFile],
 }
 
-pub(super) fn run(context: &Context, args: &CoverageArgs, region: &Region, sweep: &Sweep) -> Result<Exit> {
+pub(super) fn run(
+    context: &Context,
+    args: &CoverageArgs,
+    region: &Region,
+    sweep: &PlacementSweep,
+) -> Result<Exit> {
     let models = rigs::of_models(context, args, None)?;
     let mut scene = asked::scene(args)?;
     let mut findings = std::mem::take(&mut scene.findings);
@@ -90,8 +95,12 @@ pub(super) fn run(context: &Context, args: &CoverageArgs, region: &Region, sweep
     Ok(finish(&of_files, measured.is_interrupted))
 }
 
-fn report<'a>(args: &'a CoverageArgs, coverage: &'a MotionCoverage, files: &'a [WrittenFile]) -> Report<'a> {
-    Report {
+fn report<'a>(
+    args: &'a CoverageArgs,
+    coverage: &'a MotionCoverage,
+    files: &'a [WrittenFile],
+) -> MotionCoverageReport<'a> {
+    MotionCoverageReport {
         scene: &args.scene,
         robot: args.robot.robot(),
         mount: args.mount.as_deref(),

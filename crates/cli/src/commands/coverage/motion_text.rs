@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use oaktwin::catalog::Table;
+use oaktwin::catalog::TextTable;
 use oaktwin::coverage::{CandidateCoverage, MotionCoverage, MountCoverage};
 use oaktwin::files::WrittenFile;
 
@@ -35,7 +35,7 @@ pub(super) fn report(coverage: &MotionCoverage, files: &[WrittenFile]) -> String
     text + &written(files)
 }
 
-fn mounts(coverage: &MotionCoverage) -> Table {
+fn mounts(coverage: &MotionCoverage) -> TextTable {
     let header = [
         "Rank",
         "Model",
@@ -62,14 +62,14 @@ fn mounts(coverage: &MotionCoverage) -> Table {
             losses(shares),
         ]
     };
-    Table {
+    TextTable {
         title: String::new(),
         header: header.map(str::to_owned).to_vec(),
         rows: (1..).zip(&coverage.ranking).take(MAX_ROWS).map(row).collect(),
     }
 }
 
-fn postures(mount: &MountCoverage) -> Table {
+fn postures(mount: &MountCoverage) -> TextTable {
     let header = [
         "Posture",
         "Measured",
@@ -96,7 +96,7 @@ fn postures(mount: &MountCoverage) -> Table {
             losses(shares),
         ]
     };
-    Table {
+    TextTable {
         title: String::new(),
         header: header.map(str::to_owned).to_vec(),
         rows: mount

@@ -64,13 +64,13 @@ pub(super) fn of(
     if !args.model.is_empty() {
         return Ok(models);
     }
-    let (rigs, more) = own(args, scene)?;
+    let (rigs, more) = rigs_of_scene(args, scene)?;
     findings.extend(more);
     Ok(rigs)
 }
 
 /// The depth sensors of the scene.
-fn own(args: &CoverageArgs, scene: &SceneFile) -> Result<(Vec<MeasuringRig>, Vec<Finding>)> {
+fn rigs_of_scene(args: &CoverageArgs, scene: &SceneFile) -> Result<(Vec<MeasuringRig>, Vec<Finding>)> {
     let spec = RigSpec {
         sensor: args.engine.options()?,
         ..RigSpec::default()

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use oaktwin::catalog::Table;
+use oaktwin::catalog::TextTable;
 use oaktwin::coverage::{CandidateCoverage, Coverage, Occluder, SampledRegion, Shares};
 use oaktwin::files::WrittenFile;
 
@@ -48,7 +48,7 @@ pub(super) fn region(region: &SampledRegion) -> String {
     )
 }
 
-fn table(coverage: &Coverage) -> Table {
+fn table(coverage: &Coverage) -> TextTable {
     let header = [
         "Rank",
         "Model",
@@ -60,7 +60,7 @@ fn table(coverage: &Coverage) -> Table {
         "Lost",
     ];
     let rows = (1..).zip(&coverage.ranking).take(MAX_ROWS);
-    Table {
+    TextTable {
         title: String::new(),
         header: header.map(str::to_owned).to_vec(),
         rows: rows

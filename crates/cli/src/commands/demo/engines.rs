@@ -9,7 +9,7 @@ use oaktwin::render::{Renderer, Rig, RigSpec};
 use oaktwin::sensor::{EngineKind, SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, SensorOptions};
 use oaktwin_demo as demo_room;
 
-use super::room::{self, RANGE_M, Seen};
+use super::room::{self, RANGE_M, RoomImages};
 use crate::context::{Context, Result};
 
 /// The model with a dot projector, and the one with a time-of-flight camera.
@@ -41,15 +41,15 @@ pub(super) fn sheet(context: &Context, renderer: &Renderer) -> Result<Vec<u8>> {
         projector: 1.0,
         ..day
     };
-    let measured = |mut rig: Rig| Ok::<_, Box<dyn Error>>(Seen::new(renderer, &mut rig)?.measured);
-    let seen = Seen::new(renderer, &mut by(&SINGLE_VIEW, &day)?)?;
+    let measured = |mut rig: Rig| Ok::<_, Box<dyn Error>>(RoomImages::new(renderer, &mut rig)?.measured);
+    let seen = RoomImages::new(renderer, &mut by(&SINGLE_VIEW, &day)?)?;
     let (rgb, exact, single_view) = (seen.rgb, seen.exact, seen.measured);
     let stereo_noise = by(&STEREO_NOISE, &day)?.measure(exact.clone(), Some(rgb.clone()), 0)?;
     let stereo_noise = stereo_noise.depth_sensor_distance.ok_or("nothing was measured")?;
     let by_day = measured(by(&STEREO_MATCHING, &day)?)?;
     let at_night = by(&STEREO_MATCHING, &night)?;
     let pair = at_night.pair().ok_or("no stereo pair")?;
-    let pair = pair.look(renderer, &demo_room::world_from_body(), 0);
+    let pair = pair.capture(renderer, &demo_room::world_from_body(), 0);
     let dots: Image<u8> = pair.left.to_eight();
     let by_night = measured(at_night)?;
     let time_of_flight = measured(room::rig(&tof, HEIGHT, &RigSpec::default())?)?;

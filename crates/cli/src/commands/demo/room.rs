@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use oaktwin::catalog::{Device, Twin};
-use oaktwin::dataset::{Extras, FlatWriter, InputName, Options, Shot, Writer};
+use oaktwin::dataset::{Extras, FlatWriter, InputName, Shot, Writer, WriterOptions};
 use oaktwin::files::{self, OutputFiles};
 use oaktwin::image::annotation::{Annotator, Frame};
 use oaktwin::image::contact_sheet::{Column, contact_sheet};
@@ -46,16 +46,16 @@ pub(super) fn render(
     twins: &[Twin],
 ) -> Result<Vec<u8>> {
     let folder = output.join(FOLDER);
-    let options = Options {
+    let options = WriterOptions {
         extras: Extras {
             preview: true,
             ..Extras::default()
         },
-        ..Options::default()
+        ..WriterOptions::default()
     };
     let mut columns = Vec::new();
     for (device, twin) in devices.iter().zip(twins) {
-        let seen = Seen::new(renderer, &mut rig(twin, HEIGHT, &RigSpec::default())?)?;
+        let seen = RoomImages::new(renderer, &mut rig(twin, HEIGHT, &RigSpec::default())?)?;
         let frame = Frame {
             rgb: Some(seen.rgb.clone()),
             distance_to_image_plane: Some(seen.exact.clone()),
@@ -96,13 +96,13 @@ pub(super) fn rig(twin: &Twin, height: u32, spec: &RigSpec) -> Result<Rig> {
 }
 
 /// What a rig sees and measures of the room.
-pub(super) struct Seen {
+pub(super) struct RoomImages {
     pub(super) rgb: Image<[u8; 4]>,
     pub(super) exact: ZDepth,
     pub(super) measured: ZDepth,
 }
 
-impl Seen {
+impl RoomImages {
     pub(super) fn new(renderer: &Renderer, rig: &mut Rig) -> Result<Self> {
         let (shots, _) = rig.shoot(renderer, Some(&demo_room::world_from_body()), 0)?;
         let frame = shots.into_iter().next().ok_or("no camera")?.frame;

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use oaktwin::catalog::Table;
-use oaktwin::fit::{FittedPoint, Parameter, Report, Target};
+use oaktwin::catalog::TextTable;
+use oaktwin::fit::{FitReport, FittedPoint, Parameter, TargetReport};
 
 use crate::number::fixed;
 use crate::output;
@@ -11,7 +11,7 @@ use crate::output;
 /// The maximum number of targets that are listed.
 const MAX_TARGETS: usize = 40;
 
-pub(super) fn report(report: &Report) -> String {
+pub(super) fn report(report: &FitReport) -> String {
     let mut text = format!(
         "{}, {}, {}: focal length {:.2} px at {} px",
         report.model, report.sensor, report.engine, report.focal_length_px, report.width_px,
@@ -64,7 +64,7 @@ pub(super) fn report(report: &Report) -> String {
     text
 }
 
-fn parameters(report: &Report) -> String {
+fn parameters(report: &FitReport) -> String {
     let rows = report.parameters.iter().map(|parameter| {
         let [value, low, high] = cells(parameter);
         vec![
@@ -77,7 +77,7 @@ fn parameters(report: &Report) -> String {
         ]
     });
     let header = ["Parameter", "Value", "95 % from", "to", "Unit", "What"];
-    output::number_table(&Table {
+    output::number_table(&TextTable {
         title: String::new(),
         header: header.map(str::to_owned).to_vec(),
         rows: rows.collect(),
@@ -104,7 +104,7 @@ fn cells(parameter: &Parameter) -> [String; 3] {
     [number(parameter.value), low, high]
 }
 
-fn targets(report: &Report) -> String {
+fn targets(report: &FitReport) -> String {
     let (unit, to_one) = report.shown_unit();
     let header = [
         "Distance\n[m]".to_owned(),
@@ -117,7 +117,7 @@ fn targets(report: &Report) -> String {
         format!("Fixed\n[{unit}]"),
         "\nTarget".to_owned(),
     ];
-    let row = |(number, target): (usize, &Target)| {
+    let row = |(number, target): (usize, &TargetReport)| {
         // A tilted target has a point for each of several true distances.
         let mean = |of: &dyn Fn(&FittedPoint) -> Option<f64>| {
             let points = report.points.iter().filter(|point| point.target == Some(number));
@@ -137,7 +137,7 @@ fn targets(report: &Report) -> String {
         ]
     };
     let shown = report.targets.iter().enumerate().take(MAX_TARGETS);
-    let mut text = output::number_table(&Table {
+    let mut text = output::number_table(&TextTable {
         title: String::new(),
         header: header.to_vec(),
         rows: shown.map(row).collect(),

@@ -25,7 +25,7 @@ const POLL: Duration = Duration::from_millis(50);
 /// A line from the Python process.
 #[derive(Deserialize)]
 #[serde(rename_all = "lowercase")]
-enum Line {
+enum ProcessLine {
     /// A batch of frames is complete.
     Done(u64, u64),
     /// Nothing more follows.
@@ -96,8 +96,8 @@ impl Python {
             Err(RecvTimeoutError::Disconnected) => return Err(self.ended().into()),
         };
         match serde_json::from_str(&line) {
-            Ok(Line::Done(first, end)) => Ok(Some(first..end)),
-            Ok(Line::Error(text)) => Err(text.into()),
+            Ok(ProcessLine::Done(first, end)) => Ok(Some(first..end)),
+            Ok(ProcessLine::Error(text)) => Err(text.into()),
             Err(_) => Ok(None),
         }
     }

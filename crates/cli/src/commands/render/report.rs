@@ -7,7 +7,7 @@ use oaktwin::files::WrittenFile;
 use oaktwin::render::{Rig, Written};
 use serde::Serialize;
 
-use camera::CameraReport;
+use camera::RenderedCameraReport;
 
 use super::imu::ImuReport;
 use crate::args::RenderArgs;
@@ -16,7 +16,7 @@ use crate::output;
 
 /// The result of the command.
 #[derive(Debug, Serialize)]
-pub(super) struct Report<'a> {
+pub(super) struct RenderReport<'a> {
     scene: &'a Path,
     /// The output folder, if there is one.
     output: Option<&'a Path>,
@@ -32,7 +32,7 @@ pub(super) struct Report<'a> {
     #[serde(rename = "interrupted")]
     pub(super) is_interrupted: bool,
     annotators: Vec<&'static str>,
-    cameras: Vec<CameraReport<'a>>,
+    cameras: Vec<RenderedCameraReport<'a>>,
     files: Vec<WrittenFile>,
     /// The findings about the scene, its cameras and the rendering.
     findings: Vec<Finding>,
@@ -40,7 +40,7 @@ pub(super) struct Report<'a> {
     calibration_findings: Vec<Finding>,
 }
 
-impl<'a> Report<'a> {
+impl<'a> RenderReport<'a> {
     pub(super) fn new(
         (args, output): (&'a RenderArgs, Option<&'a Path>),
         rig: &'a Rig,
@@ -65,7 +65,7 @@ impl<'a> Report<'a> {
                 .map(|annotator| annotator.name())
                 .collect(),
             cameras: cameras
-                .map(|(camera, sensor)| CameraReport::new(camera, sensor.as_ref(), output, is_flat))
+                .map(|(camera, sensor)| RenderedCameraReport::new(camera, sensor.as_ref(), output, is_flat))
                 .collect(),
             files: files.unwrap_or_default(),
             findings,

@@ -11,7 +11,7 @@ use crate::output;
 
 /// The result of the command.
 #[derive(Debug, Serialize)]
-pub(super) struct Report {
+pub(super) struct SenseReport {
     model: String,
     sensors: Vec<SensorReport>,
     images: u64,
@@ -29,7 +29,7 @@ struct SensorReport {
     engine: String,
 }
 
-impl Report {
+impl SenseReport {
     pub(super) fn new(twin: &Twin, sensed: Sensed, calibration_findings: Vec<Finding>) -> Self {
         Self {
             model: twin.device.name.clone(),

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use oaktwin::files::FileError;
 use oaktwin::image::annotation::Annotator;
 use oaktwin::render;
-use oaktwin::sense::{FieldOfView, Input, SenseOptions};
+use oaktwin::sense::{FieldOfView, SenseInput, SenseOptions};
 
 use crate::args::SenseArgs;
 use crate::context::Result;
@@ -54,7 +54,7 @@ fn is_standard_input(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-pub(super) fn inputs(args: &SenseArgs) -> Result<Vec<Input>> {
+pub(super) fn inputs(args: &SenseArgs) -> Result<Vec<SenseInput>> {
     let from_pipe = args.depth.iter().filter(|path| is_standard_input(path)).count();
     if from_pipe > 1 {
         return Err("- is standard input, which can be read only once; name it once".into());
@@ -96,12 +96,12 @@ pub(super) fn inputs(args: &SenseArgs) -> Result<Vec<Input>> {
         };
         let output = args.output.clone();
         inputs.push(if is_standard_input(path) {
-            Input::StandardInput {
+            SenseInput::StandardInput {
                 output: output.unwrap_or_default(),
                 rgb,
             }
         } else if path.is_dir() {
-            Input::Folder {
+            SenseInput::Folder {
                 path: path.clone(),
                 output: output.unwrap_or_else(|| path.clone()),
             }
@@ -109,7 +109,7 @@ pub(super) fn inputs(args: &SenseArgs) -> Result<Vec<Input>> {
             std::fs::metadata(path).map_err(|error| FileError::reading(path, &error))?;
             let output =
                 output.ok_or_else(|| format!("{}: output directory required (-o DIR)", path.display()))?;
-            Input::File {
+            SenseInput::File {
                 path: path.clone(),
                 output,
                 rgb,

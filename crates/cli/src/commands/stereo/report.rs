@@ -4,7 +4,7 @@ use oaktwin::camera::OpenCv;
 use oaktwin::catalog::Twin;
 use oaktwin::diagnostic::{self, Finding};
 use oaktwin::files::WrittenFile;
-use oaktwin::stereo::Matched;
+use oaktwin::stereo::MatchingResult;
 use serde::Serialize;
 
 use crate::args::StereoArgs;
@@ -13,7 +13,7 @@ use crate::output;
 
 /// The result of the command.
 #[derive(Debug, Serialize)]
-pub(super) struct Report {
+pub(super) struct StereoReport {
     /// The model, if one is given.
     model: Option<String>,
     output: PathBuf,
@@ -35,8 +35,12 @@ pub(super) struct Report {
     calibration_findings: Vec<Finding>,
 }
 
-impl Report {
-    pub(super) fn new(args: &StereoArgs, unit: Option<(Twin, Vec<Finding>)>, matched: Matched) -> Self {
+impl StereoReport {
+    pub(super) fn new(
+        args: &StereoArgs,
+        unit: Option<(Twin, Vec<Finding>)>,
+        matched: MatchingResult,
+    ) -> Self {
         let (model, calibration_findings) = match unit {
             Some((twin, findings)) => (Some(twin.device.name), findings),
             None => (None, Vec::new()),

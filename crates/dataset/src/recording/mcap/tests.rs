@@ -1,7 +1,7 @@
 use std::io;
 
 use super::*;
-use crate::recording::{Body, DepthView};
+use crate::recording::{DepthView, MovingBody};
 use oaktwin_camera::math::{DMat3, DVec3};
 use oaktwin_camera::{Camera, FTheta, ImageSize, Intrinsics, LensModel, PixelPoint};
 
@@ -12,7 +12,7 @@ fn camera(name: &str, body: Option<&str>) -> RecordedCamera {
         frame: None,
         camera: Camera::new(intrinsics, LensModel::Pinhole),
         measured: None,
-        body: body.map(|name| Body {
+        body: body.map(|name| MovingBody {
             name: name.to_owned(),
             body_from_camera: RigidTransform::new(
                 Axes::Ros.rotation_from(Axes::OpenCv),

@@ -1,6 +1,6 @@
 mod network;
 
-use oaktwin_base::parameter::{Kind, View, choice, parameters};
+use oaktwin_base::parameter::{FieldText, Kind, choice, parameters};
 use oaktwin_image::Image;
 use oaktwin_simd::Level;
 use rayon::prelude::*;
@@ -33,7 +33,7 @@ parameters! {
 /// The side of a square, or `DepthAI`'s name.
 struct Side;
 
-impl View<Median> for Side {
+impl FieldText<Median> for Side {
     const KIND: Kind = Kind::Text("3, 5 or 7");
 
     fn set(field: &mut Median, text: &str) -> Option<()> {

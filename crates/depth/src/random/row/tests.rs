@@ -1,13 +1,13 @@
 use oaktwin_simd::Level;
 
 use super::*;
-use crate::random::{Stage, Stream};
+use crate::random::{NoiseStage, Stream};
 
-fn plane() -> Plane {
-    Stream::new(7, "left").plane(Stage::Jitter, 3, 1)
+fn plane() -> RandomPlane {
+    Stream::new(7, "left").plane(NoiseStage::Jitter, 3, 1)
 }
 
-fn normals(plane: &Plane, rows: std::ops::Range<u32>, columns: usize) -> Vec<f64> {
+fn normals(plane: &RandomPlane, rows: std::ops::Range<u32>, columns: usize) -> Vec<f64> {
     let mut row = vec![0.0; columns];
     rows.flat_map(|y| {
         plane.normals(y, &mut row);
@@ -98,14 +98,18 @@ fn normals_are_normal() {
 #[test]
 fn nothing_depends_on_anything_else() {
     let stream = Stream::new(7, "left");
-    let reference = normals(&stream.plane(Stage::Jitter, 3, 1), 10..110, 640);
+    let reference = normals(&stream.plane(NoiseStage::Jitter, 3, 1), 10..110, 640);
     let others = [
-        ("frame", stream.plane(Stage::Jitter, 4, 1), 10),
-        ("item", stream.plane(Stage::Jitter, 3, 2), 10),
-        ("stage", stream.plane(Stage::Dropout, 3, 1), 10),
-        ("row", stream.plane(Stage::Jitter, 3, 1), 11),
-        ("seed", Stream::new(8, "left").plane(Stage::Jitter, 3, 1), 10),
-        ("camera", Stream::new(7, "right").plane(Stage::Jitter, 3, 1), 10),
+        ("frame", stream.plane(NoiseStage::Jitter, 4, 1), 10),
+        ("item", stream.plane(NoiseStage::Jitter, 3, 2), 10),
+        ("stage", stream.plane(NoiseStage::Dropout, 3, 1), 10),
+        ("row", stream.plane(NoiseStage::Jitter, 3, 1), 11),
+        ("seed", Stream::new(8, "left").plane(NoiseStage::Jitter, 3, 1), 10),
+        (
+            "camera",
+            Stream::new(7, "right").plane(NoiseStage::Jitter, 3, 1),
+            10,
+        ),
     ];
     let n = reference.len() as f64;
     let correlation = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() / n;

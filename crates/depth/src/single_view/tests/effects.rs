@@ -78,7 +78,7 @@ fn disparities_are_multiples_of_noise_mean() {
     let depth = image(1280, 4, |x, _| 1.0 + x as f32 * 0.005);
     let sensor = SingleView::new(parameters, recomputed).unwrap();
     let seen = sensor.sense(
-        &Shot::new((&depth).into()),
+        &DepthShot::new((&depth).into()),
         &Stream::new(1, ""),
         Wanted::default(),
     );
@@ -202,7 +202,7 @@ fn jitter_has_the_set_sigma_and_is_uncorrelated_over_time() {
     let (mut sum, mut squares, mut lagged, mut n) = (0.0f64, 0.0, 0.0, 0.0);
     let mut before = vec![0.0; 106 * 60];
     for frame in 0..40 {
-        let mut shot = Shot::new((&depth).into());
+        let mut shot = DepthShot::new((&depth).into());
         shot.frame = frame;
         let seen = sensor.sense(&shot, &stream, Wanted::default()).distance.0;
         for (z, before) in seen.pixels().iter().zip(&mut before).filter(|(z, _)| **z > 0.0) {
@@ -253,7 +253,7 @@ fn confidence_depends_on_texture() {
         let mut assumptions = Assumptions::default();
         assumptions.set("sobel-gain", "1").unwrap();
         assumptions.set("grain", grain).unwrap();
-        let shot = Shot::new((&depth).into()).with_rgb(picture.into()).unwrap();
+        let shot = DepthShot::new((&depth).into()).with_rgb(picture.into()).unwrap();
         let sensor = SingleView::new(parameters, assumptions).unwrap();
         let seen = sensor.sense(&shot, &Stream::new(1, ""), Wanted::default());
         let measured = seen.distance.0.pixels().iter().filter(|&&z| z > 0.0).count();
@@ -372,7 +372,9 @@ fn a_smoothly_lit_face_keeps_the_lines_of_the_vendors_pictures() {
             sensor_size_px: 1280.0 * f64::from(width) / 1920.0,
             ..oak_d_pro()
         };
-        let shot = Shot::new((&depth).into()).with_rgb((&picture).into()).unwrap();
+        let shot = DepthShot::new((&depth).into())
+            .with_rgb((&picture).into())
+            .unwrap();
         let seen = |assumptions: Assumptions| {
             let sensor = SingleView::new(parameters, assumptions).unwrap();
             let seen = sensor.sense(&shot, &Stream::new(1, "left"), Wanted::default());
@@ -426,7 +428,9 @@ fn plateaus_and_a_plain_sky_are_empty_and_lines_are_measured() {
         noise_mean_px: 0.0,
         ..oak_d_pro()
     };
-    let shot = Shot::new((&depth).into()).with_rgb((&picture).into()).unwrap();
+    let shot = DepthShot::new((&depth).into())
+        .with_rgb((&picture).into())
+        .unwrap();
     let seen = sensor(parameters).sense(&shot, &Stream::new(1, ""), Wanted::default());
     let shift = (PX_M * 640.0 / 1280.0 / 8.0).round() as u32;
     let is_measured = |x: u32, y: u32| *seen.distance.0.get(x + shift, y).unwrap() > 0.0;

@@ -50,7 +50,7 @@ fn sensor(parameters: Parameters) -> SingleView {
 }
 
 fn distance(parameters: Parameters, depth: &Image<f32>, frame: u64) -> Image<f32> {
-    let mut shot = Shot::new(depth.into());
+    let mut shot = DepthShot::new(depth.into());
     shot.frame = frame;
     sensor(parameters)
         .sense(&shot, &Stream::new(1, "left"), Wanted::default())

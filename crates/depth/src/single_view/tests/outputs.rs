@@ -24,12 +24,12 @@ impl Inputs {
         }
     }
 
-    fn sense(&self, parameters: Parameters, assumptions: &[(&str, &str)]) -> Output {
+    fn sense(&self, parameters: Parameters, assumptions: &[(&str, &str)]) -> SingleViewOutput {
         let mut changed = Assumptions::default();
         for (name, value) in assumptions {
             changed.set(name, *value).unwrap();
         }
-        let shot = Shot::new((&self.depth).into())
+        let shot = DepthShot::new((&self.depth).into())
             .with_rgb((&self.rgb).into())
             .unwrap();
         let shot = shot.with_positions((&self.positions).into()).unwrap();
@@ -91,11 +91,11 @@ fn invalid_pixels_follow_the_invalid_option() {
 fn omits_outputs_that_are_not_requested_or_lack_input() {
     let inputs = Inputs::new();
     let (sensor, stream) = (sensor(oak_d_pro()), Stream::new(1, "left"));
-    let bare = sensor.sense(&Shot::new((&inputs.depth).into()), &stream, ALL);
+    let bare = sensor.sense(&DepthShot::new((&inputs.depth).into()), &stream, ALL);
     assert!(
         bare.positions.is_none() && bare.colors.is_none() && bare.imager.is_none() && bare.view.is_none()
     );
-    let shot = Shot::new((&inputs.depth).into())
+    let shot = DepthShot::new((&inputs.depth).into())
         .with_rgb((&inputs.rgb).into())
         .unwrap();
     let unwanted = sensor.sense(&shot, &stream, Wanted::default());

@@ -2,7 +2,7 @@ use oaktwin_simd::{self as simd, Level};
 use proptest::prelude::*;
 
 use super::*;
-use crate::random::Stage;
+use crate::random::NoiseStage;
 
 fn bits(image: &Image<f32>) -> Vec<u32> {
     image.pixels().iter().map(|z| z.to_bits()).collect()
@@ -23,7 +23,7 @@ fn bumpy(width: u32, height: u32) -> Image<f32> {
 fn does_not_depend_on_threads() {
     let depth = bumpy(333, 400);
     let rgb = image(333, 400, |x, y| [(x * y) as u8, x as u8, y as u8, 255]);
-    let shot = Shot::new((&depth).into()).with_rgb((&rgb).into()).unwrap();
+    let shot = DepthShot::new((&depth).into()).with_rgb((&rgb).into()).unwrap();
     let wanted = Wanted {
         colors: true,
         view: true,
@@ -47,14 +47,18 @@ fn does_not_depend_on_threads() {
 #[test]
 fn does_not_depend_on_instructions() {
     let depth = bumpy(333, 20);
-    let plan = plan::Plan::new(&oak_d_pro(), &Assumptions::default(), 333, 20);
-    let random = Stream::new(1, "left").plane(Stage::Jitter, 0, 0);
-    struct Rows<'a>(&'a plan::Plan, &'a Image<f32>, &'a crate::random::Plane);
+    let plan = plan::SingleViewPlan::new(&oak_d_pro(), &Assumptions::default(), 333, 20);
+    let random = Stream::new(1, "left").plane(NoiseStage::Jitter, 0, 0);
+    struct Rows<'a>(
+        &'a plan::SingleViewPlan,
+        &'a Image<f32>,
+        &'a crate::random::RandomPlane,
+    );
     impl simd::Kernel for Rows<'_> {
         type Output = Vec<u64>;
         #[inline(always)]
         fn run(self) -> Vec<u64> {
-            let (mut row, mut landed) = (warp::Row::default(), vec![0u64; 333]);
+            let (mut row, mut landed) = (warp::RowBuffers::default(), vec![0u64; 333]);
             row.reset(self.0);
             let mut all = Vec::new();
             for (y, depth) in self.1.rows().enumerate() {
@@ -90,7 +94,7 @@ fn batches_match_single_images() {
         .sense_batch(&depth, [20, 60, 106], 3, 100, &stream, &mut all)
         .unwrap();
     for (i, item) in (0u32..).zip(&items) {
-        let mut shot = Shot::new(item.into());
+        let mut shot = DepthShot::new(item.into());
         (shot.frame, shot.item) = (3, 100 + i);
         let one = sensor.sense(&shot, &stream, Wanted::default());
         let at = i as usize * 6360;

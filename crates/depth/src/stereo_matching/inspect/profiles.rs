@@ -1,7 +1,7 @@
 //! How well points of the left image match the rows of the right one.
 
 use super::difference::AREA;
-use super::{COMPACT, Look, MATCHED, NEAR, NOISE, UNIQUE};
+use super::{COMPACT, MATCHED, NEAR, NOISE, PairInspection, UNIQUE};
 
 /// The difference of each point to its best match in each row near it.
 pub(super) struct Profiles {
@@ -15,10 +15,15 @@ pub(super) struct Profiles {
 
 impl Profiles {
     /// Compares points with their rows and `most` above and below, to the left, or to the right if the images are swapped.
-    pub(super) fn new(look: &Look<'_>, points: &[[usize; 2]], is_swapped: bool, most: usize) -> Self {
+    pub(super) fn new(
+        inspection: &PairInspection<'_>,
+        points: &[[usize; 2]],
+        is_swapped: bool,
+        most: usize,
+    ) -> Self {
         let profile = |&[x, y]: &[usize; 2]| {
             let rows = y - most..=y + most;
-            rows.map(|there| f64::from(look.least([x, y], there, is_swapped)) / AREA)
+            rows.map(|there| f64::from(inspection.least([x, y], there, is_swapped)) / AREA)
                 .collect()
         };
         Self {
@@ -26,7 +31,7 @@ impl Profiles {
             rows: points.iter().map(profile).collect(),
             limits: points
                 .iter()
-                .map(|&point| NOISE.max(MATCHED * look.contrast(point)))
+                .map(|&point| NOISE.max(MATCHED * inspection.contrast(point)))
                 .collect(),
         }
     }

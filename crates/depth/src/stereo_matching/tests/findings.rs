@@ -1,7 +1,7 @@
 use oaktwin_image::{Image, ImageView};
 
 use super::{image, pair, parameters, step};
-use crate::stereo_matching::{Luminance, Pair, inspect};
+use crate::stereo_matching::{LuminanceImage, RectifiedPair, inspect};
 
 fn codes(images: &[Image<u8>; 2]) -> Vec<&'static str> {
     let findings = inspect(&pair(images), &parameters());
@@ -90,7 +90,9 @@ fn reports_unrelated_images() {
 fn rejects_invalid_pairs() {
     let (a, b) = (Image::filled(4, 3, 0u8), Image::filled(4, 2, 0u8));
     let ten = Image::filled(4, 3, 0u16);
-    let error = |left: Luminance<'_>, right: Luminance<'_>| Pair::new(left, right).unwrap_err().to_string();
+    let error = |left: LuminanceImage<'_>, right: LuminanceImage<'_>| {
+        RectifiedPair::new(left, right).unwrap_err().to_string()
+    };
     assert_eq!(
         error(ImageView::from(&a).into(), ImageView::from(&b).into()),
         "stereo pair: the left image is 4x3, the right one 4x2; rectify both to one size"

@@ -14,7 +14,7 @@ mod same_bytes;
 use oaktwin_camera::StereoGeometry;
 use oaktwin_image::{Image, ImageView};
 
-use super::{Pair, Parameters};
+use super::{Parameters, RectifiedPair};
 use crate::preset::Platform;
 
 const STEREO: StereoGeometry = StereoGeometry {
@@ -48,11 +48,11 @@ fn texture(seed: u64, x: f64, y: u64) -> f64 {
     0.5 * ((level(at - 1) + level(at)) * (1.0 - part) + (level(at) + level(at + 1)) * part)
 }
 
-/// An image for which `see` returns a texture and the position in it.
-fn image(width: u32, height: u32, see: impl Fn(f64, f64) -> (u64, f64)) -> Image<u8> {
+/// An image for which `texture_at` returns a texture and the position in it.
+fn image(width: u32, height: u32, texture_at: impl Fn(f64, f64) -> (u64, f64)) -> Image<u8> {
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
     let pixels = pixels.map(|(x, y)| {
-        let (seed, at) = see(f64::from(x), f64::from(y));
+        let (seed, at) = texture_at(f64::from(x), f64::from(y));
         texture(seed, at, u64::from(y)).round() as u8
     });
     Image::new(width, height, pixels.collect()).unwrap()
@@ -73,7 +73,7 @@ fn step(width: u32, height: u32, far: f64, near: f64, left: f64, right: f64) -> 
     ]
 }
 
-fn pair(images: &[Image<u8>; 2]) -> Pair<'_> {
+fn pair(images: &[Image<u8>; 2]) -> RectifiedPair<'_> {
     let [left, right] = images.each_ref().map(ImageView::from);
-    Pair::new(left, right).unwrap()
+    RectifiedPair::new(left, right).unwrap()
 }

@@ -19,7 +19,7 @@ fn matched(p: Parameters, images: &[Image<u8>; 2]) -> Matched {
 
 /// A wall of disparity 10 whose middle columns have no texture, only noise that differs between the images.
 fn bald(from: f64, to: f64) -> [Image<u8>; 2] {
-    let see = |seed: u64, moved: f64| {
+    let texture_at = |seed: u64, moved: f64| {
         let textured = image(400, 64, |x, _| (0, x + moved));
         let noise = image(400, 64, |x, _| (seed, 7.0 * x));
         let pixels = textured.pixels().iter().zip(noise.pixels()).enumerate();
@@ -33,7 +33,7 @@ fn bald(from: f64, to: f64) -> [Image<u8>; 2] {
         });
         Image::new(400, 64, pixels.collect()).unwrap()
     };
-    [see(5, 0.0), see(6, 10.0)]
+    [texture_at(5, 0.0), texture_at(6, 10.0)]
 }
 
 /// The sums of a blank wall with noise are flat: its superpixels have a low confidence, so its pixels are invalidated.

@@ -1,5 +1,5 @@
 use super::*;
-use crate::dots::{Dots, Projector};
+use crate::dots::{DotProjector, Dots};
 use crate::stereo_noise::texture::dots_of;
 
 /// The share of a plain wall's pixels that are measured, for walls at several distances.
@@ -114,7 +114,7 @@ fn images_of_any_width_have_the_same_texture() {
 #[test]
 #[expect(clippy::cast_possible_truncation, reason = "light is float32")]
 fn texture_is_that_of_the_pattern() {
-    let dots = Dots::new(&Projector {
+    let dots = Dots::new(&DotProjector {
         model: "ams Belago 1.1".to_owned(),
         dots: 4700,
         field_rad: [78f64, 61.0].map(f64::to_radians),

@@ -2,7 +2,7 @@
 
 use oaktwin_simd::Kernel;
 
-use super::Found;
+use super::ReceiverPosition;
 use super::patches::Patch;
 use crate::time_of_flight::light::{CHANNELS, phasor};
 
@@ -21,7 +21,7 @@ pub(super) struct Lit {
 
 impl Lit {
     /// Of [`LANES`] or fewer.
-    pub(super) fn new(found: &[Found]) -> Self {
+    pub(super) fn new(found: &[ReceiverPosition]) -> Self {
         let mut lit = Self {
             point: [[0.0; LANES]; 3],
             normal: [[0.0; LANES]; 3],

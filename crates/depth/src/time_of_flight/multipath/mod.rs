@@ -47,7 +47,7 @@ const CELLS: [u32; 2] = [40, 30];
 const TASK: usize = 8 * LANES;
 
 /// The input of one image.
-pub(super) struct View<'a> {
+pub(super) struct MultipathInput<'a> {
     pub(super) depth: ImageView<'a, f32>,
     pub(super) picture: Option<ImageView<'a, [u8; 4]>>,
     /// The albedo without a colour image.
@@ -70,7 +70,7 @@ pub(super) struct Multipath {
 
 /// The position of a receiver, in [`Patch`]'s frame. The normal is 0 without a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Found {
+struct ReceiverPosition {
     point: [f32; 3],
     normal: [f32; 3],
 }
@@ -107,15 +107,15 @@ impl Grid {
 
 impl Multipath {
     /// A `strength` of 1 is physical.
-    pub(super) fn new(view: &View<'_>, strength: f32) -> Self {
+    pub(super) fn new(view: &MultipathInput<'_>, strength: f32) -> Self {
         let grid = Grid::new(view.depth.width(), view.depth.height());
         let [columns, rows] = [0, 1].map(|axis| grid.receivers(axis));
-        let bands: Vec<(Vec<Patch>, Vec<Found>)> = (0..grid.size[1].div_ceil(grid.cell))
+        let bands: Vec<(Vec<Patch>, Vec<ReceiverPosition>)> = (0..grid.size[1].div_ceil(grid.cell))
             .into_par_iter()
             .map(|band| Surveyor::new(view, grid, &columns, &rows).band(band))
             .collect();
         let patches: Vec<Patch> = bands.iter().flat_map(|(patches, _)| patches).copied().collect();
-        let found: Vec<Found> = bands.into_iter().flat_map(|(_, found)| found).collect();
+        let found: Vec<ReceiverPosition> = bands.into_iter().flat_map(|(_, found)| found).collect();
         let mut receivers = vec![Receiver::default(); found.len()];
         receivers
             .par_chunks_mut(TASK)

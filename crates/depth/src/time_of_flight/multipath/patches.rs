@@ -3,7 +3,7 @@
 use oaktwin_simd as simd;
 
 use super::spread::{Normals, Surfaces};
-use super::{Found, Grid, View};
+use super::{Grid, MultipathInput, ReceiverPosition};
 use crate::time_of_flight::light::{Albedos, InverseDepth};
 
 /// The surface of a cell, in metres in the camera's frame.
@@ -22,7 +22,7 @@ pub(super) struct Patch {
 
 /// The memory of one thread for a band of cells.
 pub(super) struct Surveyor<'a> {
-    view: &'a View<'a>,
+    view: &'a MultipathInput<'a>,
     grid: Grid,
     columns: &'a [usize],
     rows: &'a [usize],
@@ -42,7 +42,12 @@ struct Sum {
 }
 
 impl<'a> Surveyor<'a> {
-    pub(super) fn new(view: &'a View<'a>, grid: Grid, columns: &'a [usize], rows: &'a [usize]) -> Self {
+    pub(super) fn new(
+        view: &'a MultipathInput<'a>,
+        grid: Grid,
+        columns: &'a [usize],
+        rows: &'a [usize],
+    ) -> Self {
         let width = grid.size[0];
         let mut surfaces = Surfaces::default();
         surfaces.reset(width);
@@ -59,7 +64,7 @@ impl<'a> Surveyor<'a> {
     }
 
     /// Computes the cells from row `band`·cell.
-    pub(super) fn band(mut self, band: usize) -> (Vec<Patch>, Vec<Found>) {
+    pub(super) fn band(mut self, band: usize) -> (Vec<Patch>, Vec<ReceiverPosition>) {
         let first = band * self.grid.cell;
         let last = (first + self.grid.cell).min(self.grid.size[1]);
         let mut found = Vec::new();
@@ -70,7 +75,7 @@ impl<'a> Surveyor<'a> {
             self.survey(y, first);
             if self.rows.binary_search(&y).is_ok() {
                 let of = |rows: &[Vec<f32>; 3], x: usize| rows.each_ref().map(|row| row[x]);
-                found.extend(self.columns.iter().map(|&x| Found {
+                found.extend(self.columns.iter().map(|&x| ReceiverPosition {
                     point: of(&self.surfaces.point, x),
                     normal: of(&self.surfaces.normal, x),
                 }));

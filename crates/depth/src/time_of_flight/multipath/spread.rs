@@ -2,7 +2,7 @@
 
 use oaktwin_simd::Kernel;
 
-use super::Found;
+use super::ReceiverPosition;
 use super::between;
 use crate::time_of_flight::light::{CHANNELS, Lamp, LightRow, phasor, plane};
 
@@ -100,7 +100,7 @@ pub(super) struct Receiver {
 }
 
 impl Receiver {
-    pub(super) fn new(found: &Found, light: [f32; CHANNELS]) -> Self {
+    pub(super) fn new(found: &ReceiverPosition, light: [f32; CHANNELS]) -> Self {
         let (n, p) = (found.normal, found.point);
         let is_surface = n != [0.0; 3];
         Self {

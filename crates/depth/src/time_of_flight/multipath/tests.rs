@@ -22,7 +22,7 @@ fn two_patches_are_lamberts() {
             normal(receiver[0], receiver[1], receiver[2]),
             normal(patch[0], patch[1], patch[2]),
         );
-        let found = Found {
+        let found = ReceiverPosition {
             point: [0.2, 0.1, 1.3],
             normal: receiver,
         };
@@ -36,7 +36,7 @@ fn two_patches_are_lamberts() {
         let gather = |level| {
             let kernel = Gather {
                 patches: &[patch],
-                found: &Lit::new(&[Found::default(), found]),
+                found: &Lit::new(&[ReceiverPosition::default(), found]),
                 turns_per_m,
             };
             simd::run_at(level, kernel).map(|channel| channel[1])

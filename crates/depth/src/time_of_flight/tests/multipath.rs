@@ -9,7 +9,7 @@ const WIDTH: u32 = 160;
 const HEIGHT: u32 = 120;
 
 /// A surface that a pixel sees: its depth and normal, of any length, away from the camera.
-type Seen = fn(u: f64, v: f64) -> (f64, [f64; 3]);
+type SurfaceFunction = fn(u: f64, v: f64) -> (f64, [f64; 3]);
 
 /// Two walls at 90°, the edge farthest, 1.5 m away.
 fn concave(u: f64, _: f64) -> (f64, [f64; 3]) {
@@ -40,7 +40,7 @@ fn ray(i: usize) -> [f64; 2] {
     [(x, WIDTH), (y, HEIGHT)].map(|(at, size)| (at as f64 + 0.5 - f64::from(size) / 2.0) * 4.0 / 457.0)
 }
 
-fn image(seen: Seen) -> Image<f32> {
+fn image(seen: SurfaceFunction) -> Image<f32> {
     let pixels = (0..(WIDTH * HEIGHT) as usize).map(|i| {
         let [u, v] = ray(i);
         seen(u, v).0 as f32
@@ -53,7 +53,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 /// Point, normal away from the camera, and m² of what a pixel sees.
-fn surface(seen: Seen, i: usize) -> ([f64; 3], [f64; 3], f64) {
+fn surface(seen: SurfaceFunction, i: usize) -> ([f64; 3], [f64; 3], f64) {
     let [u, v] = ray(i);
     let (z, normal) = seen(u, v);
     let size = dot(normal, normal).sqrt();
@@ -66,7 +66,7 @@ fn surface(seen: Seen, i: usize) -> ([f64; 3], [f64; 3], f64) {
 }
 
 /// By how much too far a pixel is reported, m along its ray; every pixel lights.
-fn bias(seen: Seen, albedo: f64, i: usize) -> f64 {
+fn bias(seen: SurfaceFunction, albedo: f64, i: usize) -> f64 {
     let (x, n, _) = surface(seen, i);
     let range = dot(x, x).sqrt();
     let direct = dot(n, x) / range.powi(3);

@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use oaktwin_image::annotation::Returns;
 
 use super::*;
-use crate::Shot;
-use crate::time_of_flight::Output;
+use crate::DepthShot;
+use crate::time_of_flight::TimeOfFlightOutput;
 use crate::time_of_flight::unwrap::turn_m;
 
 const SIZE: [u32; 2] = [40, 30];
@@ -59,7 +59,7 @@ fn expected(p: &Parameters, ranges: [f64; 2], strengths: [f32; 2]) -> (f64, f64)
 }
 
 /// The mean amplitude of the pixels around the centre.
-fn amplitude_of(output: &Output) -> f64 {
+fn amplitude_of(output: &TimeOfFlightOutput) -> f64 {
     let places = (12..18).flat_map(|y| (17..23).map(move |x| (x, y)));
     let values = places.map(|(x, y)| f64::from(*output.amplitude.get(x, y).unwrap()));
     values.sum::<f64>() / 36.0
@@ -77,7 +77,7 @@ fn phasors_add_up() {
     ] {
         let found = returns(p, ranges, strengths);
         let depth = found.depths[0].clone();
-        let shot = Shot::new((&depth).into()).with_returns(&found).unwrap();
+        let shot = DepthShot::new((&depth).into()).with_returns(&found).unwrap();
         let output = sensor(p).output(&shot, &random());
         let (distance, amplitude) = expected(&p, ranges, strengths);
         let (mean, _, fill) = statistics(&output.distance);
@@ -111,7 +111,7 @@ fn one_return_is_a_surface_with_its_albedo() {
     };
     let output = |given: &Returns, albedo: f64| {
         let sensor = sensor(Parameters { albedo, ..p });
-        let shot = Shot::new((&wall).into()).with_returns(given).unwrap();
+        let shot = DepthShot::new((&wall).into()).with_returns(given).unwrap();
         sensor.output(&shot, &random())
     };
     let alone = output(&given, 0.9);
@@ -133,7 +133,7 @@ fn one_return_is_a_surface_with_its_albedo() {
     let dark = output(&nothing, 0.9);
     assert!(dark.distance.0.pixels().iter().all(|depth| *depth == 0.0));
     let wrong = Image::filled(3, 3, 1.0);
-    let error = Shot::new((&wrong).into())
+    let error = DepthShot::new((&wrong).into())
         .with_returns(&given)
         .unwrap_err()
         .to_string();

@@ -5,8 +5,8 @@ use oaktwin_pipeline::sensor::{
     EngineKind, SINGLE_VIEW, STEREO_MATCHING, STEREO_NOISE, SensorOptions, sensor,
 };
 
-fn work(effort: Effort) -> Work<'static> {
-    Work {
+fn work(effort: Effort) -> RunControl<'static> {
+    RunControl {
         effort,
         wants_more: &|| true,
     }
@@ -28,7 +28,7 @@ fn test_rig(model: &str, engine: &'static EngineKind, parameters: &[(&str, &str)
     let intrinsics = twin.camera(depth.spec.camera).unwrap().intrinsics;
     TestRig {
         intrinsics,
-        region: Region::centred(intrinsics.size.width, intrinsics.size.height, 0.05),
+        region: ImageRegion::centred(intrinsics.size.width, intrinsics.size.height, 0.05),
         first: 0,
         units: vec![Unit {
             drifted: None,

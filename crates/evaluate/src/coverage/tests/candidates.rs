@@ -26,9 +26,9 @@ fn two_cameras_cover_both_sides() {
         Candidate::new(&rig, "front again", front),
         Candidate::new(&rig, "back", back),
     ];
-    let options = Options {
+    let options = CoverageOptions {
         keeps_points: true,
-        ..Options::default()
+        ..CoverageOptions::default()
     };
     let coverage = measure(&renderer, &Region::default(), &candidates, &options, &go_on).unwrap();
     let side = 0.25 / 0.52;
@@ -60,10 +60,10 @@ fn two_cameras_cover_both_sides() {
 fn a_tolerance_loses_points_with_larger_errors() {
     let (renderer, rig, [front, _]) = sandwich();
     let run = |tolerance_mm: Option<f64>| {
-        let options = Options {
+        let options = CoverageOptions {
             keeps_points: true,
             tolerance_mm,
-            ..Options::default()
+            ..CoverageOptions::default()
         };
         let candidates = [Candidate::new(&rig, "front", front)];
         measure(&renderer, &Region::default(), &candidates, &options, &go_on).unwrap()
@@ -94,10 +94,10 @@ fn a_tolerance_loses_points_with_larger_errors() {
 #[test]
 fn results_do_not_depend_on_threads_or_other_candidates() {
     let (renderer, rig, [front, back]) = sandwich();
-    let options = Options {
+    let options = CoverageOptions {
         samples: 3000,
         keeps_points: true,
-        ..Options::default()
+        ..CoverageOptions::default()
     };
     let both = [
         Candidate::new(&rig, "front", front),
@@ -134,9 +134,9 @@ fn an_interrupted_measurement_has_the_complete_candidates() {
             ControlFlow::Break(())
         }
     };
-    let options = Options {
+    let options = CoverageOptions {
         samples: 100,
-        ..Options::default()
+        ..CoverageOptions::default()
     };
     let coverage = measure(&renderer, &Region::default(), &candidates, &options, &watch).unwrap();
     assert!(coverage.is_interrupted);
@@ -175,7 +175,7 @@ fn every_engine_measures() {
         let (rig, _) = MeasuringRig::new(&twin, None, None, options).unwrap();
         let candidate = Candidate::new(&rig, model, facing(&rig, DVec3::ZERO, DVec3::X));
         let all = Region::default();
-        let coverage = measure(&renderer, &all, &[candidate], &Options::default(), &go_on).unwrap();
+        let coverage = measure(&renderer, &all, &[candidate], &CoverageOptions::default(), &go_on).unwrap();
         let found = &coverage.candidates[0];
         assert_eq!(found.shares.seen, 1.0, "{found:?}");
         // A plate without texture cannot be matched.
@@ -203,23 +203,23 @@ fn every_outcome_has_a_name_of_its_own() {
 #[test]
 fn numbers_out_of_range_are_rejected() {
     let (renderer, rig, [front, _]) = sandwich();
-    let error = |count: usize, options: Options| {
+    let error = |count: usize, options: CoverageOptions| {
         let candidates = vec![Candidate::new(&rig, "", front); count];
         let result = measure(&renderer, &Region::default(), &candidates, &options, &go_on);
         result.unwrap_err().to_string()
     };
-    let options = Options::default();
+    let options = CoverageOptions::default();
     assert!(error(0, options).contains("there are no candidates"));
     assert!(error(MAX_CANDIDATES + 1, options).contains("10001 candidates are too many"));
     for samples in [0, MAX_SAMPLES + 1] {
-        assert!(error(1, Options { samples, ..options }).contains("give 1 to 1000000"));
+        assert!(error(1, CoverageOptions { samples, ..options }).contains("give 1 to 1000000"));
     }
     for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let tolerance_mm = Some(tolerance);
         assert!(
             error(
                 1,
-                Options {
+                CoverageOptions {
                     tolerance_mm,
                     ..options
                 }
@@ -227,10 +227,10 @@ fn numbers_out_of_range_are_rejected() {
             .contains("give more than 0")
         );
     }
-    let kept = Options {
+    let kept = CoverageOptions {
         samples: MAX_SAMPLES,
         keeps_points: true,
-        ..Options::default()
+        ..CoverageOptions::default()
     };
     assert!(error(101, kept).contains("too many to keep"));
 }

@@ -134,7 +134,7 @@ fn an_open_surface_is_seen_from_both_sides() {
         let renderer = Renderer::new(plate.0);
         let candidate = Candidate::new(&rig, "", pose);
         let all = Region::default();
-        let coverage = measure(&renderer, &all, &[candidate], &Options::default(), &go_on).unwrap();
+        let coverage = measure(&renderer, &all, &[candidate], &CoverageOptions::default(), &go_on).unwrap();
         let seen = &coverage.candidates[0].shares;
         assert_eq!(seen.seen, 1.0);
         assert!((seen.measured - resolved(seen)).abs() < 1e-12, "{seen:?}");
@@ -183,9 +183,9 @@ fn the_pixels_of_a_sphere_that_miss_it_do_not_resolve_it() {
     let rig = rig_of("OAK4-D", &[]);
     let candidate = Candidate::new(&rig, "", facing(&rig, DVec3::ZERO, DVec3::X));
     let view = rig.camera().view(&candidate.world_from_body);
-    let options = Options {
+    let options = CoverageOptions {
         keeps_points: true,
-        ..Options::default()
+        ..CoverageOptions::default()
     };
     let coverage = measure(&renderer, &Region::default(), &[candidate], &options, &go_on).unwrap();
     let kept = coverage.points.unwrap();

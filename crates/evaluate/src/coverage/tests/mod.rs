@@ -85,7 +85,14 @@ fn ahead(stage: Stage, region: &Region, set: &[(&str, &str)]) -> CandidateCovera
     let rig = rig_of("OAK4-D", set);
     let candidate = Candidate::new(&rig, "ahead", facing(&rig, DVec3::ZERO, DVec3::X));
     let renderer = Renderer::new(stage.0);
-    let coverage = measure(&renderer, region, &[candidate], &Options::default(), &go_on).unwrap();
+    let coverage = measure(
+        &renderer,
+        region,
+        &[candidate],
+        &CoverageOptions::default(),
+        &go_on,
+    )
+    .unwrap();
     coverage.candidates[0].clone()
 }
 

@@ -35,7 +35,14 @@ fn patches_cover_the_surface_and_agree_with_the_shares() {
             .filter(|(_, outcome)| outcome.name() == name);
         own.map(|(corners, _)| area(*corners)).sum::<f64>() / total
     };
-    let sampled = measure(&renderer, &region, &[candidate()], &Options::default(), &go_on).unwrap();
+    let sampled = measure(
+        &renderer,
+        &region,
+        &[candidate()],
+        &CoverageOptions::default(),
+        &go_on,
+    )
+    .unwrap();
     let sampled = &sampled.candidates[0].shares;
     assert!((share("hidden") - 0.5).abs() < 0.02, "{}", share("hidden"));
     assert!((share("hidden") - sampled.lost["hidden"]).abs() < 0.02);

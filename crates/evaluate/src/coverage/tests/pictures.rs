@@ -39,7 +39,7 @@ fn the_region_is_painted_with_the_outcomes() {
     let rig = rig_of("OAK4-D", &[]);
     let candidate = Candidate::new(&rig, "ahead", facing(&rig, DVec3::ZERO, DVec3::X));
     let region = objects(&["/Plate"]);
-    let options = Options::default();
+    let options = CoverageOptions::default();
     let found = measure(
         &renderer,
         &region,

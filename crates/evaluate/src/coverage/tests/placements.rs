@@ -5,9 +5,9 @@ use proptest::prelude::*;
 
 use super::*;
 
-fn sweep(heights: &str, tilts: &str) -> Sweep {
+fn sweep(heights: &str, tilts: &str) -> PlacementSweep {
     let [heights, tilts] = [heights, tilts].map(|text| Some(text).filter(|text| !text.is_empty()));
-    Sweep::parse(heights, tilts).unwrap()
+    PlacementSweep::parse(heights, tilts).unwrap()
 }
 
 #[test]
@@ -27,7 +27,7 @@ fn a_look_at_keeps_its_target_at_any_height() {
         let seen = body.inverse().apply(target);
         assert!(seen.x > 0.0 && seen.y.abs() < 1e-12 && seen.z.abs() < 1e-12);
     }
-    let as_given = Sweep::default().placements(&base, DVec3::Z).unwrap();
+    let as_given = PlacementSweep::default().placements(&base, DVec3::Z).unwrap();
     assert_eq!(as_given.len(), 1);
     assert_eq!(as_given[0].name, "pose 0");
     assert_eq!(
@@ -59,7 +59,7 @@ fn a_camera_that_faces_down_keeps_the_heading_of_its_image() {
 
 #[test]
 fn sweeps_out_of_range_are_rejected() {
-    let error = |heights, tilts| Sweep::parse(heights, tilts).unwrap_err().to_string();
+    let error = |heights, tilts| PlacementSweep::parse(heights, tilts).unwrap_err().to_string();
     assert_eq!(
         error(Some("1,x"), None),
         "'height': 'x' is not a number; give metres, separated by commas, or FROM:TO:STEP"

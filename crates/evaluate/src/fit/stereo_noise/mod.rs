@@ -13,9 +13,9 @@ use super::error_domain::{ErrorDomain, left_of_rounding};
 use super::least_squares::Solution;
 use super::method::{Fitted, Method};
 use super::point::Point;
-use super::report::{Parameter, Report, number};
+use super::report::{FitReport, Parameter, number};
+use super::state::FitState;
 use super::target::Observation;
-use super::work::Work;
 use errors::{Errors, Systematic};
 use noise::Noise;
 use oaktwin_base::diagnostic::{Finding, Level};
@@ -75,18 +75,18 @@ impl Method for Stereo {
         &["jitter", "window"]
     }
 
-    fn noise(&mut self, seen: &[Observation], work: &mut Work<'_>) {
+    fn noise(&mut self, observations: &[Observation], state: &mut FitState<'_>) {
         let p = &self.p;
-        self.noise = noise::noise(seen, self.step());
+        self.noise = noise::noise(observations, self.step());
         let Some(noise) = self.noise else {
             let why = "no pixel is valid in two frames of one target";
             for name in self.noise_names() {
-                work.not_found(name, why, "give several frames of each distance");
+                state.not_found(name, why, "give several frames of each distance");
             }
             return;
         };
         let is_hidden = noise.sigma_px < noise::MIN_JITTER_STEPS * p.subpixel.step_px();
-        work.report.parameters.push(Parameter {
+        state.report.parameters.push(Parameter {
             name: "jitter",
             value: noise.sigma_px,
             interval_95: Some(noise.sigma_interval_px),
@@ -95,7 +95,7 @@ impl Method for Stereo {
             is_fitted: true,
         });
         if is_hidden {
-            work.findings.push(Finding::new(
+            state.findings.push(Finding::new(
                 "jitter-below-steps",
                 Level::Warning,
                 "jitter",
@@ -106,16 +106,16 @@ impl Method for Stereo {
                 ),
                 "record with more subpixel bits",
             ));
-            work.not_found(
+            state.not_found(
                 "window",
                 "jitter is hidden by the steps of disparity",
                 "record with more subpixel bits",
             );
             return;
         }
-        let width = seen.first().map_or(p.width_px, |one| one.size.width);
+        let width = observations.first().map_or(p.width_px, |one| one.size.width);
         let side = |image_px: usize| matcher_window(image_px, f64::from(width) / f64::from(p.width_px));
-        work.report.parameters.push(Parameter {
+        state.report.parameters.push(Parameter {
             name: "window",
             value: side(noise.window),
             interval_95: noise.window_interval.map(|ends| ends.map(side)),
@@ -138,37 +138,38 @@ impl Method for Stereo {
             .map_or(0.0, |noise| rounding(noise.sigma_px, self.step(), one.unit))
     }
 
-    fn systematic(&self, used: &[Point], work: &mut Work<'_>) -> Option<Box<dyn Fitted>> {
-        let errors = self.errors(used, work.report.is_absolute);
-        let is_free = work.options.fits_focal_length;
+    fn systematic(&self, used: &[Point], state: &mut FitState<'_>) -> Option<Box<dyn Fitted>> {
+        let errors = self.errors(used, state.report.is_absolute);
+        let is_free = state.options.fits_focal_length;
         let wanted = if is_free { 3 } else { 2 };
         let is_known = used.iter().all(|point| point.sigma.is_some());
         let found = errors.fit(is_free);
         if let Some((why, remedy)) = findings::not_identifiable(used, found.as_ref(), wanted, is_known) {
-            work.not_found("bias", &why, &remedy);
-            work.not_found("pixelLocking", &why, &remedy);
+            state.not_found("bias", &why, &remedy);
+            state.not_found("pixelLocking", &why, &remedy);
             if is_free {
-                work.not_found("focalLength", &why, &remedy);
+                state.not_found("focalLength", &why, &remedy);
             }
             return None;
         }
         let found = found?;
-        let parameters = parameters_of(&found, &mut work.report);
-        work.put_first(parameters);
-        work.findings
+        let parameters = parameters_of(&found, &mut state.report);
+        state.put_first(parameters);
+        state
+            .findings
             .extend(findings::implausible(&errors, &found, is_free));
-        Some(Box::new(Curve {
+        Some(Box::new(LockingFit {
             px_m: self.px_m,
-            is_absolute: work.report.is_absolute,
+            is_absolute: state.report.is_absolute,
             found,
         }))
     }
 
-    fn given(&self, work: &mut Work<'_>) {
+    fn given(&self, state: &mut FitState<'_>) {
         let p = &self.p;
-        let optics = &work.options.optics;
-        if optics.focal_length_px.is_some() && work.report.parameter("focalLength").is_none() {
-            work.report.parameters.push(Parameter {
+        let optics = &state.options.optics;
+        if optics.focal_length_px.is_some() && state.report.parameter("focalLength").is_none() {
+            state.report.parameters.push(Parameter {
                 name: "focalLength",
                 value: p.stereo.focal_length_px,
                 interval_95: None,
@@ -178,7 +179,7 @@ impl Method for Stereo {
             });
         }
         if optics.width_px.is_some() {
-            work.report.parameters.push(Parameter {
+            state.report.parameters.push(Parameter {
                 name: "width",
                 value: f64::from(p.width_px),
                 interval_95: None,
@@ -190,7 +191,7 @@ impl Method for Stereo {
     }
 }
 
-fn parameters_of(found: &Systematic, report: &mut Report) -> Vec<Parameter> {
+fn parameters_of(found: &Systematic, report: &mut FitReport) -> Vec<Parameter> {
     let solution = &found.solution;
     let interval = |at: usize, scale: f64| solution.interval(at, scale, found.is_known);
     // An amplitude is not negative.
@@ -230,13 +231,13 @@ fn parameters_of(found: &Systematic, report: &mut Report) -> Vec<Parameter> {
 
 /// The fitted curve.
 #[derive(Debug)]
-struct Curve {
+struct LockingFit {
     px_m: f64,
     is_absolute: bool,
     found: Systematic,
 }
 
-impl Curve {
+impl LockingFit {
     fn errors(&self) -> Errors<'static> {
         Errors {
             points: &[],
@@ -246,7 +247,7 @@ impl Curve {
     }
 }
 
-impl Fitted for Curve {
+impl Fitted for LockingFit {
     fn error_domain(&self) -> ErrorDomain {
         ErrorDomain::Disparity { px_m: self.px_m }
     }
@@ -272,7 +273,7 @@ impl Fitted for Curve {
             .collect()
     }
 
-    fn name(&self, report: &Report) -> String {
+    fn name(&self, report: &FitReport) -> String {
         let value = |name: &str| report.parameter(name).map_or(0.0, |parameter| parameter.value);
         format!(
             "bias {} px, pixel locking {} px",
@@ -281,7 +282,7 @@ impl Fitted for Curve {
         )
     }
 
-    fn noise(&self, report: &Report) -> String {
+    fn noise(&self, report: &FitReport) -> String {
         report.parameter("jitter").map_or(String::new(), |jitter| {
             let window = report
                 .parameter("window")

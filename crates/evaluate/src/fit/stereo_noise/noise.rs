@@ -44,13 +44,13 @@ impl Noise {
 }
 
 /// Estimates the noise of targets in images of one size; `None` if no pixel is valid in two frames.
-pub(super) fn noise(seen: &[Observation], step_px: f64) -> Option<Noise> {
+pub(super) fn noise(observations: &[Observation], step_px: f64) -> Option<Noise> {
     // Coarse whole millimetres hide the noise.
     let is_fine = |one: &&Observation| {
         let unit = one.unit * one.unit / 12.0;
         one.variance().is_some_and(|variance| unit <= 0.25 * variance)
     };
-    let any = || seen.iter().filter(|one| one.variance().is_some());
+    let any = || observations.iter().filter(|one| one.variance().is_some());
     let used: Vec<&Observation> = if any().any(|one| is_fine(&one)) {
         any().filter(is_fine).collect()
     } else {

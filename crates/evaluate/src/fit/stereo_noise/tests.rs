@@ -5,12 +5,13 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use oaktwin_depth::Shot;
+use oaktwin_depth::DepthShot;
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::stereo_noise::{Parameters, StereoNoise};
 
 use crate::accuracy::MeasuredOptics;
-use crate::fit::{Options, Report, TABLE, fixture};
+use crate::fit::fixture::{self, codes, has};
+use crate::fit::{FitOptions, FitReport, TABLE};
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::{ImageSize, StereoGeometry};
 use oaktwin_image::{Image, npy};
@@ -30,11 +31,11 @@ fn optics() -> MeasuredOptics {
     }
 }
 
-fn options() -> Options {
-    Options {
+fn options() -> FitOptions {
+    FitOptions {
         optics: optics(),
         region: REGION,
-        ..Options::default()
+        ..FitOptions::default()
     }
 }
 
@@ -73,25 +74,16 @@ impl Recorded<'_> {
         fixture::record(folder, boards, self.frames, |shot| engine.sense(shot, &random));
     }
 
-    fn fitted(&self, options: &Options) -> (Report, Vec<Finding>) {
+    fn fitted(&self, options: &FitOptions) -> (FitReport, Vec<Finding>) {
         let folder = tempfile::tempdir().unwrap();
         self.write(folder.path());
         fitted(&[folder.path()], options).unwrap()
     }
 }
 
-fn fitted(paths: &[&Path], options: &Options) -> Result<(Report, Vec<Finding>), String> {
+fn fitted(paths: &[&Path], options: &FitOptions) -> Result<(FitReport, Vec<Finding>), String> {
     let (report, findings, _) = fixture::fitted(MODEL, paths, options)?;
     Ok((report, findings))
-}
-
-fn has(report: &Report, name: &str, truth: f64) -> bool {
-    let [low, high] = report.parameter(name).unwrap().interval_95.unwrap();
-    (low..=high).contains(&truth)
-}
-
-fn codes(findings: &[Finding]) -> Vec<&str> {
-    findings.iter().map(|finding| finding.code).collect()
 }
 
 /// Many small recordings of different devices: the true value is inside the intervals about as often as they claim.
@@ -153,7 +145,7 @@ fn a_focal_length_is_found_and_a_wrong_one_is_reported() {
         frames: 4,
         turned_deg: 0.0,
     };
-    let free = Options {
+    let free = FitOptions {
         fits_focal_length: true,
         ..options()
     };
@@ -214,7 +206,7 @@ fn undeterminable_parameters_are_reported() {
         };
         recorded.fitted(&options())
     };
-    let missing = |report: &Report| report.not_found.iter().map(|one| one.name).collect::<Vec<_>>();
+    let missing = |report: &FitReport| report.not_found.iter().map(|one| one.name).collect::<Vec<_>>();
     let (one, findings) = of(&[2.0], 4, 0.05);
     assert_eq!(missing(&one), ["bias", "pixelLocking"]);
     assert!(
@@ -309,7 +301,7 @@ fn ground_truth_beside_the_sensors_images() {
     };
     let depth = board(3.0, 60.0);
     for frame in 0..5 {
-        let mut shot = Shot::new((&depth).into());
+        let mut shot = DepthShot::new((&depth).into());
         shot.frame = frame;
         put("distance_to_image_plane", frame, &depth);
         put("depth_sensor_distance", frame, &engine.sense(&shot, &random).0);
@@ -342,14 +334,14 @@ fn the_vendors_measured_curves() {
     let data = std::env::var_os("OAKTWIN_TEST_DATA").expect("OAKTWIN_TEST_DATA names the test data");
     let file = |name: &str| PathBuf::from(&data).join("data/accuracy").join(name);
     let of = |name: &str, width_px, focal_length_px, from_m| {
-        let options = Options {
+        let options = FitOptions {
             optics: MeasuredOptics {
                 focal_length_px,
                 width_px,
             },
             from_m,
             fits_focal_length: true,
-            ..Options::default()
+            ..FitOptions::default()
         };
         let (report, findings) = fitted(&[&file(name)], &options).unwrap();
         println!("{name}: {:?} {:?} {findings:?}", report.parameters, report.curve);

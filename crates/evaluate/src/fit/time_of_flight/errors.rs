@@ -6,7 +6,7 @@ use super::super::error_domain::ErrorDomain;
 use super::super::least_squares::{Problem, Solution, solve};
 use super::super::method::Fitted;
 use super::super::point::Point;
-use super::super::report::{Report, number};
+use super::super::report::{FitReport, number};
 use super::rays::mean;
 
 /// The number of points of the curve per wave, and its maximum.
@@ -15,13 +15,13 @@ const MAX: f64 = 4000.0;
 
 /// The parameters of the sensor that affect its systematic error.
 #[derive(Clone, Debug)]
-pub(super) struct Shape {
+pub(super) struct ErrorModel {
     pub(super) p: Parameters,
     pub(super) rays: Vec<f64>,
     pub(super) is_absolute: bool,
 }
 
-impl Shape {
+impl ErrorModel {
     /// Returns the error as a share of depth for a bias in metres and an amplitude of wiggling.
     pub(super) fn error(&self, parameters: &[f64], depth_m: f64) -> f64 {
         let [bias_m, wiggling] = [parameters[0], parameters[1]];
@@ -37,7 +37,7 @@ impl Shape {
     }
 
     /// Fits bias and wiggling; `None` without points.
-    pub(super) fn fit(&self, points: &[Point]) -> Option<Found> {
+    pub(super) fn fit(&self, points: &[Point]) -> Option<WigglingFit> {
         let is_known = points.iter().all(|point| point.sigma.is_some());
         let problem = Errors { shape: self, points };
         let mut sizes: Vec<f64> = points.iter().map(|point| point.error * point.depth_m).collect();
@@ -75,7 +75,7 @@ impl Shape {
                 apart > 0.1 * bias.abs().max(1e-4) && other.squares <= solution.squares + 4.0 * scatter
             })
             .map(|other| other.parameters);
-        Some(Found {
+        Some(WigglingFit {
             shape: self.clone(),
             solution,
             is_known,
@@ -85,7 +85,7 @@ impl Shape {
 }
 
 struct Errors<'a> {
-    shape: &'a Shape,
+    shape: &'a ErrorModel,
     points: &'a [Point],
 }
 
@@ -103,15 +103,15 @@ impl Problem for Errors<'_> {
 
 /// The solution: bias in metres, and the amplitude of wiggling.
 #[derive(Clone, Debug)]
-pub(super) struct Found {
-    shape: Shape,
+pub(super) struct WigglingFit {
+    shape: ErrorModel,
     pub(super) solution: Solution,
     pub(super) is_known: bool,
     /// The parameters of an equally good solution.
     pub(super) rival: Option<Vec<f64>>,
 }
 
-impl Fitted for Found {
+impl Fitted for WigglingFit {
     fn error_domain(&self) -> ErrorDomain {
         ErrorDomain::Depth
     }
@@ -135,12 +135,12 @@ impl Fitted for Found {
             .collect()
     }
 
-    fn name(&self, _report: &Report) -> String {
+    fn name(&self, _report: &FitReport) -> String {
         let [bias_m, wiggling] = [self.solution.parameters[0], self.solution.parameters[1]];
         format!("bias {:.2} mm, wiggling {:.4}", 1e3 * bias_m, wiggling.max(0.0))
     }
 
-    fn noise(&self, report: &Report) -> String {
+    fn noise(&self, report: &FitReport) -> String {
         report.parameter("signal").map_or(String::new(), |signal| {
             format!(", signal {} electrons at 1 m", number(signal.value))
         })

@@ -1,7 +1,7 @@
 //! Findings about a fit, and the reasons why parameters cannot be fitted.
 
 use super::super::point::Point;
-use super::errors::Found;
+use super::errors::WigglingFit;
 use super::light::Light;
 use oaktwin_base::diagnostic::{Finding, Level, Message, message, opt};
 
@@ -18,7 +18,7 @@ const MAX_SCATTER: f64 = 4.0;
 const MIN_EXCESS_POINTS: usize = 3;
 
 /// Returns the reason why bias and wiggling cannot be fitted, and the remedy.
-pub(super) fn not_identifiable(points: &[Point], found: Option<&Found>) -> Option<(String, Message)> {
+pub(super) fn not_identifiable(points: &[Point], found: Option<&WigglingFit>) -> Option<(String, Message)> {
     let mut distances: Vec<f64> = points.iter().map(|point| point.depth_m).collect();
     distances.sort_by(f64::total_cmp);
     distances.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * b.abs());
@@ -67,7 +67,7 @@ pub(super) fn not_identifiable(points: &[Point], found: Option<&Found>) -> Optio
 }
 
 /// Reports suspicious distances and devices.
-pub(super) fn implausible(found: &Found, wiggling: &'static str) -> Vec<Finding> {
+pub(super) fn implausible(found: &WigglingFit, wiggling: &'static str) -> Vec<Finding> {
     let mut findings = Vec::new();
     let bias_m = found.solution.parameters[0];
     if bias_m.abs() > MAX_BIAS_M {

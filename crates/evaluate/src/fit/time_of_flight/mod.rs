@@ -14,10 +14,10 @@ use super::error_domain::{ErrorDomain, left_of_rounding};
 use super::method::{Fitted, Method};
 use super::point::{OfTarget, Point};
 use super::report::Parameter;
+use super::state::FitState;
 use super::target::Observation;
-use super::work::Work;
-use super::{FitError, Options};
-use errors::{Found, Shape};
+use super::{FitError, FitOptions};
+use errors::{ErrorModel, WigglingFit};
 use light::Noise;
 use oaktwin_base::diagnostic::{Finding, Level, message, opt};
 
@@ -47,7 +47,7 @@ pub(super) struct Tof {
 
 impl Tof {
     /// Creates the method from the known parameters.
-    pub(super) fn new(engine: &TimeOfFlight, options: &Options) -> Result<Self, FitError> {
+    pub(super) fn new(engine: &TimeOfFlight, options: &FitOptions) -> Result<Self, FitError> {
         let p = *engine.parameters();
         let refused = |text: &str| Err(FitError::Option(text.into()));
         if options.fits_focal_length {
@@ -95,8 +95,8 @@ impl Tof {
 
     /// Returns the share of a frame's noise that the next frame shares: half if measurements are shared, because every second
     /// frame then differs by twice as much, otherwise none.
-    fn shared_by(&self, seen: &[Observation]) -> Option<f64> {
-        let ratios: Vec<f64> = seen
+    fn shared_by(&self, observations: &[Observation]) -> Option<f64> {
+        let ratios: Vec<f64> = observations
             .iter()
             .filter_map(|one| {
                 let rounding = one.rounding(0.0);
@@ -157,16 +157,16 @@ impl Method for Tof {
         &["signal", "ambient"]
     }
 
-    fn noise(&mut self, seen: &[Observation], work: &mut Work<'_>) {
-        if let Some(shared) = self.shared_by(seen)
+    fn noise(&mut self, observations: &[Observation], state: &mut FitState<'_>) {
+        if let Some(shared) = self.shared_by(observations)
             && shared != self.shared
         {
             self.shared = shared;
-            work.findings.push(findings::other_sharing(shared));
+            state.findings.push(findings::other_sharing(shared));
         }
-        let noise: Vec<Noise> = seen.iter().filter_map(|one| self.noise_of(one)).collect();
+        let noise: Vec<Noise> = observations.iter().filter_map(|one| self.noise_of(one)).collect();
         let Some(light) = light::fit(&self.p, &self.rays, &noise) else {
-            let (why, remedy) = if seen.iter().all(|one| one.variance().is_none()) {
+            let (why, remedy) = if observations.iter().all(|one| one.variance().is_none()) {
                 (
                     "no pixel is valid in two frames of one target",
                     "give several frames of each distance",
@@ -178,11 +178,11 @@ impl Method for Tof {
                 )
             };
             for name in self.noise_names() {
-                work.not_found(name, why, remedy);
+                state.not_found(name, why, remedy);
             }
             return;
         };
-        work.report.parameters.push(Parameter {
+        state.report.parameters.push(Parameter {
             name: "signal",
             value: light.signal_e,
             interval_95: light.signal_interval_e,
@@ -191,7 +191,7 @@ impl Method for Tof {
             is_fitted: true,
         });
         match light.ambient {
-            Some((ambient_e, interval_95)) => work.report.parameters.push(Parameter {
+            Some((ambient_e, interval_95)) => state.report.parameters.push(Parameter {
                 name: "ambient",
                 value: ambient_e,
                 interval_95,
@@ -204,7 +204,7 @@ impl Method for Tof {
                     "these distances do not separate it from the signal; the fit assumes {} electrons of it",
                     self.p.ambient_e
                 );
-                work.not_found(
+                state.not_found(
                     "ambient",
                     &why,
                     message![
@@ -214,7 +214,7 @@ impl Method for Tof {
                 );
             }
         }
-        work.findings.extend(findings::of_light(&light));
+        state.findings.extend(findings::of_light(&light));
     }
 
     fn variance(&self, one: &Observation) -> Option<f64> {
@@ -225,8 +225,8 @@ impl Method for Tof {
         // The covariance of a frame with itself, and with the previous and the next one.
         let by_time = self.noise_m2(one)? * (1.0 + 2.0 * self.shared) / (values as f64).max(1.0);
         // This includes the constant differences between pixels.
-        let places = one.places.iter().filter(|place| place.sum.values > 0).count() as f64;
-        let by_place = one.plane().map_or(0.0, |(_, rms)| rms * rms / places);
+        let cells = one.cells.iter().filter(|cell| cell.sum.values > 0).count() as f64;
+        let by_place = one.plane().map_or(0.0, |(_, rms)| rms * rms / cells);
         Some(by_time.max(by_place * one.values() as f64 / (values as f64).max(1.0)))
     }
 
@@ -235,18 +235,18 @@ impl Method for Tof {
         left_of_rounding(sigma, one.unit)
     }
 
-    fn is_used(&self, point: &OfTarget, work: &mut Work<'_>) -> bool {
+    fn is_used(&self, point: &OfTarget, state: &mut FitState<'_>) -> bool {
         let depth_m = point.point.depth_m;
         let error_m = point.point.error * depth_m;
-        let name = |work: &Work<'_>| {
-            let target = point.target.and_then(|number| work.report.targets.get(number));
+        let name = |state: &FitState<'_>| {
+            let target = point.target.and_then(|number| state.report.targets.get(number));
             target.map_or_else(|| format!("{depth_m} m"), |target| target.name.clone())
         };
         if depth_m > self.range_m {
-            work.findings.push(Finding::new(
+            state.findings.push(Finding::new(
                 "beyond-range",
                 Level::Warning,
-                name(work),
+                name(state),
                 format!(
                     "{depth_m:.3} m is beyond the range of {:.3} m: ignored",
                     self.range_m
@@ -262,10 +262,10 @@ impl Method for Tof {
         let periods = error_m / self.p.period_m();
         let is_wrong = periods.abs() > 0.5 && (periods - periods.round()).abs() < NEAR_PERIOD;
         if is_wrong {
-            work.findings.push(Finding::new(
+            state.findings.push(Finding::new(
                 "wrong-period",
                 Level::Warning,
-                name(work),
+                name(state),
                 format!(
                     "the error of {error_m:+.3} m is {:+.0} periods of {:.3} m: ignored",
                     periods.round(),
@@ -277,24 +277,24 @@ impl Method for Tof {
         !is_wrong
     }
 
-    fn systematic(&self, used: &[Point], work: &mut Work<'_>) -> Option<Box<dyn Fitted>> {
-        let shape = Shape {
+    fn systematic(&self, used: &[Point], state: &mut FitState<'_>) -> Option<Box<dyn Fitted>> {
+        let shape = ErrorModel {
             p: self.p,
             rays: self.rays.clone(),
-            is_absolute: work.report.is_absolute,
+            is_absolute: state.report.is_absolute,
         };
         let found = shape.fit(used);
         let (wiggling, what) = self.wiggling();
         if let Some((why, remedy)) = findings::not_identifiable(used, found.as_ref()) {
-            work.not_found("bias", &why, &remedy);
-            work.not_found(wiggling, &why, &remedy);
+            state.not_found("bias", &why, &remedy);
+            state.not_found(wiggling, &why, &remedy);
             return None;
         }
-        let found: Found = found?;
+        let found: WigglingFit = found?;
         let interval = |at| found.solution.interval(at, 1.0, found.is_known);
         // An amplitude is not negative.
         let not_below = |ends: [f64; 2]| ends.map(|end| end.max(0.0));
-        work.put_first(vec![
+        state.put_first(vec![
             Parameter {
                 name: "bias",
                 value: found.solution.parameters[0],
@@ -312,7 +312,7 @@ impl Method for Tof {
                 is_fitted: true,
             },
         ]);
-        work.findings.extend(findings::implausible(&found, wiggling));
+        state.findings.extend(findings::implausible(&found, wiggling));
         Some(Box::new(found))
     }
 }

@@ -7,7 +7,8 @@ use std::path::Path;
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::time_of_flight::{Parameters, TimeOfFlight};
 
-use crate::fit::{Options, Report, fixture};
+use crate::fit::fixture::{self, codes, has};
+use crate::fit::{FitOptions, FitReport};
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::ImageSize;
 use oaktwin_pipeline::sensor::{SensorOptions, TIME_OF_FLIGHT, time_of_flight_parameters};
@@ -18,15 +19,15 @@ const WIDTH: u32 = 64;
 const HEIGHT: u32 = 48;
 const MODEL: &str = "oak-d-tof";
 
-fn options() -> Options {
-    Options {
+fn options() -> FitOptions {
+    FitOptions {
         engine: SensorOptions {
             engine: Some((&TIME_OF_FLIGHT).into()),
             parameters: CROP.map(|(name, value)| (name.to_owned(), value.into())).to_vec(),
             ..SensorOptions::default()
         },
         region: 0.6,
-        ..Options::default()
+        ..FitOptions::default()
     }
 }
 
@@ -60,37 +61,28 @@ impl Recorded<'_> {
         fixture::record(folder, boards, self.frames, |shot| engine.sense(shot, &random));
     }
 
-    fn fitted(&self, options: &Options) -> (Report, Vec<Finding>) {
+    fn fitted(&self, options: &FitOptions) -> (FitReport, Vec<Finding>) {
         let folder = tempfile::tempdir().unwrap();
         self.write(folder.path(), |z| z);
         fitted(folder.path(), options).unwrap()
     }
 }
 
-fn fitted(path: &Path, options: &Options) -> Result<(Report, Vec<Finding>), String> {
+fn fitted(path: &Path, options: &FitOptions) -> Result<(FitReport, Vec<Finding>), String> {
     let (report, findings, read) = fixture::fitted(MODEL, &[path], options)?;
     assert_eq!(read.engine, &TIME_OF_FLIGHT);
     assert_eq!(read.parameters.len(), report.parameters.len());
     Ok((report, findings))
 }
 
-fn with(options: Options, parameter: (&str, &str)) -> Options {
+fn with(options: FitOptions, parameter: (&str, &str)) -> FitOptions {
     let mut options = options;
     let (name, value) = parameter;
     options.engine.parameters.push((name.to_owned(), value.into()));
     options
 }
 
-fn has(report: &Report, name: &str, truth: f64) -> bool {
-    let [low, high] = report.parameter(name).unwrap().interval_95.unwrap();
-    (low..=high).contains(&truth)
-}
-
-fn codes(findings: &[Finding]) -> Vec<&str> {
-    findings.iter().map(|finding| finding.code).collect()
-}
-
-fn missing(report: &Report) -> Vec<&str> {
+fn missing(report: &FitReport) -> Vec<&str> {
     report.not_found.iter().map(|one| one.name).collect()
 }
 
@@ -276,7 +268,7 @@ fn a_curve_of_errors() {
         }
         let file = folder.path().join("curve.csv");
         fs::write(&file, text).unwrap();
-        let narrow = Options {
+        let narrow = FitOptions {
             region: 0.01,
             ..options()
         };
@@ -292,7 +284,7 @@ fn a_curve_of_errors() {
 #[test]
 fn invalid_options_are_rejected() {
     let folder = tempfile::tempdir().unwrap();
-    let focal = Options {
+    let focal = FitOptions {
         fits_focal_length: true,
         ..options()
     };

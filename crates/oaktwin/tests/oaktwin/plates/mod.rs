@@ -7,7 +7,7 @@ use std::sync::Arc;
 use oaktwin::camera::math::DAffine3;
 use oaktwin::image::Image;
 use oaktwin::scene::{
-    Attribute, ColorSpace, Instance, Light, LightKind, Material, MaterialSpan, Mesh, Scene, Texture,
+    ColorSpace, Instance, Light, LightKind, Material, MaterialSpan, Mesh, MeshAttribute, Scene, Texture,
     TextureSource, TextureUse,
 };
 
@@ -54,7 +54,7 @@ pub(crate) fn plate(scene: &mut Scene, x: f32, y: [f32; 2], z: [f32; 2], pattern
     scene.meshes.push(Mesh {
         positions: corners.map(|[y, z]| [x, y, z]).to_vec(),
         triangles: vec![[0, 1, 2], [0, 2, 3]],
-        uvs: Some(Attribute::Vertex(
+        uvs: Some(MeshAttribute::Vertex(
             corners.map(|corner| corner.map(|c| c / pattern)).to_vec(),
         )),
         materials: vec![MaterialSpan {

@@ -25,7 +25,7 @@ fn dots_are_where_the_drifted_cameras_see_them() {
         let cameras = PairCameras::new(&twin, &options).unwrap();
         let calibrated = PairCameras::new(&twin, &calibrated).unwrap();
         assert_eq!(cameras.rectify().geometry(), calibrated.rectify().geometry());
-        let seen = cameras.look(&wall(x), &RigidTransform::IDENTITY, 0);
+        let seen = cameras.capture(&wall(x), &RigidTransform::IDENTITY, 0);
         let images = [&seen.rectified_left, &seen.rectified_right].map(numbers);
         let geometry = seen.geometry;
         let matches = drift.matches(&geometry.left, geometry.baseline);

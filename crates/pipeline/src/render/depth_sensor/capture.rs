@@ -1,7 +1,7 @@
 //! The depth sensor's outputs for a rendered frame.
 
 use crate::pair::Pair;
-use crate::sensor::{self, EngineInput, Input, ParameterError, Sensor, Shot, needs_a_pair};
+use crate::sensor::{self, DepthShot, EngineInput, Input, ParameterError, Sensor, needs_a_pair};
 use oaktwin_camera::Camera;
 use oaktwin_depth::stereo_matching;
 use oaktwin_image::ImageView;
@@ -42,7 +42,7 @@ pub fn sensor_input<'a>(
             let apparent = frame.apparent_depth.as_ref().filter(|_| kind.models.is_some());
             let depth = apparent.or(frame.distance_to_image_plane.as_ref());
             let depth = depth.ok_or_else(|| unfit(format!("{kind} requires depth, and there is none")))?;
-            let mut shot = Shot::new((&depth.0).into());
+            let mut shot = DepthShot::new((&depth.0).into());
             shot.frame = number;
             if let Some(velocities) = &frame.radial_velocities {
                 let velocities = velocities.each_ref().map(ImageView::from);
@@ -66,7 +66,7 @@ pub fn sensor_input<'a>(
         }
         EngineInput::Pair => {
             let pair = pair.ok_or_else(|| needs_a_pair(kind, "the input is a depth image"))?;
-            let pair = stereo_matching::Pair::new(&pair.rectified_left, &pair.rectified_right);
+            let pair = stereo_matching::RectifiedPair::new(&pair.rectified_left, &pair.rectified_right);
             let pair = pair.map_err(|error| unfit(format!("{kind}: {error}")))?;
             Ok(Input::Pair(pair))
         }

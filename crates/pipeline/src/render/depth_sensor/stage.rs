@@ -5,8 +5,8 @@ use crate::sensor::{self, ParameterError, Sensor, SensorOptions};
 use oaktwin_base::diagnostic::{Finding, Level, nearest};
 use oaktwin_depth::single_view::Parameters;
 use oaktwin_usd::asset::IsaacVersion;
-use oaktwin_usd::depth_sensor::{DepthSensor, OUTLIER_REMOVAL, attribute_types};
-use oaktwin_usd::stage::{Attribute, Value};
+use oaktwin_usd::depth_sensor::{OUTLIER_REMOVAL, StageDepthSensor, attribute_types};
+use oaktwin_usd::stage::{Attribute, AttributeValue};
 
 /// The schema's attributes that affect the sensor's output, all but its switches, with their types.
 fn shaping() -> impl Iterator<Item = (&'static str, &'static str)> {
@@ -26,7 +26,7 @@ fn shaping_names() -> impl Iterator<Item = &'static str> {
 
 /// The sensor of a stage, with `name` as its noise key.
 pub(super) fn sensor(
-    stage: &DepthSensor,
+    stage: &StageDepthSensor,
     name: &str,
     options: &SensorOptions,
 ) -> Result<(Sensor, Vec<Finding>), DepthSensorError> {
@@ -37,7 +37,7 @@ pub(super) fn sensor(
     Ok((sensor, findings))
 }
 
-fn at(stage: &DepthSensor, error: ParameterError) -> DepthSensorError {
+fn at(stage: &StageDepthSensor, error: ParameterError) -> DepthSensorError {
     DepthSensorError {
         place: stage.prim().path.clone(),
         error,
@@ -46,7 +46,7 @@ fn at(stage: &DepthSensor, error: ParameterError) -> DepthSensorError {
 
 /// The parameters of the stage, with the schema's defaults for attributes that are not authored.
 fn parameters(
-    stage: &DepthSensor,
+    stage: &StageDepthSensor,
     isaac: Option<IsaacVersion>,
 ) -> Result<(Parameters, Vec<Finding>), DepthSensorError> {
     let isaac = isaac.or_else(|| stage.isaac()).unwrap_or_default();
@@ -101,21 +101,23 @@ fn parameters(
 
 /// The shortest text of a value: single precision in as few digits as identify it, so that 0.1 is 0.1. `None` for an
 /// unsupported type.
-fn text(name: &str, value: &Value, attribute: &Attribute) -> Option<String> {
+fn text(name: &str, value: &AttributeValue, attribute: &Attribute) -> Option<String> {
     match (name, value) {
-        (OUTLIER_REMOVAL, Value::Bool(on)) => Some(u8::from(*on).to_string()),
-        (OUTLIER_REMOVAL | "rgbDepthOutputMode", Value::Int(int)) => Some(int.to_string()),
+        (OUTLIER_REMOVAL, AttributeValue::Bool(on)) => Some(u8::from(*on).to_string()),
+        (OUTLIER_REMOVAL | "rgbDepthOutputMode", AttributeValue::Int(int)) => Some(int.to_string()),
         (OUTLIER_REMOVAL | "rgbDepthOutputMode", _) => None,
-        (_, Value::Int(int)) => Some(int.to_string()),
+        (_, AttributeValue::Int(int)) => Some(int.to_string()),
         #[expect(clippy::cast_possible_truncation, reason = "it was a float")]
-        (_, Value::Float(float)) if attribute.type_name == "float" => Some((*float as f32).to_string()),
-        (_, Value::Float(float)) => Some(float.to_string()),
+        (_, AttributeValue::Float(float)) if attribute.type_name == "float" => {
+            Some((*float as f32).to_string())
+        }
+        (_, AttributeValue::Float(float)) => Some(float.to_string()),
         _ => None,
     }
 }
 
 /// A finding about an unknown attribute. The schema's switches are ignored: requesting the output enables the sensor.
-fn unknown(stage: &DepthSensor, name: &str) -> Option<Finding> {
+fn unknown(stage: &StageDepthSensor, name: &str) -> Option<Finding> {
     if Parameters::names().contains(&name) {
         return None;
     }
@@ -132,7 +134,7 @@ fn unknown(stage: &DepthSensor, name: &str) -> Option<Finding> {
     ))
 }
 
-fn animated(stage: &DepthSensor, name: &str, text: &str) -> Finding {
+fn animated(stage: &StageDepthSensor, name: &str, text: &str) -> Finding {
     Finding::new(
         "depth-attribute-animated",
         Level::Warning,

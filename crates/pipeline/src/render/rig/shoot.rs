@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use oaktwin_base::diagnostic::Finding;
 use oaktwin_camera::RigidTransform;
-use oaktwin_dataset::{self as dataset, CameraParams, Layer, LayerData, Shot};
+use oaktwin_dataset::{self as dataset, CameraParams, LayerData, Shot, ShotLayer};
 use oaktwin_depth::Engine;
 use oaktwin_image::annotation::{Annotator, Frame};
 use oaktwin_image::{Image, png};
@@ -182,7 +182,7 @@ impl Rig {
         let lights = during.lights.take();
         let pair = pair.map(|pair| match lights {
             Some(lights) => pair.record(&pair.with_truth(lights, renderer, &mount), number),
-            None => pair.look(renderer, &mount, number),
+            None => pair.capture(renderer, &mount, number),
         });
         let (mut frame, mut findings) = renderer.annotate(&view, &needed, self.backend, &options);
         during.put(&camera.camera, &mut frame, &mut findings);
@@ -240,18 +240,18 @@ impl Rig {
 fn sensed(
     sensor: &mut Sensor,
     camera: &PlacedCamera,
-    described: &dataset::View,
+    described: &dataset::FrameCamera,
     number: u64,
     pair: Option<&Pair>,
     annotators: &[Annotator],
     frame: &mut Frame,
-) -> Result<(dataset::View, Option<Finding>), RigError> {
+) -> Result<(dataset::FrameCamera, Option<Finding>), RigError> {
     let missing = sense_frame(sensor, &described.camera, number, pair, annotators, frame)?;
     let view = sensor_view(&sensor.output_camera(&described.camera), described);
     Ok((view, not_produced(&camera.path, sensor, &missing)))
 }
 
-fn layers(sheet: Option<Image<[u8; 3]>>, pair: Option<Pair>) -> Vec<Layer> {
+fn layers(sheet: Option<Image<[u8; 3]>>, pair: Option<Pair>) -> Vec<ShotLayer> {
     let sheet = sheet.into_iter().map(sheet_layer);
     sheet.chain(pair.into_iter().flat_map(pair_layers)).collect()
 }
@@ -292,31 +292,31 @@ fn keep_annotations(annotators: &[Annotator], frame: &mut Frame) {
     }
 }
 
-fn sheet_layer(sheet: Image<[u8; 3]>) -> Layer {
-    Layer {
+fn sheet_layer(sheet: Image<[u8; 3]>) -> ShotLayer {
+    ShotLayer {
         folder: "sweep",
         name: "sweep".to_owned(),
         data: LayerData::Png(Box::new(move || png::encode(&sheet))),
     }
 }
 
-fn pair_layers(pair: Pair) -> impl Iterator<Item = Layer> {
+fn pair_layers(pair: Pair) -> impl Iterator<Item = ShotLayer> {
     let images = [
         ("left", pair.left),
         ("right", pair.right),
         ("rectified_left", pair.rectified_left),
         ("rectified_right", pair.rectified_right),
     ];
-    images.into_iter().map(|(name, image)| Layer {
+    images.into_iter().map(|(name, image)| ShotLayer {
         folder: "pair",
         name: name.to_owned(),
         data: LayerData::Png(Box::new(move || image.to_png())),
     })
 }
 
-fn described(camera: &PlacedCamera, view: &View, meters_per_unit: f64) -> dataset::View {
+fn described(camera: &PlacedCamera, view: &View, meters_per_unit: f64) -> dataset::FrameCamera {
     let (attributes, clip) = (&camera.attributes, &camera.clip);
-    dataset::View {
+    dataset::FrameCamera {
         optics: attributes.optics,
         camera: view.camera,
         world_from_camera: view.world_from_camera,

@@ -1,10 +1,10 @@
 use super::*;
 use oaktwin_camera::Usd;
-use oaktwin_usd::stage::{Attribute, Prim, Target, Value};
+use oaktwin_usd::stage::{Attribute, AttributeValue, Prim, RelationshipTarget};
 
 const DEPTH_SCHEMA: &str = "OmniSensorDepthSensorSingleViewAPI";
 
-fn prim(path: &str, schemas: &[&str], attributes: &[(&str, Value)]) -> Prim {
+fn prim(path: &str, schemas: &[&str], attributes: &[(&str, AttributeValue)]) -> Prim {
     Prim {
         path: path.to_owned(),
         type_name: String::new(),
@@ -29,10 +29,10 @@ fn camera(path: &str, focal: f64) -> SceneCamera {
             path,
             &[],
             &[
-                ("focalLength", Value::Float(focal)),
-                ("horizontalAperture", Value::Float(20.0)),
-                ("verticalAperture", Value::Float(10.0)),
-                ("clippingRange", Value::Floats(vec![1.0, 100.0])),
+                ("focalLength", AttributeValue::Float(focal)),
+                ("horizontalAperture", AttributeValue::Float(20.0)),
+                ("verticalAperture", AttributeValue::Float(10.0)),
+                ("clippingRange", AttributeValue::Floats(vec![1.0, 100.0])),
             ],
         ),
         ..SceneCamera::default()
@@ -40,10 +40,10 @@ fn camera(path: &str, focal: f64) -> SceneCamera {
 }
 
 fn product(path: &str, schemas: &[&str], camera: &str, size: Option<[i64; 2]>) -> RenderProduct {
-    let resolution = size.map(|size| ("resolution", Value::Ints(size.to_vec())));
+    let resolution = size.map(|size| ("resolution", AttributeValue::Ints(size.to_vec())));
     RenderProduct {
         prim: prim(path, schemas, resolution.as_slice()),
-        cameras: vec![Target {
+        cameras: vec![RelationshipTarget {
             path: camera.to_owned(),
             type_name: Some("Camera".to_owned()),
         }],

@@ -39,19 +39,19 @@ impl Snapshot {
 
 /// The way of each pixel of a view, px, and its depth.
 pub(super) struct Ways {
-    pixels: Vec<Way>,
+    pixels: Vec<MotionVector>,
     width: usize,
     longest: f32,
 }
 
 #[derive(Clone, Copy, Default)]
-struct Way {
+struct MotionVector {
     x: f32,
     y: f32,
     z: f32,
 }
 
-impl Way {
+impl MotionVector {
     fn length(self) -> f32 {
         self.x.hypot(self.y)
     }
@@ -90,7 +90,7 @@ impl Ways {
         let seen = renderer.visibility(view, backend);
         let width = seen.hits.width().max(1);
         let both = seen.hits.pixels().par_iter().zip(seen.z.0.pixels());
-        let pixels: Vec<Way> = both
+        let pixels: Vec<MotionVector> = both
             .enumerate()
             .with_min_len(4096)
             .map(|(index, (hit, z))| {
@@ -98,7 +98,7 @@ impl Ways {
                 let (x, y) = (index % width, index / width);
                 let pixel = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
                 let Some(ray) = view.camera.unproject(pixel).filter(|ray| ray.z > 1e-6) else {
-                    return Way::default();
+                    return MotionVector::default();
                 };
                 let depth = if z.is_finite() { f64::from(*z) } else { FAR_M };
                 let instance = (hit.instance as usize).min(instances.len());
@@ -161,7 +161,7 @@ impl Ways {
         &self,
         source: &[[f32; CHANNELS]],
         [x, y]: [usize; 2],
-        along: Way,
+        along: MotionVector,
     ) -> [f32; CHANNELS] {
         let here = y * self.width + x;
         let own = self.pixels[here];
@@ -194,18 +194,18 @@ impl Ways {
     }
 
     /// The longest way in each tile and those around it.
-    fn fastest(&self, tile: usize) -> Vec<Way> {
+    fn fastest(&self, tile: usize) -> Vec<MotionVector> {
         let height = self.pixels.len() / self.width;
         let (columns, rows) = (self.width.div_ceil(tile), height.div_ceil(tile));
-        let longer = |a: Way, b: Way| if b.length() > a.length() { b } else { a };
-        let mut own = vec![Way::default(); columns * rows];
+        let longer = |a: MotionVector, b: MotionVector| if b.length() > a.length() { b } else { a };
+        let mut own = vec![MotionVector::default(); columns * rows];
         for (index, way) in self.pixels.iter().enumerate() {
             let at = index / self.width / tile * columns + index % self.width / tile;
             own[at] = longer(own[at], *way);
         }
         let around = |index: usize| {
             let (column, row) = (index % columns, index / columns);
-            let mut most = Way::default();
+            let mut most = MotionVector::default();
             for row in row.saturating_sub(1)..(row + 2).min(rows) {
                 for column in column.saturating_sub(1)..(column + 2).min(columns) {
                     most = longer(most, own[row * columns + column]);
@@ -219,15 +219,15 @@ impl Ways {
 
 /// The way of a point in the image.
 #[expect(clippy::cast_possible_truncation, reason = "images are single precision")]
-fn way(view: &View, point: DVec3, ends: [&DAffine3; 2]) -> Way {
+fn way(view: &View, point: DVec3, ends: [&DAffine3; 2]) -> MotionVector {
     let [from, to] = ends.map(|end| view.camera.project(end.transform_point3(point)));
     let z = point.z as f32;
     let (Some(from), Some(to)) = (from, to) else {
-        return Way { x: 0.0, y: 0.0, z };
+        return MotionVector { x: 0.0, y: 0.0, z };
     };
     let (x, y) = ((to.x - from.x) as f32, (to.y - from.y) as f32);
     let shorter = (LONGEST_PX / x.hypot(y).max(f32::MIN_POSITIVE)).min(1.0);
-    Way {
+    MotionVector {
         x: x * shorter,
         y: y * shorter,
         z,

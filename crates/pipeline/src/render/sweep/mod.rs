@@ -24,7 +24,7 @@ pub const MAX_VALUES: usize = 12;
 /// A parameter with its values: `maxDistance=2,4,8`. Beside an engine's parameters there are `engine`, `preset` and `seed` of
 /// [`SensorOptions`].
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Axis {
+pub struct SweepAxis {
     /// The name.
     pub name: String,
     /// The values, as the parameter accepts them.
@@ -35,8 +35,8 @@ pub struct Axis {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(try_from = "Vec<String>", into = "Vec<String>")]
 pub struct Sweep {
-    columns: Axis,
-    rows: Option<Axis>,
+    columns: SweepAxis,
+    rows: Option<SweepAxis>,
 }
 
 /// An invalid sweep.
@@ -61,7 +61,7 @@ pub enum SweepError {
     Twice(String),
 }
 
-impl std::str::FromStr for Axis {
+impl std::str::FromStr for SweepAxis {
     type Err = SweepError;
 
     fn from_str(text: &str) -> Result<Self, SweepError> {
@@ -80,7 +80,7 @@ impl std::str::FromStr for Axis {
     }
 }
 
-impl fmt::Display for Axis {
+impl fmt::Display for SweepAxis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}={}", self.name, self.values.join(","))
     }
@@ -106,7 +106,7 @@ impl Sweep {
     ///
     /// # Errors
     /// Returns an error for none or more than two axes, or the same parameter twice.
-    pub fn new(axes: Vec<Axis>) -> Result<Self, SweepError> {
+    pub fn new(axes: Vec<SweepAxis>) -> Result<Self, SweepError> {
         let count = axes.len();
         let names: BTreeSet<String> = axes.iter().map(|axis| fold_name(&axis.name)).collect();
         if let (true, Some(axis)) = (names.len() < count, axes.last()) {
@@ -124,7 +124,7 @@ impl Sweep {
     /// # Errors
     /// Returns the errors of [`Sweep::new`], or an error if a text is invalid.
     pub fn parse<'a>(axes: impl IntoIterator<Item = &'a str>) -> Result<Self, SweepError> {
-        let axes: Result<Vec<Axis>, SweepError> = axes.into_iter().map(str::parse).collect();
+        let axes: Result<Vec<SweepAxis>, SweepError> = axes.into_iter().map(str::parse).collect();
         Self::new(axes?)
     }
 

@@ -1,12 +1,12 @@
 //! The sheet of a sweep.
 
 use super::thumbnail::{Thumbnail, averaged};
-use super::{Axis, Sweep};
+use super::{Sweep, SweepAxis};
 use oaktwin_image::Image;
 use oaktwin_image::annotation::Frame;
 use oaktwin_image::contact_sheet::{GAP, INK, PAPER, paste};
 use oaktwin_image::preview::{self, Marks};
-use oaktwin_image::text::{self, Style};
+use oaktwin_image::text::{self, TextStyle};
 
 /// The maximum width of a row and of a cell, px.
 const ROW: u32 = 1640;
@@ -92,7 +92,7 @@ pub(super) fn sheet(sweep: &Sweep, frame: &Frame, factor: u32, cells: &[Thumbnai
     sheet
 }
 
-fn label(axis: &Axis, value: &str) -> String {
+fn label(axis: &SweepAxis, value: &str) -> String {
     format!("{} = {value}", axis.name)
 }
 
@@ -159,7 +159,7 @@ fn fitting(line: &str, length: u32) -> f32 {
 }
 
 fn write(sheet: &mut Image<[u8; 3]>, line: &str, (left, top): (u32, u32), length: u32) {
-    let style = Style {
+    let style = TextStyle {
         height: fitting(line, length),
         color: INK,
     };
@@ -171,7 +171,7 @@ fn write_upwards(sheet: &mut Image<[u8; 3]>, line: &str, (left, top): (u32, u32)
     let mut lying = Image::filled(length, LINE, PAPER);
     let height = fitting(line, length.saturating_sub(GAP));
     let start = (length as f32 - text::width(line, height)) / 2.0;
-    text::draw(&mut lying, line, (start, 0.0), Style { height, color: INK });
+    text::draw(&mut lying, line, (start, 0.0), TextStyle { height, color: INK });
     let mut standing = Image::filled(LINE, length, PAPER);
     for (at, pixel) in standing.pixels_mut().iter_mut().enumerate() {
         let at = u32::try_from(at).unwrap_or(0);

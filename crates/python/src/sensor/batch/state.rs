@@ -11,15 +11,15 @@ use rayon::prelude::*;
 
 use super::{SensorBatch, in_item};
 use crate::arguments::FrameNumber;
-use crate::images::Shape;
-use crate::sensor::eye::Eye;
+use crate::images::ImageShape;
 use crate::sensor::items::{Item, Items};
+use crate::sensor::sized::SizedSensor;
 use crate::sensor::units::number;
 use crate::threads;
 
 /// The sensors for images of a size, in their present episodes.
 #[derive(Default)]
-pub(super) struct State {
+pub(super) struct Episodes {
     pub(super) size: Option<ImageSize>,
     /// The sensor of each item, or of all, in episode 0.
     pub(super) first: Vec<Arc<Sensor>>,
@@ -37,7 +37,7 @@ pub(super) struct Clock {
     pub(super) frame: u64,
 }
 
-impl State {
+impl Episodes {
     /// Enters the present episode of an item, whose sensor is then in `later`.
     pub(super) fn enter(&mut self, item: usize) {
         let episode = self.clocks[item].episode;
@@ -61,7 +61,7 @@ impl SensorBatch {
         &self,
         py: Python<'_>,
         size: ImageSize,
-        work: impl FnOnce(&mut State) -> T + Send,
+        work: impl FnOnce(&mut Episodes) -> T + Send,
     ) -> PyResult<T> {
         let done = py.detach(|| {
             let mut state = self.locked();
@@ -72,7 +72,7 @@ impl SensorBatch {
     }
 
     /// Makes the sensors for images of a size. Returns the first item that cannot be made, with its error.
-    fn sized(&self, state: &mut State, size: ImageSize) -> Result<(), (usize, PyErr)> {
+    fn sized(&self, state: &mut Episodes, size: ImageSize) -> Result<(), (usize, PyErr)> {
         if state.size == Some(size) {
             return Ok(());
         }
@@ -81,22 +81,23 @@ impl SensorBatch {
             let source = &self.sources[item.min(self.sources.len() - 1)];
             let options = &self.options[item.min(self.options.len() - 1)];
             source
-                .eye_with(Some(size), options)
+                .sized_with(Some(size), options)
                 .map_err(|error| (item, error))
         };
         let count = self.sources.len().max(self.options.len());
         let make_all = || (0..count).into_par_iter().map(make).collect();
-        let eyes: Vec<Eye> = threads::install::<Result<_, _>>(make_all).map_err(|error| (0, error))??;
+        let sensors: Vec<SizedSensor> =
+            threads::install::<Result<_, _>>(make_all).map_err(|error| (0, error))??;
         state.findings.clear();
         state.first.clear();
-        for eye in eyes {
-            let new = eye
+        for sized in sensors {
+            let new = sized
                 .findings
                 .into_iter()
                 .filter(|one| !state.findings.contains(one));
             let new: Vec<_> = new.collect();
             state.findings.extend(new);
-            state.first.push(eye.sensor);
+            state.first.push(sized.sensor);
         }
         state.later.clear();
         for item in 0..state.clocks.len() {
@@ -107,7 +108,7 @@ impl SensorBatch {
     }
 
     /// Returns the items for the next images of a size, and moves their clocks on, unless a frame is given.
-    pub(super) fn next(&self, state: &mut State, frame: Option<FrameNumber>) -> Items {
+    pub(super) fn next(&self, state: &mut Episodes, frame: Option<FrameNumber>) -> Items {
         let first = state.clocks[0];
         let is_uniform = state.first.len() == 1 && state.clocks.iter().all(|clock| *clock == first);
         let items = if is_uniform {
@@ -130,9 +131,9 @@ impl SensorBatch {
     }
 
     /// The shape of the results: filters may decimate.
-    pub(super) fn out_shape(&self, py: Python<'_>, shape: Shape) -> PyResult<Shape> {
+    pub(super) fn out_shape(&self, py: Python<'_>, shape: ImageShape) -> PyResult<ImageShape> {
         let ImageSize { width, height } = shape.size;
-        let out = |state: &mut State| state.sensor(0).filters().size(width, height);
+        let out = |state: &mut Episodes| state.sensor(0).filters().size(width, height);
         let (width, height) = self.at_size(py, shape.size, out)?;
         Ok(shape.sized(ImageSize::new(width, height)))
     }

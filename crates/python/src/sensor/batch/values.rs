@@ -9,7 +9,7 @@ use super::in_item;
 use crate::device::Device;
 use crate::error::{error, wrong};
 use crate::sensor::DepthSensor;
-use crate::sensor::eye::Source;
+use crate::sensor::sized::SensorSettings;
 use crate::settings::{assignments, mistyped};
 
 /// What differs between the items.
@@ -57,7 +57,7 @@ pub(super) fn sources(
     sensor: &DepthSensor,
     units: Option<&Bound<'_, PyAny>>,
     count: usize,
-) -> PyResult<Vec<Source>> {
+) -> PyResult<Vec<SensorSettings>> {
     let Some(units) = units else {
         return Ok(vec![sensor.source.of_twin(&sensor.source.twin)?]);
     };

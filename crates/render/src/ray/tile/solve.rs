@@ -23,7 +23,7 @@ pub(crate) struct Solve<'a> {
 }
 
 /// The origin and the axes of the rays in the frame of an instance's mesh.
-struct Place<'a> {
+struct LocalRays<'a> {
     positions: &'a [[f32; 3]],
     tree: &'a MeshTree,
     origin: DVec3,
@@ -35,7 +35,7 @@ impl LaneKernel for Solve<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let mut known: Option<(u32, Place)> = None;
+        let mut known: Option<(u32, LocalRays)> = None;
         for packet in 0..PACKETS {
             let instances = &self.seen.instance[packet];
             let mut left = 0u32;
@@ -66,9 +66,9 @@ impl LaneKernel for Solve<'_> {
 }
 
 impl<'a> Solve<'a> {
-    fn place(&self, instance: u32) -> Option<Place<'a>> {
+    fn place(&self, instance: u32) -> Option<LocalRays<'a>> {
         let (mesh, tree, mesh_from_world) = self.scene.instance(instance)?;
-        Some(Place {
+        Some(LocalRays {
             positions: &mesh.positions,
             tree,
             origin: mesh_from_world.transform_point3(self.origin),
@@ -78,7 +78,7 @@ impl<'a> Solve<'a> {
 
     /// Solves a packet's rays that hit an instance; `lanes` is not empty.
     #[inline(always)]
-    fn packet<L: Lanes>(&self, place: &Place, packet: usize, lanes: u32) -> L::F64 {
+    fn packet<L: Lanes>(&self, place: &LocalRays, packet: usize, lanes: u32) -> L::F64 {
         let slots = &self.seen.triangle[packet];
         // Other lanes repeat a triangle.
         let first = slots[lanes.trailing_zeros() as usize & 7];

@@ -27,7 +27,7 @@ pub(super) struct Leaf<'a> {
 }
 
 /// The state of a tile's rays.
-pub(crate) struct State {
+pub(crate) struct TileState {
     pub(crate) seen: TileHits,
     /// 1/z of the near end.
     nearest: PerRay<f32>,
@@ -38,7 +38,7 @@ pub(crate) struct State {
     pub(super) farthest: f32,
 }
 
-impl State {
+impl TileState {
     pub(crate) const NONE: Self = Self {
         seen: TileHits {
             inverse_z: [[0.0; 8]; PACKETS],

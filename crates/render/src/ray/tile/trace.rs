@@ -2,9 +2,9 @@ use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
 use oaktwin_scene::Mesh;
 use oaktwin_simd::{LaneKernel, Lanes};
 
-use super::frame::Frame;
 use super::rays::TileRays;
-use super::state::{Leaf, State};
+use super::state::{Leaf, TileState};
+use super::transform::TileTransform;
 use super::triangles::Triangles;
 use crate::Clip;
 use crate::ray::Prepared;
@@ -29,7 +29,7 @@ pub(crate) struct Trace<'a> {
     pub(crate) origin: &'a Origin,
     pub(crate) rays: &'a TileRays,
     pub(crate) clip: Clip,
-    pub(crate) state: &'a mut State,
+    pub(crate) state: &'a mut TileState,
     pub(crate) stack: &'a mut Entries,
 }
 
@@ -52,7 +52,7 @@ impl LaneKernel for Trace<'_> {
         }
         let top = scene.instances;
         let tile_from_world = rays.tile_from_camera * origin.camera_from_world * origin.scale;
-        let world = Frame::new(
+        let world = TileTransform::new(
             &tile_from_world,
             origin.point,
             &DAffine3::IDENTITY,
@@ -73,7 +73,7 @@ impl LaneKernel for Trace<'_> {
 
 /// The handling of leaves.
 trait Visit {
-    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, stack: &mut Entries);
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut TileState, stack: &mut Entries);
 
     #[inline(always)]
     fn prefetch_early<L: Lanes>(&self, _first: u32) {}
@@ -90,12 +90,12 @@ struct VisitInstances<'a> {
 
 impl Visit for VisitInstances<'_> {
     #[inline(always)]
-    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, stack: &mut Entries) {
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut TileState, stack: &mut Entries) {
         for &instance in &self.scene.instances.order[first as usize..][..count as usize] {
             let Some((mesh, tree, mesh_from_world)) = self.scene.instance(instance) else {
                 continue;
             };
-            let frame = Frame::new(
+            let frame = TileTransform::new(
                 &self.tile_from_world,
                 mesh_from_world.transform_point3(self.origin.point),
                 &self.scene.scene.instances[instance as usize].world_from_mesh,
@@ -120,7 +120,7 @@ struct VisitTriangles<'a> {
     mesh: &'a Mesh,
     tree: &'a MeshTree,
     instance: u32,
-    frame: &'a Frame,
+    frame: &'a TileTransform,
     rays: &'a TileRays,
     ready: Triangles,
 }
@@ -140,7 +140,7 @@ impl Visit for VisitTriangles<'_> {
     }
 
     #[inline(always)]
-    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut State, _: &mut Entries) {
+    fn leaf<L: Lanes>(&mut self, first: u32, count: u32, state: &mut TileState, _: &mut Entries) {
         let triangles = &self.tree.triangles[first as usize..][..count as usize];
         let corners = corners::<L>(&self.mesh.positions, triangles);
         self.ready
@@ -171,8 +171,8 @@ impl Visit for VisitTriangles<'_> {
 #[inline(always)]
 fn walk<L: Lanes>(
     nodes: &[Node],
-    frame: &Frame,
-    state: &mut State,
+    frame: &TileTransform,
+    state: &mut TileState,
     stack: &mut Entries,
     visit: &mut impl Visit,
 ) {

@@ -1,8 +1,8 @@
 use oaktwin_camera::math::DVec3;
 use oaktwin_simd::{I32Lanes, Lanes};
 
-use super::frame::Frame;
 use super::rays::{MAX_NEEDLE, TileRays};
+use super::transform::TileTransform;
 use crate::ray::corners::Corners;
 use crate::ray::exact;
 use crate::ray::vector::Vector;
@@ -52,16 +52,16 @@ impl Triangles {
     pub(super) fn set<L: Lanes>(
         &mut self,
         corners: Corners<L>,
-        frame: &Frame,
+        frame: &TileTransform,
         rays: &TileRays,
         min_inverse_z: f32,
     ) {
         let extent = &rays.all;
         let zero = L::splat(0.0);
         let one = L::splat(1.0);
-        let a = frame.see(corners[0]);
-        let b = frame.see(corners[1]);
-        let c = frame.see(corners[2]);
+        let a = frame.transform(corners[0]);
+        let b = frame.transform(corners[1]);
+        let c = frame.transform(corners[2]);
         let nearest = a.z.min(b.z).min(c.z);
         let farthest = a.z.max(b.z).max(c.z);
         // With a corner behind the origin, the triangle may be anywhere.
@@ -131,8 +131,8 @@ impl Triangles {
     /// Recomputes the sides of a needle that point at the origin in double precision. Hides it if not even that knows their
     /// directions.
     #[allow(clippy::cast_possible_truncation, reason = "rounds once, at the end")]
-    pub(super) fn refine_sides(&mut self, lane: usize, corners: [[f32; 3]; 3], frame: &Frame) {
-        let [a, b, c] = corners.map(|p| frame.see_exactly(DVec3::from(p.map(f64::from))));
+    pub(super) fn refine_sides(&mut self, lane: usize, corners: [[f32; 3]; 3], frame: &TileTransform) {
+        let [a, b, c] = corners.map(|p| frame.transform_exactly(DVec3::from(p.map(f64::from))));
         let is_reversed = a.dot((b - a).cross(c - a)) < 0.0;
         for (edge, (p, q)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
             // The triangle at the other side of the edge decides alike, so that no ray passes between them.
@@ -156,8 +156,8 @@ impl Triangles {
     /// Recomputes the plane of an oblique triangle in double precision, and from which side it is seen: with the origin almost in the
     /// triangle, single precision does not know it, and would let rays meet what is behind them.
     #[allow(clippy::cast_possible_truncation, reason = "rounds once, at the end")]
-    pub(super) fn refine(&mut self, lane: usize, corners: [[f32; 3]; 3], frame: &Frame) {
-        let [a, b, c] = corners.map(|p| frame.see_exactly(DVec3::from(p.map(f64::from))));
+    pub(super) fn refine(&mut self, lane: usize, corners: [[f32; 3]; 3], frame: &TileTransform) {
+        let [a, b, c] = corners.map(|p| frame.transform_exactly(DVec3::from(p.map(f64::from))));
         let normal = (b - a).cross(c - a);
         let volume = a.dot(normal);
         let plane = normal / volume;

@@ -5,7 +5,7 @@ use oaktwin_simd::{I32Lanes, LaneKernel, Lanes};
 use super::samples::{Rows, Surfaces, row};
 use crate::ray::Vector;
 use crate::shade::occlusion::{LightRows, Shares};
-use crate::shade::surfaces::Found;
+use crate::shade::surfaces::PacketSurfaces;
 
 /// The minimum total similarity for interpolation.
 pub(super) const MIN_SIMILARITY: f32 = 0.02;
@@ -27,7 +27,7 @@ pub(super) struct Between<'a> {
     /// light.
     pub(super) light: &'a [LightRows],
     pub(super) size: [u32; 2],
-    pub(super) found: &'a Found<'a, 'a>,
+    pub(super) found: &'a PacketSurfaces<'a, 'a>,
     pub(super) shares: &'a mut Shares,
 }
 
@@ -77,12 +77,12 @@ impl LaneKernel for Between<'_> {
 }
 
 /// The first or the second column, or row, of the samples around eight pixels, and the mask of the pixels that have it.
-type Line = ([u32; 8], [i32; 8]);
+type SampleLine = ([u32; 8], [i32; 8]);
 
 impl Between<'_> {
     /// Returns the columns and the rows of the samples around the pixels.
     #[inline(always)]
-    fn places(&self) -> ([Line; 2], [Line; 2]) {
+    fn places(&self) -> ([SampleLine; 2], [SampleLine; 2]) {
         let mut lines = [[([0; 8], [-1; 8]); 2]; 2];
         for lane in 0..8 {
             let place = self.found.place(lane);

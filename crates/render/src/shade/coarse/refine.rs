@@ -3,7 +3,7 @@
 use super::node::{Around, Expected, Node, Shadow};
 use crate::ray::Stack;
 use crate::shade::lamp::Size;
-use crate::shade::occlusion::{Occlusion, Place};
+use crate::shade::occlusion::{Occlusion, ShadingPoint};
 use crate::shade::pattern::{self, Pattern, Spots};
 use crate::shade::strength::Strongest;
 
@@ -12,7 +12,7 @@ const INVISIBLE: f32 = 0.02;
 
 /// A place and the nodes around it.
 pub(super) struct Spot<'a> {
-    pub(super) place: Place,
+    pub(super) place: ShadingPoint,
     pub(super) around: Around<'a>,
     /// Selects the spot of a lamp that is looked at where the nodes around agree.
     pub(super) probe: Option<u32>,

@@ -5,10 +5,10 @@ use oaktwin_image::Image;
 use oaktwin_simd::Lanes;
 
 use crate::ray::Vector;
-use crate::shade::occlusion::Place;
+use crate::shade::occlusion::ShadingPoint;
 use crate::spare::Spare;
 
-/// The point relative to the eye, the normal and the flat normal of a [`Place`]; then its distance from the eye, the inverse of
+/// The point relative to the eye, the normal and the flat normal of a [`ShadingPoint`]; then its distance from the eye, the inverse of
 /// the distance from its plane within which another sample belongs to the same surface, and 0. All are 0 for a miss.
 pub(super) type Rows = [[f32; 3]; 4];
 
@@ -53,7 +53,7 @@ impl Samples {
 pub(super) struct Sample<'a>(pub(super) &'a Rows);
 
 /// Returns the rows of a surface.
-pub(super) fn rows(place: &Place) -> Rows {
+pub(super) fn rows(place: &ShadingPoint) -> Rows {
     [
         place.from_eye.to_array(),
         place.normal.to_array(),
@@ -72,9 +72,9 @@ impl Sample<'_> {
         self.0[3][1] == 0.0
     }
 
-    pub(super) fn place(self) -> Place {
+    pub(super) fn place(self) -> ShadingPoint {
         let [point, normal, flat_normal, [range, ..]] = *self.0;
-        Place {
+        ShadingPoint {
             from_eye: point.into(),
             range,
             normal: normal.into(),

@@ -23,7 +23,7 @@ fn waves() -> Scene {
             mesh.triangles.push([corner + 1, corner + 13, corner + 12]);
         }
     }
-    mesh.normals = Some(Attribute::Vertex(normals));
+    mesh.normals = Some(MeshAttribute::Vertex(normals));
     let mut scene = Scene::default();
     for scale in [DVec3::ONE, DVec3::new(-1.5, 0.5, 1.0)] {
         fixture::placed(&mut scene, "/Wave", mesh.clone());
@@ -92,7 +92,13 @@ fn packets_equal_single_surfaces_in_double_precision() {
     }
 }
 
-fn compare(found: &Found<'_, '_>, lane: usize, expected: &Surface<'_>, eye: DVec3, next: [Option<DVec3>; 2]) {
+fn compare(
+    found: &PacketSurfaces<'_, '_>,
+    lane: usize,
+    expected: &Surface<'_>,
+    eye: DVec3,
+    next: [Option<DVec3>; 2],
+) {
     let near = |a: Vec3, b: DVec3, tolerance: f32| (a - b.as_vec3()).length() < tolerance;
     let surfaces = found.surfaces;
     let point = expected.point - eye;

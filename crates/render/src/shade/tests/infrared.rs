@@ -106,7 +106,7 @@ fn a_reflectance_replaces_the_texture() {
         color_space: ColorSpace::Auto,
     });
     let mut plate = rectangle([-3.0, 3.0], [-3.0, 3.0], 2.0);
-    plate.uvs = Some(Attribute::Vertex(vec![
+    plate.uvs = Some(MeshAttribute::Vertex(vec![
         [0.0, 0.0],
         [0.0, 1.0],
         [1.0, 1.0],

@@ -2,7 +2,7 @@
 
 use oaktwin_camera::math::DVec3;
 use oaktwin_image::annotation::Frame;
-use oaktwin_scene::{ColorSpace, Mask, TextureSource, TextureUse, Transmission, Wrap};
+use oaktwin_scene::{ColorSpace, TextureMask, TextureSource, TextureUse, Transmission, Wrap};
 
 use super::*;
 use crate::Transparent;
@@ -148,7 +148,7 @@ fn a_mask_decides_where_a_pane_is_clear() {
         let mut scene = dark_room();
         add(&mut scene, rectangle([-5.0, 5.0], [-5.0, 5.0], 3.0), glowing(0.5));
         let mesh = Mesh {
-            uvs: Some(Attribute::Vertex(vec![
+            uvs: Some(MeshAttribute::Vertex(vec![
                 [0.0, 0.0],
                 [0.0, 1.0],
                 [1.0, 1.0],
@@ -168,7 +168,7 @@ fn a_mask_decides_where_a_pane_is_clear() {
         wrap_s: Wrap::Clamp,
         ..TextureUse::new(0)
     };
-    let material = |share: f32, mask: Option<Mask>| Material {
+    let material = |share: f32, mask: Option<TextureMask>| Material {
         base_color: Some([0.0; 3]),
         transmission: Some(Transmission {
             share,
@@ -178,7 +178,7 @@ fn a_mask_decides_where_a_pane_is_clear() {
         }),
         ..clear(0.6)
     };
-    let masked = pane(material(1.0, Some(Mask { texture, channel: 0 })));
+    let masked = pane(material(1.0, Some(TextureMask { texture, channel: 0 })));
     let [whole, none] = [1.0, 0.0].map(|share| pane(material(share, None)));
     for (column, same, other) in [(60, &whole, &none), (140, &none, &whole)] {
         let [found, same, other] = [&masked, same, other].map(|scene| luminance_at(scene, [column, 80]));

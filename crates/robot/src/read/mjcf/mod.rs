@@ -48,7 +48,7 @@ struct Reader {
 
 /// Where an element is: its body, its pose in the body, and its class.
 #[derive(Clone)]
-struct Place<'a> {
+struct ElementContext<'a> {
     link: usize,
     link_from_frame: RigidTransform,
     class: Option<&'a str>,
@@ -94,7 +94,7 @@ pub(super) fn read(root: Element) -> Result<Robot, XmlError> {
         is_world: true,
     });
     reader.names.insert("world".to_owned(), 0);
-    let place = Place {
+    let place = ElementContext {
         link: 0,
         link_from_frame: RigidTransform::IDENTITY,
         class: None,
@@ -119,11 +119,11 @@ pub(super) fn read(root: Element) -> Result<Robot, XmlError> {
 
 impl Reader {
     /// Reads what is in a body, or in a frame of it.
-    fn contents(&mut self, parent: &Element, place: &Place<'_>) -> Result<(), XmlError> {
+    fn contents(&mut self, parent: &Element, place: &ElementContext<'_>) -> Result<(), XmlError> {
         for element in &parent.children {
             match element.tag.as_str() {
                 "frame" => {
-                    let inner = Place {
+                    let inner = ElementContext {
                         link: place.link,
                         link_from_frame: place.link_from_frame * self.compiler.pose(element)?,
                         class: element.get("childclass").or(place.class),
@@ -147,7 +147,7 @@ impl Reader {
         Ok(())
     }
 
-    fn body(&mut self, element: &Element, place: &Place<'_>) -> Result<(), XmlError> {
+    fn body(&mut self, element: &Element, place: &ElementContext<'_>) -> Result<(), XmlError> {
         if self.robot.links.len() >= MAX_BODIES {
             return Err(element.wrong(
                 format!("more than {MAX_BODIES} bodies are too many"),
@@ -171,7 +171,7 @@ impl Reader {
             visuals: Vec::new(),
             is_world: false,
         });
-        let inner = Place {
+        let inner = ElementContext {
             link,
             link_from_frame: RigidTransform::IDENTITY,
             class: element.get("childclass").or(place.class),
@@ -189,7 +189,7 @@ impl Reader {
         ));
     }
 
-    fn joint(&mut self, element: &Element, place: &Place<'_>) -> Result<(), XmlError> {
+    fn joint(&mut self, element: &Element, place: &ElementContext<'_>) -> Result<(), XmlError> {
         let joint = self.classes.complete(element, place.class)?;
         let kind = match joint.get("type").unwrap_or("hinge") {
             "hinge" => JointKind::Revolute,
@@ -244,7 +244,7 @@ impl Reader {
         Ok(())
     }
 
-    fn geom(&mut self, element: &Element, place: &Place<'_>) -> Result<(), XmlError> {
+    fn geom(&mut self, element: &Element, place: &ElementContext<'_>) -> Result<(), XmlError> {
         let geom = self.classes.complete(element, place.class)?;
         let [r, g, b, alpha] = self.assets.color(&geom)?;
         if alpha <= 0.0 {

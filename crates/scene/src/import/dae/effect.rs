@@ -10,16 +10,16 @@ use oaktwin_image::srgb;
 
 use super::super::builder::Builder;
 use super::super::error::DAMAGED;
-use super::super::uri::{Folder, Target};
+use super::super::uri::{Folder, ResolvedUri};
 use super::document::{Document, name};
-use crate::{ColorSpace, Mask, Material, Opacity, Texture, TextureSource, TextureUse};
+use crate::{ColorSpace, Material, Opacity, Texture, TextureMask, TextureSource, TextureUse};
 
 /// The format defines no threshold; images of cut-out surfaces are black and white.
 const MASK_THRESHOLD: f32 = 0.5;
 
 /// A material of the scene.
 #[derive(Clone)]
-pub(super) struct Look {
+pub(super) struct EffectMaterial {
     pub(super) material: u32,
     /// The name by which the effect refers to the texture coordinates of its image.
     pub(super) coordinates: Option<String>,
@@ -30,7 +30,7 @@ pub(super) struct Look {
 /// The materials that were read.
 pub(super) struct Effects {
     folder: Folder,
-    known: BTreeMap<String, Look>,
+    known: BTreeMap<String, EffectMaterial>,
     images: BTreeMap<PathBuf, Option<u32>>,
 }
 
@@ -53,20 +53,20 @@ impl Effects {
         }
     }
 
-    /// Returns the look of a `<material>`.
-    pub(super) fn look(
+    /// Returns what a `<material>` describes.
+    pub(super) fn material(
         &mut self,
         material: &Element,
         document: &Document<'_>,
         builder: &mut Builder,
-    ) -> Result<Look, XmlError> {
+    ) -> Result<EffectMaterial, XmlError> {
         let id = material.get("id").unwrap_or_default();
-        if let Some(look) = self.known.get(id) {
-            return Ok(look.clone());
+        if let Some(known) = self.known.get(id) {
+            return Ok(known.clone());
         }
-        let look = self.read(material, document, builder)?;
-        self.known.insert(id.to_owned(), look.clone());
-        Ok(look)
+        let made = self.read(material, document, builder)?;
+        self.known.insert(id.to_owned(), made.clone());
+        Ok(made)
     }
 
     fn read(
@@ -74,7 +74,7 @@ impl Effects {
         material: &Element,
         document: &Document<'_>,
         builder: &mut Builder,
-    ) -> Result<Look, XmlError> {
+    ) -> Result<EffectMaterial, XmlError> {
         let mut made = Material {
             name: name(material).to_owned(),
             ..Material::default()
@@ -93,7 +93,7 @@ impl Effects {
             });
         let (Some(profile), Some(model)) = (profile, model) else {
             builder.warn("dae-effect", effect.place(), "has no common material: it is grey");
-            return Ok(Look {
+            return Ok(EffectMaterial {
                 material: builder.add_material(made),
                 coordinates: None,
                 has_color: false,
@@ -131,7 +131,7 @@ impl Effects {
         {
             made.index = index;
         }
-        Ok(Look {
+        Ok(EffectMaterial {
             has_color: made.base_color.is_some(),
             material: reader.builder.add_material(made),
             coordinates,
@@ -147,7 +147,7 @@ impl Effects {
             color_space: ColorSpace::Auto,
         };
         match self.folder.resolve(&uri.replace('\\', "/")) {
-            Target::File(file) | Target::Outside(file) => {
+            ResolvedUri::File(file) | ResolvedUri::Outside(file) => {
                 *self.images.entry(file.clone()).or_insert_with(|| {
                     if file.is_file() {
                         return Some(builder.add_texture(texture(TextureSource::File(file))));
@@ -157,11 +157,11 @@ impl Effects {
                     None
                 })
             }
-            Target::Data(bytes) => Some(builder.add_texture(texture(TextureSource::Encoded {
+            ResolvedUri::Data(bytes) => Some(builder.add_texture(texture(TextureSource::Encoded {
                 name: name(image).to_owned(),
                 bytes: bytes.into(),
             }))),
-            Target::Unsupported(why) => {
+            ResolvedUri::Unsupported(why) => {
                 builder.warn("texture-missing", image.place(), format!("its file is {why}"));
                 None
             }
@@ -294,7 +294,7 @@ impl<'a> Reader<'a, '_> {
         let opacity = match self.paint(model, "transparent")? {
             Some(Paint::Image { texture, .. }) if mode == "A_ONE" => {
                 let texture = TextureUse::new(texture);
-                let mask = Mask { texture, channel: 3 };
+                let mask = TextureMask { texture, channel: 3 };
                 return Ok(Opacity::new(factor, Some(mask), MASK_THRESHOLD));
             }
             Some(Paint::Image { .. }) => {

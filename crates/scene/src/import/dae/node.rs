@@ -229,14 +229,14 @@ impl<'a> Walk<'a, '_> {
             let Some(material) = material else {
                 continue;
             };
-            let look = self.effects.look(material, self.document, self.builder)?;
+            let bound = self.effects.material(material, self.document, self.builder)?;
             let mut set = None;
             for input in own.iter().flat_map(|own| own.all("bind_vertex_input")) {
-                if input.get("semantic") == look.coordinates.as_deref() {
+                if input.get("semantic") == bound.coordinates.as_deref() {
                     set = whole(input, "input_set")?;
                 }
             }
-            let (material, has_color) = (look.material, look.has_color);
+            let (material, has_color) = (bound.material, bound.has_color);
             bindings.insert(
                 symbol,
                 Bound {

@@ -6,7 +6,7 @@ use ::gltf::json::{Root, deserialize};
 use oaktwin_files as files;
 use serde_json::Value;
 
-use super::super::uri::{self, Folder, Target};
+use super::super::uri::{self, Folder, ResolvedUri};
 use super::channel::Channel;
 use super::placement::{Instancing, Placement, Skin};
 use super::{compressed, glb, json};
@@ -125,12 +125,12 @@ fn load_buffers(root: &Value, folder: &Folder, mut binary: Option<Vec<u8>>) -> R
         }
         let bytes = match buffer.get("uri").and_then(Value::as_str) {
             Some(uri) => match folder.resolve(uri) {
-                Target::Data(bytes) => bytes,
-                Target::File(file) => read_file(&file, &place)?,
-                Target::Outside(file) => {
+                ResolvedUri::Data(bytes) => bytes,
+                ResolvedUri::File(file) => read_file(&file, &place)?,
+                ResolvedUri::Outside(file) => {
                     return Err(Fault::new(place, uri::outside(&file), uri::inside()));
                 }
-                Target::Unsupported(why) => {
+                ResolvedUri::Unsupported(why) => {
                     return Err(Fault::new(place, why, "export it together with its buffers"));
                 }
             },

@@ -7,10 +7,12 @@ use json::texture::WrappingMode;
 use json::validation::Checked;
 use oaktwin_base::diagnostic::{Message, message};
 
-use super::super::uri::{self, Target};
+use super::super::uri::{self, ResolvedUri};
 use super::document::Document;
 use crate::import::builder::Builder;
-use crate::{ColorSpace, Mask, Material, Opacity, Texture, TextureSource, TextureUse, Transmission, Wrap};
+use crate::{
+    ColorSpace, Material, Opacity, Texture, TextureMask, TextureSource, TextureUse, Transmission, Wrap,
+};
 
 /// The materials by their index in the file, with the properties that primitives need.
 pub(super) struct Materials {
@@ -70,7 +72,7 @@ impl Materials {
             }
             if let (Some((texture, set)), Some(transmission)) = (of_transmission, &mut read.transmission) {
                 if *uv_set.get_or_insert(set) == set {
-                    transmission.mask = Some(Mask { texture, channel: 0 });
+                    transmission.mask = Some(TextureMask { texture, channel: 0 });
                 } else {
                     let problem = format!(
                         "the image of its transmission has the texture coordinates {set}, other than its base colour; all of \
@@ -135,7 +137,7 @@ fn opacity(material: &json::Material, factor: f32, texture: Option<TextureUse>) 
         Checked::Valid(AlphaMode::Blend) => 0.0,
         Checked::Valid(AlphaMode::Opaque) | Checked::Invalid => return None,
     };
-    let mask = texture.map(|texture| Mask { texture, channel: 3 });
+    let mask = texture.map(|texture| TextureMask { texture, channel: 3 });
     Opacity::new(factor, mask, threshold)
 }
 
@@ -202,17 +204,17 @@ fn source(document: &Document, image: usize) -> Result<TextureSource, Message> {
     match (&entry.uri, entry.buffer_view) {
         (_, Some(view)) => Ok(encoded(document.view(view.value())?.0)),
         (Some(uri), None) => match document.folder.resolve(uri) {
-            Target::Data(bytes) => Ok(encoded(&bytes)),
-            Target::File(file) if file.is_file() => Ok(TextureSource::File(file)),
-            Target::File(file) => Err(format!("{}: the image does not exist", file.display()).into()),
-            Target::Outside(file) => Err(message![
+            ResolvedUri::Data(bytes) => Ok(encoded(&bytes)),
+            ResolvedUri::File(file) if file.is_file() => Ok(TextureSource::File(file)),
+            ResolvedUri::File(file) => Err(format!("{}: the image does not exist", file.display()).into()),
+            ResolvedUri::Outside(file) => Err(message![
                 format!(
                     "{}: the image is outside the folder of the glTF file; ",
                     file.display()
                 ),
                 uri::inside()
             ]),
-            Target::Unsupported(why) => Err(format!("the image has {why}").into()),
+            ResolvedUri::Unsupported(why) => Err(format!("the image has {why}").into()),
         },
         (None, None) => Err("the image has no data".into()),
     }

@@ -9,7 +9,7 @@ use super::{names, rest};
 use crate::import::MAX_BYTES;
 use crate::import::builder::Builder;
 use crate::import::text;
-use crate::{ColorSpace, Mask, Material, Opacity, Texture, TextureSource, TextureUse, Wrap};
+use crate::{ColorSpace, Material, Opacity, Texture, TextureMask, TextureSource, TextureUse, Wrap};
 
 /// The format defines no threshold; images of cut-out surfaces are black and white.
 const MASK_THRESHOLD: f32 = 0.5;
@@ -102,7 +102,7 @@ impl Library {
                 b"map_d" => {
                     let mask = self.texture(&rest(line, 5), folder, builder);
                     material.opacity = mask.and_then(|texture| {
-                        Opacity::new(1.0, Some(Mask { texture, channel: 0 }), MASK_THRESHOLD)
+                        Opacity::new(1.0, Some(TextureMask { texture, channel: 0 }), MASK_THRESHOLD)
                     });
                 }
                 _ => {}
@@ -138,7 +138,7 @@ impl Library {
 
     /// Parses a texture statement: options, then the name of the image.
     fn texture(&mut self, statement: &str, folder: &Path, builder: &mut Builder) -> Option<TextureUse> {
-        let (name, options) = Options::split(statement);
+        let (name, options) = TextureOptions::split(statement);
         let file = existing(folder, name);
         let texture = self.textures.entry(file.clone()).or_insert_with(|| {
             if !file.is_file() {
@@ -166,13 +166,13 @@ impl Library {
     }
 }
 
-struct Options {
+struct TextureOptions {
     scale: [f32; 2],
     offset: [f32; 2],
     clamp: bool,
 }
 
-impl Options {
+impl TextureOptions {
     fn split(statement: &str) -> (&str, Self) {
         let mut options = Self {
             scale: [1.0; 2],

@@ -1,4 +1,4 @@
-use super::header::{Encoding, Header, Kind};
+use super::header::{Encoding, Header, NumberKind};
 use crate::import::error::Fault;
 use crate::import::text;
 
@@ -34,7 +34,7 @@ impl<'a> Body<'a> {
     }
 
     /// Reads a number; a double represents all values of all types.
-    pub(super) fn number(&mut self, kind: Kind) -> Result<f64, Fault> {
+    pub(super) fn number(&mut self, kind: NumberKind) -> Result<f64, Fault> {
         match self.encoding {
             Encoding::Text => {
                 let word = self.word();
@@ -48,7 +48,7 @@ impl<'a> Body<'a> {
         }
     }
 
-    pub(super) fn length(&mut self, kind: Kind) -> Result<usize, Fault> {
+    pub(super) fn length(&mut self, kind: NumberKind) -> Result<usize, Fault> {
         let length = self.number(kind)?;
         let shortest = if self.encoding == Encoding::Text { 2 } else { 1 };
         // In text the last number needs no separator.
@@ -64,7 +64,7 @@ impl<'a> Body<'a> {
         ))
     }
 
-    pub(super) fn skip(&mut self, kind: Kind, count: usize) -> Result<(), Fault> {
+    pub(super) fn skip(&mut self, kind: NumberKind, count: usize) -> Result<(), Fault> {
         if self.encoding == Encoding::Text {
             for _ in 0..count {
                 self.number(kind)?;
@@ -99,7 +99,7 @@ impl<'a> Body<'a> {
         &word[..end]
     }
 
-    fn take(&mut self, kind: Kind, order: impl Fn([u8; 8]) -> [u8; 8]) -> Result<f64, Fault> {
+    fn take(&mut self, kind: NumberKind, order: impl Fn([u8; 8]) -> [u8; 8]) -> Result<f64, Fault> {
         let Some((head, rest)) = self.rest.split_at_checked(kind.size()) else {
             return Err(self.too_short());
         };
@@ -108,14 +108,14 @@ impl<'a> Body<'a> {
         bytes[..head.len()].copy_from_slice(head);
         let [a, b, c, d, ..] = order(bytes);
         Ok(match kind {
-            Kind::I8 => f64::from(a.cast_signed()),
-            Kind::U8 => f64::from(a),
-            Kind::I16 => f64::from(i16::from_le_bytes([a, b])),
-            Kind::U16 => f64::from(u16::from_le_bytes([a, b])),
-            Kind::I32 => f64::from(i32::from_le_bytes([a, b, c, d])),
-            Kind::U32 => f64::from(u32::from_le_bytes([a, b, c, d])),
-            Kind::F32 => f64::from(f32::from_le_bytes([a, b, c, d])),
-            Kind::F64 => f64::from_le_bytes(order(bytes)),
+            NumberKind::I8 => f64::from(a.cast_signed()),
+            NumberKind::U8 => f64::from(a),
+            NumberKind::I16 => f64::from(i16::from_le_bytes([a, b])),
+            NumberKind::U16 => f64::from(u16::from_le_bytes([a, b])),
+            NumberKind::I32 => f64::from(i32::from_le_bytes([a, b, c, d])),
+            NumberKind::U32 => f64::from(u32::from_le_bytes([a, b, c, d])),
+            NumberKind::F32 => f64::from(f32::from_le_bytes([a, b, c, d])),
+            NumberKind::F64 => f64::from_le_bytes(order(bytes)),
         })
     }
 

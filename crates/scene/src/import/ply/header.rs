@@ -11,7 +11,7 @@ pub(super) enum Encoding {
 
 /// The type of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum NumberKind {
     I8,
     U8,
     I16,
@@ -22,7 +22,7 @@ pub(super) enum Kind {
     F64,
 }
 
-impl Kind {
+impl NumberKind {
     fn named(name: &[u8]) -> Option<Self> {
         Some(match name {
             b"char" | b"int8" => Self::I8,
@@ -51,8 +51,8 @@ impl Kind {
 pub(super) struct Property {
     pub(super) name: String,
     /// The type of a list's length; `None` for a scalar property.
-    pub(super) list: Option<Kind>,
-    pub(super) kind: Kind,
+    pub(super) list: Option<NumberKind>,
+    pub(super) kind: NumberKind,
 }
 
 #[derive(Debug)]
@@ -170,11 +170,11 @@ impl Header {
 
 fn property<'a>(words: &mut impl Iterator<Item = &'a [u8]>) -> Option<Property> {
     let (list, kind) = match words.next()? {
-        b"list" => (Some(Kind::named(words.next()?)?), words.next()?),
+        b"list" => (Some(NumberKind::named(words.next()?)?), words.next()?),
         kind => (None, kind),
     };
     Some(Property {
-        kind: Kind::named(kind)?,
+        kind: NumberKind::named(kind)?,
         list,
         name: String::from_utf8_lossy(words.next()?).into_owned(),
     })

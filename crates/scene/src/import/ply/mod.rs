@@ -8,7 +8,7 @@ mod header;
 use oaktwin_camera::math::DAffine3;
 
 use self::body::Body;
-use self::header::{Element, Encoding, Header, Kind, Property};
+use self::header::{Element, Encoding, Header, NumberKind, Property};
 use super::builder::{Builder, step};
 use super::error::Fault;
 use super::origin::{FAR_M, relative};
@@ -113,8 +113,8 @@ enum Column {
 fn columns(element: &Element) -> Vec<Column> {
     let column = |property: &Property| {
         let whole = match property.kind {
-            Kind::U8 => Some(255.0),
-            Kind::U16 => Some(65535.0),
+            NumberKind::U8 => Some(255.0),
+            NumberKind::U16 => Some(65535.0),
             _ => None,
         };
         match property.name.as_str() {

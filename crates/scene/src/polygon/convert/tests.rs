@@ -1,5 +1,5 @@
 use super::*;
-use crate::Attribute;
+use crate::MeshAttribute;
 use crate::polygon::{FaceMaterial, Interpolation, Subdivision};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -44,7 +44,7 @@ fn reverses_left_handed_meshes() {
     let uvs = mesh.uvs.unwrap();
     assert_eq!(
         uvs,
-        Attribute::Vertex(vec![[0.0, 0.0], [0.5, 1.0], [1.0, 0.0], [1.0, 1.0]])
+        MeshAttribute::Vertex(vec![[0.0, 0.0], [0.5, 1.0], [1.0, 0.0], [1.0, 1.0]])
     );
 }
 
@@ -68,11 +68,11 @@ fn triangles_are_unchanged() {
     assert_eq!(mesh.triangles, [[0, 2, 1], [1, 2, 0]]);
     assert_eq!(
         mesh.colors,
-        Some(Attribute::Triangle(vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]))
+        Some(MeshAttribute::Triangle(vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]))
     );
     assert_eq!(
         mesh.uvs,
-        Some(Attribute::Vertex(vec![[0.75, 0.5], [0.25, 0.5], [0.75, 0.5]]))
+        Some(MeshAttribute::Vertex(vec![[0.75, 0.5], [0.25, 0.5], [0.75, 0.5]]))
     );
 }
 
@@ -95,7 +95,7 @@ fn a_seam_adds_only_its_values() {
     {
         assert_eq!(uvs.corners(triangle, mesh.triangles[triangle]), Some(corners));
     }
-    let Attribute::Corner { values, .. } = uvs else {
+    let MeshAttribute::Corner { values, .. } = uvs else {
         panic!("{uvs:?}")
     };
     assert_eq!(values.len(), 6 + 2);
@@ -113,7 +113,7 @@ fn constant_face_varying_values_are_stored_per_triangle() {
     let unit = [0.0, 0.0, 1.0];
     assert_eq!(
         mesh.normals,
-        Some(Attribute::Triangle(vec![unit, unit, right, right]))
+        Some(MeshAttribute::Triangle(vec![unit, unit, right, right]))
     );
 }
 
@@ -131,7 +131,9 @@ fn skips_holes_and_faces_with_fewer_than_three_corners() {
     assert_eq!(mesh.triangles, [[0, 2, 3], [0, 3, 1], [4, 6, 7], [4, 7, 5]]);
     assert_eq!(
         mesh.colors,
-        Some(Attribute::Triangle(vec![[0.0; 3], [0.0; 3], [2.0; 3], [2.0; 3]]))
+        Some(MeshAttribute::Triangle(vec![
+            [0.0; 3], [0.0; 3], [2.0; 3], [2.0; 3]
+        ]))
     );
     assert_eq!(codes(&findings), ["mesh-unknown-face"]);
 }
@@ -216,7 +218,7 @@ fn groups_alternating_materials() {
     assert_eq!(mesh.materials, [span(4, 9), span(8, 4)]);
     let first: Vec<u32> = mesh.triangles.iter().map(|triangle| triangle[0]).collect();
     assert_eq!(first, [0, 0, 4, 4, 2, 2, 6, 6]);
-    let Some(Attribute::Triangle(colors)) = mesh.colors else {
+    let Some(MeshAttribute::Triangle(colors)) = mesh.colors else {
         panic!("{:?}", mesh.colors)
     };
     assert_eq!(
@@ -245,7 +247,7 @@ fn smooth_schemes_give_smooth_normals() {
         ..PolygonMesh::default()
     };
     let smooth = |mesh: &PolygonMesh| match mesh.clone().into_mesh("/m").0.normals {
-        Some(Attribute::Vertex(normals)) => normals[0],
+        Some(MeshAttribute::Vertex(normals)) => normals[0],
         normals => panic!("{normals:?}"),
     };
     let expected = -(3.0_f32.sqrt().recip());

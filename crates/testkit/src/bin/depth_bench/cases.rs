@@ -6,15 +6,15 @@ use std::sync::Arc;
 
 use oaktwin_camera::StereoGeometry;
 use oaktwin_depth::filter::{self, Chain};
-use oaktwin_depth::random::{Stage, Stream};
+use oaktwin_depth::random::{NoiseStage, Stream};
 use oaktwin_depth::single_view::{Assumptions, Parameters, SingleView, Wanted};
 use oaktwin_depth::stereo_noise::{self, StereoNoise};
 use oaktwin_depth::time_of_flight::{self, TimeOfFlight};
-use oaktwin_depth::{BatchEngine as _, Shot};
+use oaktwin_depth::{BatchEngine as _, DepthShot};
 use oaktwin_image::{Image, millimetres};
 
 /// Processes one frame, given its number.
-type Work<'a> = Box<dyn FnMut(u64) -> Result<(), Box<dyn Error>> + Send + 'a>;
+type FrameTask<'a> = Box<dyn FnMut(u64) -> Result<(), Box<dyn Error>> + Send + 'a>;
 
 /// A benchmark case.
 pub(crate) struct Case<'a> {
@@ -23,7 +23,7 @@ pub(crate) struct Case<'a> {
     pub(crate) pixels: usize,
     /// The minimum number of bytes read and written per frame.
     pub(crate) bytes: usize,
-    pub(crate) work: Work<'a>,
+    pub(crate) work: FrameTask<'a>,
 }
 
 /// The filters, as text, with typical preset values.
@@ -64,7 +64,7 @@ pub(crate) fn all<'a>(
     rgb: &'a Image<[u8; 4]>,
 ) -> Result<Vec<Case<'a>>, Box<dyn Error>> {
     let random = Stream::new(7, "Camera_pseudo_depth");
-    let (small, _) = crate::room::see(106, 60);
+    let (small, _) = crate::room::ray_cast(106, 60);
     let batch: Arc<[f32]> = small
         .pixels()
         .iter()
@@ -87,7 +87,7 @@ pub(crate) fn all<'a>(
     // The filters process several frames of the sensor's own noise.
     let frames: Vec<Image<u16>> = (0..4)
         .map(|frame| {
-            let mut shot = Shot::new(depth.into());
+            let mut shot = DepthShot::new(depth.into());
             shot.frame = frame;
             millimetres::from_metres(&engine.sense(&shot, &random).0)
         })
@@ -140,7 +140,7 @@ fn single_view_cases<'a>(
         pixels,
         bytes: 12 * pixels,
         work: Box::new(move |frame| {
-            let mut shot = Shot::new(depth.into()).with_rgb(rgb.into())?;
+            let mut shot = DepthShot::new(depth.into()).with_rgb(rgb.into())?;
             shot.frame = frame;
             std::hint::black_box(engine.sense(&shot, &random, Wanted::default()));
             Ok(())
@@ -166,7 +166,7 @@ fn stereo_noise_cases<'a>(
             Ok(sensor.sense_batch(depth.pixels(), shape(depth), frame, 0, &random, &mut out)?)
         }),
     };
-    let noise = random.plane(Stage::Exposure, 0, 0);
+    let noise = random.plane(NoiseStage::Exposure, 0, 0);
     let mut white = vec![0.0; batch_pixels];
     for (row, depths) in (0..).zip(white.chunks_exact_mut(BATCH[2])) {
         noise.uniforms(row, depths);
@@ -193,7 +193,7 @@ fn stereo_noise_cases<'a>(
 
 /// Time of flight at the camera's 640 × 480.
 fn time_of_flight_case(random: Stream) -> Result<Case<'static>, Box<dyn Error>> {
-    let (far, _) = crate::room::see(640, 480);
+    let (far, _) = crate::room::ray_cast(640, 480);
     let pixels = far.pixels().len();
     let mut out = vec![0.0; pixels];
     let sensor = TimeOfFlight::new(time_of_flight::Parameters::new(402.0, 640))?;

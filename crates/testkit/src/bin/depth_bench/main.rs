@@ -35,7 +35,7 @@ fn run(frames: u64, threads: usize, name: &str) -> Result<(), Box<dyn Error>> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     let bandwidth = bandwidth::copying(threads);
     println!("{}", json!({ "bytes_a_second": bandwidth, "threads": threads }));
-    let (depth, rgb) = room::see(WIDTH, HEIGHT);
+    let (depth, rgb) = room::ray_cast(WIDTH, HEIGHT);
     for mut case in cases::all(&depth, &rgb)? {
         if !case.name.contains(name) {
             continue;

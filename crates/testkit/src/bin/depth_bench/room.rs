@@ -19,7 +19,7 @@ const PANELS: [([f32; 4], f32); 3] = [
 ];
 
 /// A depth image in metres, with misses in a doorway, and its colour image.
-pub(crate) fn see(width: u32, height: u32) -> (Image<f32>, Image<[u8; 4]>) {
+pub(crate) fn ray_cast(width: u32, height: u32) -> (Image<f32>, Image<[u8; 4]>) {
     let focal = width as f32 / (2.0 * 38.5f32.to_radians().tan());
     let mut depth = Image::filled(width, height, f32::INFINITY);
     let mut rgb = Image::filled(width, height, [0; 4]);

@@ -12,13 +12,13 @@ pub(crate) fn read_depth(path: &Path) -> Result<Image<f32>, Box<dyn Error>> {
 }
 
 /// Rows × columns.
-pub(crate) fn write<T: npy::Element>(path: &Path, image: &Image<T>) -> Result<(), Box<dyn Error>> {
+pub(crate) fn write<T: npy::NpyElement>(path: &Path, image: &Image<T>) -> Result<(), Box<dyn Error>> {
     let shape = [image.height() as usize, image.width() as usize];
     Ok(fs::write(path, npy::encode(&shape, image.pixels())?)?)
 }
 
 /// Rows × columns × channels.
-pub(crate) fn write_channels<T: npy::Element, const N: usize>(
+pub(crate) fn write_channels<T: npy::NpyElement, const N: usize>(
     path: &Path,
     image: &Image<[T; N]>,
 ) -> Result<(), Box<dyn Error>> {

@@ -34,7 +34,7 @@ impl Request {
     }
 }
 
-fn run<P: Pixel + npy::Element>(
+fn run<P: Pixel + npy::NpyElement>(
     shape: &[usize],
     pixels: &[P],
     filters: Vec<Filter>,

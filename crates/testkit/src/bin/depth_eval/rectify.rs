@@ -99,7 +99,7 @@ impl AnyGrey {
     }
 }
 
-fn write<P: Grey + npy::Element>(
+fn write<P: Grey + npy::NpyElement>(
     rectify: &Rectify,
     image: &Image<P>,
     path: &Path,

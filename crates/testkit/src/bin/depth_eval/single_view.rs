@@ -2,7 +2,7 @@ use std::collections::BTreeMap;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use oaktwin_depth::Shot;
+use oaktwin_depth::DepthShot;
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::single_view::{Assumptions, Parameters, SingleView, Wanted};
 use oaktwin_image::{Image, npy};
@@ -53,7 +53,7 @@ impl Request {
         let depth = files::read_depth(&self.depth)?;
         let rgb = self.rgb.as_deref().map(files::read_u8x4).transpose()?;
         let positions = self.positions.as_deref().map(files::read_f32x4).transpose()?;
-        let mut shot = Shot::new((&depth).into());
+        let mut shot = DepthShot::new((&depth).into());
         if let Some(rgb) = &rgb {
             shot = shot.with_rgb(rgb.into())?;
         }
@@ -92,7 +92,7 @@ impl Request {
 }
 
 /// Writes an image if it exists and its file is requested.
-fn write4<T: npy::Element>(
+fn write4<T: npy::NpyElement>(
     path: Option<&Path>,
     image: Option<&Image<[T; 4]>>,
 ) -> Result<bool, Box<dyn Error>> {

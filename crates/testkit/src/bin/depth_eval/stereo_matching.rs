@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use oaktwin_camera::StereoGeometry;
 use oaktwin_depth::preset::Platform;
-use oaktwin_depth::stereo_matching::{Pair, Parameters, StereoMatching, inspect};
+use oaktwin_depth::stereo_matching::{Parameters, RectifiedPair, StereoMatching, inspect};
 use oaktwin_image::{Image, ImageView, npy};
 use serde_json::{Value, json};
 
@@ -41,10 +41,10 @@ impl Request {
         let (left, right) = (left?, right?);
         let pair = match (&left, &right) {
             (Levels::U8(left), Levels::U8(right)) => {
-                Pair::new(ImageView::from(left), ImageView::from(right))?
+                RectifiedPair::new(ImageView::from(left), ImageView::from(right))?
             }
             (Levels::U16(left), Levels::U16(right)) => {
-                Pair::new(ImageView::from(left), ImageView::from(right))?
+                RectifiedPair::new(ImageView::from(left), ImageView::from(right))?
             }
             _ => return Err("the images have different dtypes".into()),
         };

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use oaktwin_camera::StereoGeometry;
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::stereo_noise::{Parameters, StereoNoise};
-use oaktwin_depth::{BatchEngine as _, Shot};
+use oaktwin_depth::{BatchEngine as _, DepthShot};
 use oaktwin_image::npy;
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
@@ -53,7 +53,7 @@ impl Request {
         }
         let depth = array.into_f32_image()?;
         let rgb = self.rgb.as_deref().map(files::read_u8x4).transpose()?;
-        let mut shot = Shot::new((&depth).into());
+        let mut shot = DepthShot::new((&depth).into());
         if let Some(rgb) = &rgb {
             shot = shot.with_rgb(rgb.into())?;
         }

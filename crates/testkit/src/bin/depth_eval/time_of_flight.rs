@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use oaktwin_depth::filter::DepthConfidence;
 use oaktwin_depth::random::Stream;
 use oaktwin_depth::time_of_flight::{Parameters, TimeOfFlight};
-use oaktwin_depth::{BatchEngine as _, Shot};
+use oaktwin_depth::{BatchEngine as _, DepthShot};
 use oaktwin_image::{Image, npy};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
@@ -51,7 +51,7 @@ impl Request {
         let depth = array.into_f32_image()?;
         let rgb = self.rgb.as_deref().map(files::read_u8x4).transpose()?;
         let velocity = self.velocity.as_deref().map(files::read_depth).transpose()?;
-        let mut shot = Shot::new((&depth).into());
+        let mut shot = DepthShot::new((&depth).into());
         if let Some(rgb) = &rgb {
             shot = shot.with_rgb(rgb.into())?;
         }

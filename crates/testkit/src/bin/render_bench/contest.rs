@@ -10,7 +10,7 @@ use serde::de::DeserializeOwned;
 
 use crate::protocol::{Frames, Loaded, Request, ViewJson};
 use crate::scenes::{self, SCENES, Scene};
-use crate::table::{Agreement, Outcome, Row};
+use crate::table::{Agreement, BenchRow, Outcome};
 use crate::triangles::{self, Files};
 
 #[derive(clap::Args)]
@@ -177,7 +177,7 @@ impl<'a> Contest<'a> {
                     }
                     _ => None,
                 };
-                outcome.rows.push(Row {
+                outcome.rows.push(BenchRow {
                     engine: contestant.engine.to_owned(),
                     mode,
                     loaded: contestant.loaded.clone(),

@@ -14,13 +14,13 @@ pub(crate) struct Outcome {
     frames: usize,
     /// The engine whose depth is the reference.
     pub(crate) reference: String,
-    pub(crate) rows: Vec<Row>,
+    pub(crate) rows: Vec<BenchRow>,
     /// The engines that were skipped, with the reason.
     pub(crate) skipped: Vec<(String, String)>,
 }
 
 #[derive(Serialize)]
-pub(crate) struct Row {
+pub(crate) struct BenchRow {
     pub(crate) engine: String,
     pub(crate) mode: String,
     pub(crate) loaded: Loaded,
@@ -106,7 +106,7 @@ impl Outcome {
     }
 
     #[expect(clippy::cast_precision_loss, reason = "displayed sizes")]
-    fn print_row(&self, row: &Row) {
+    fn print_row(&self, row: &BenchRow) {
         let frame = median(&row.all_threads.wall_s);
         let cpu = median(&row.all_threads.cpu_s);
         let one = if self.threads > 1 {

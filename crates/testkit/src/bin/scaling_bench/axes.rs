@@ -4,10 +4,10 @@ use std::error::Error;
 use std::hint::black_box;
 
 use oaktwin_camera::{ImageSize, StereoGeometry};
-use oaktwin_depth::Shot;
+use oaktwin_depth::DepthShot;
 use oaktwin_depth::preset::Platform;
 use oaktwin_depth::random::Stream;
-use oaktwin_depth::stereo_matching::{self, Pair, StereoMatching};
+use oaktwin_depth::stereo_matching::{self, RectifiedPair, StereoMatching};
 use oaktwin_depth::stereo_noise::{self, StereoNoise};
 use oaktwin_image::{Image, ImageView};
 use oaktwin_render::{Backend, Renderer, View};
@@ -207,7 +207,7 @@ impl Noise {
     }
 
     fn sense(&self, depth: &Image<f32>, frame: u64) {
-        let mut shot = Shot::new(depth.into());
+        let mut shot = DepthShot::new(depth.into());
         shot.frame = frame;
         black_box(self.engine.sense(&shot, &self.random));
     }
@@ -233,7 +233,7 @@ impl Matcher {
 
     fn run(&self) {
         let [left, right] = self.images.each_ref().map(ImageView::from);
-        if let Ok(pair) = Pair::new(left, right) {
+        if let Ok(pair) = RectifiedPair::new(left, right) {
             black_box(self.engine.disparity(&pair));
         }
     }

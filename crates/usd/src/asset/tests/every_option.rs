@@ -16,12 +16,12 @@ fn every_asset() -> Vec<(String, Asset)> {
             ("fisheye", calibrated(twin.clone(), true)),
         ] {
             for (isaac, target) in [
-                (IsaacVersion::V5_1, Target::Isaac),
-                (IsaacVersion::V6, Target::Isaac),
-                (IsaacVersion::V6, Target::Ovrtx),
+                (IsaacVersion::V5_1, AssetTarget::Isaac),
+                (IsaacVersion::V6, AssetTarget::Isaac),
+                (IsaacVersion::V6, AssetTarget::Ovrtx),
             ] {
                 // Bodies are large and interact with the rigid body only.
-                let bodies = kind == "nominal" && (isaac, target) == (IsaacVersion::V5_1, Target::Isaac);
+                let bodies = kind == "nominal" && (isaac, target) == (IsaacVersion::V5_1, AssetTarget::Isaac);
                 for flags in (0..16u8).chain([16, 24].into_iter().filter(|_| bodies)) {
                     let flag = |bit: u8| flags >> bit & 1 == 1;
                     let options = AssetOptions {
@@ -77,7 +77,7 @@ fn assets_are_reproducible_and_relationships_have_targets() {
     }
 }
 
-fn walk(prim: &Prim, parent: &str, paths: &mut BTreeSet<String>, targets: &mut Vec<String>) {
+fn walk(prim: &PrimSpec, parent: &str, paths: &mut BTreeSet<String>, targets: &mut Vec<String>) {
     use crate::text::Property;
     let path = format!("{parent}/{}", prim.name);
     for property in &prim.properties {

@@ -132,24 +132,24 @@ pub(super) fn layer(name: &str, bytes: Vec<u8>) -> Result<Inspected, Problem> {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum FileKind {
     Text,
     Binary,
     Package,
 }
 
-fn validate(kind: Kind, bytes: Vec<u8>) -> Result<Inspected, Problem> {
+fn validate(kind: FileKind, bytes: Vec<u8>) -> Result<Inspected, Problem> {
     let size = bytes.len();
     let (bytes, content, findings) = match kind {
-        Kind::Text => {
+        FileKind::Text => {
             let (binary, outline) = text::to_binary(bytes)?;
             (binary, Content::Layer(outline), Vec::new())
         }
-        Kind::Binary => {
+        FileKind::Binary => {
             let outline = binary::inspect(&bytes)?;
             (bytes, Content::Layer(outline), Vec::new())
         }
-        Kind::Package => {
+        FileKind::Package => {
             let (directory, findings) = package::inspect(&bytes)?;
             (bytes, Content::Package(directory), findings)
         }
@@ -163,7 +163,7 @@ fn validate(kind: Kind, bytes: Vec<u8>) -> Result<Inspected, Problem> {
 }
 
 /// Detects a file's format from its first bytes; an error if its extension does not match.
-fn kind(name: &str, head: &[u8]) -> Result<Kind, Problem> {
+fn kind(name: &str, head: &[u8]) -> Result<FileKind, Problem> {
     if head.is_empty() {
         return Err(Problem::new("", "is empty", "export the stage again"));
     }
@@ -172,11 +172,11 @@ fn kind(name: &str, head: &[u8]) -> Result<Kind, Problem> {
         .map(|extension| extension.to_string_lossy().to_ascii_lowercase())
         .unwrap_or_default();
     let kind = if head.starts_with(TEXT_MAGIC) {
-        Kind::Text
+        FileKind::Text
     } else if head.starts_with(b"PXR-USDC") {
-        Kind::Binary
+        FileKind::Binary
     } else if head.starts_with(b"PK\x03\x04") || head.starts_with(b"PK\x05\x06") {
-        Kind::Package
+        FileKind::Package
     } else if head.starts_with(b"version https://git-lfs") {
         return Err(Problem::new(
             "",
@@ -191,11 +191,11 @@ fn kind(name: &str, head: &[u8]) -> Result<Kind, Problem> {
         ));
     };
     let (is, should_be) = match kind {
-        Kind::Text => ("USD text", "usda"),
-        Kind::Binary => ("binary USD", "usdc"),
-        Kind::Package => ("a package", "usdz"),
+        FileKind::Text => ("USD text", "usda"),
+        FileKind::Binary => ("binary USD", "usdc"),
+        FileKind::Package => ("a package", "usdz"),
     };
-    let fits = extension == should_be || (extension == "usd" && kind != Kind::Package);
+    let fits = extension == should_be || (extension == "usd" && kind != FileKind::Package);
     if fits {
         Ok(kind)
     } else {

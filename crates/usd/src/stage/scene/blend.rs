@@ -14,12 +14,12 @@ use super::skin;
 /// The displacements of a mesh.
 #[derive(Debug, Default)]
 pub(super) struct Blend {
-    shapes: Vec<Shape>,
+    shapes: Vec<BlendShape>,
 }
 
 /// A shape with its weight.
 #[derive(Debug)]
-struct Shape {
+struct BlendShape {
     weight: f64,
     /// The points that it moves; all, if there are none.
     points: Vec<i32>,
@@ -127,7 +127,7 @@ impl Blend {
                 "offsets" => vectors("normalOffsets"),
                 name => vectors(&format!("{name}:normalOffsets")),
             };
-            self.shapes.push(Shape {
+            self.shapes.push(BlendShape {
                 weight,
                 points: points.clone(),
                 offsets: vectors(name),

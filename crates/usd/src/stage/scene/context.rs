@@ -5,7 +5,7 @@ use oaktwin_scene::Label;
 use openusd::sdf::Path;
 
 use super::super::binding::Bindings;
-use super::super::own::{Own, Purpose};
+use super::super::prim_opinions::{PrimOpinions, Purpose};
 use super::super::reader::Record;
 
 /// The state that a prim inherits from its ancestors.
@@ -55,40 +55,40 @@ impl Default for Context {
 }
 
 impl Context {
-    /// Returns the state of the child at scene path `path` with the opinions `own`.
-    pub(in crate::stage) fn with(&self, own: &Own, path: &str) -> Self {
+    /// Returns the state of the child at scene path `path` with the opinions `opinions`.
+    pub(in crate::stage) fn with(&self, opinions: &PrimOpinions, path: &str) -> Self {
         let mut inner = self.clone();
-        if let Some(local) = &own.transform {
+        if let Some(local) = &opinions.transform {
             inner.stage_from_prim = local.below(self.stage_from_prim);
         }
-        inner.drawn &= !own.invisible;
-        if let Some(purpose) = own.purpose {
+        inner.drawn &= !opinions.invisible;
+        if let Some(purpose) = opinions.purpose {
             inner.purpose = purpose;
         }
-        if !own.labels.is_empty() {
-            let labels = own.labels.iter().map(|(taxonomy, name)| Label {
+        if !opinions.labels.is_empty() {
+            let labels = opinions.labels.iter().map(|(taxonomy, name)| Label {
                 prim: path.to_owned(),
                 taxonomy: taxonomy.clone(),
                 name: name.clone(),
             });
             inner.labels = labels.chain(self.labels.iter().cloned()).collect();
         }
-        inner.bindings = self.bindings.with(&own.bindings);
-        if let Some(root) = &own.skeleton_root {
+        inner.bindings = self.bindings.with(&opinions.bindings);
+        if let Some(root) = &opinions.skeleton_root {
             inner.skeleton_root = Some((root.clone(), inner.stage_from_prim));
         }
-        if own.skeleton.is_some() {
-            inner.skeleton.clone_from(&own.skeleton);
+        if opinions.skeleton.is_some() {
+            inner.skeleton.clone_from(&opinions.skeleton);
         }
-        if own.animation.is_some() {
-            inner.animation.clone_from(&own.animation);
+        if opinions.animation.is_some() {
+            inner.animation.clone_from(&opinions.animation);
         }
         inner
     }
 
     /// Returns the state that the children of `prim` inherit.
-    pub(in crate::stage) fn hand_down(mut self, prim: &Record, own: &Own) -> Self {
-        if own.has_primvars {
+    pub(in crate::stage) fn hand_down(mut self, prim: &Record, opinions: &PrimOpinions) -> Self {
+        if opinions.has_primvars {
             self.primvars = Some(Rc::new(Primvars {
                 prim: prim.path.clone(),
                 names: prim

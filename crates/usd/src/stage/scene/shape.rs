@@ -1,5 +1,5 @@
 use oaktwin_scene::shape::{self, Axis};
-use oaktwin_scene::{Attribute, Mesh};
+use oaktwin_scene::{Mesh, MeshAttribute};
 
 use super::super::reader::{Reader, Record};
 use super::super::value::{boolean, number, text, vec3s};
@@ -9,13 +9,13 @@ use oaktwin_scene::polygon::Interpolation;
 
 /// A primitive shape with dimensions in its own frame; unauthored ones have the schema's fallbacks.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Shape {
-    kind: Kind,
+pub(super) struct PrimitiveShape {
+    kind: Primitive,
     double_sided: Option<bool>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+enum Primitive {
     Cube { size: f64 },
     Sphere { radius: f64 },
     Cylinder { radius: f64, height: f64, axis: Axis },
@@ -24,7 +24,7 @@ enum Kind {
     Plane { width: f64, length: f64, axis: Axis },
 }
 
-impl Shape {
+impl PrimitiveShape {
     /// Reads a shape, and a warning about unsupported attributes; `None` for other types.
     pub(super) fn read(reader: &Reader, prim: &Record) -> Option<(Self, Option<&'static str>)> {
         let measure = |name: &str, fallback: f64| {
@@ -48,38 +48,38 @@ impl Shape {
             bottom.max(top)
         };
         let kind = match prim.type_name.as_str() {
-            "Cube" => Kind::Cube {
+            "Cube" => Primitive::Cube {
                 size: measure("size", 2.0),
             },
-            "Sphere" => Kind::Sphere {
+            "Sphere" => Primitive::Sphere {
                 radius: measure("radius", 1.0),
             },
-            "Cylinder" => Kind::Cylinder {
+            "Cylinder" => Primitive::Cylinder {
                 radius: measure("radius", 1.0),
                 height: measure("height", 2.0),
                 axis,
             },
-            "Cylinder_1" => Kind::Cylinder {
+            "Cylinder_1" => Primitive::Cylinder {
                 radius: ends(1.0),
                 height: measure("height", 2.0),
                 axis,
             },
-            "Cone" => Kind::Cone {
+            "Cone" => Primitive::Cone {
                 radius: measure("radius", 1.0),
                 height: measure("height", 2.0),
                 axis,
             },
-            "Capsule" => Kind::Capsule {
+            "Capsule" => Primitive::Capsule {
                 radius: measure("radius", 0.5),
                 height: measure("height", 1.0),
                 axis,
             },
-            "Capsule_1" => Kind::Capsule {
+            "Capsule_1" => Primitive::Capsule {
                 radius: ends(0.5),
                 height: measure("height", 1.0),
                 axis,
             },
-            "Plane" => Kind::Plane {
+            "Plane" => Primitive::Plane {
                 width: measure("width", 2.0),
                 length: measure("length", 2.0),
                 axis,
@@ -98,24 +98,24 @@ impl Shape {
     /// Whether its dimensions are finite.
     pub(super) fn is_finite(&self) -> bool {
         match self.kind {
-            Kind::Cube { size } => size.is_finite(),
-            Kind::Sphere { radius } => radius.is_finite(),
-            Kind::Cylinder { radius, height, .. }
-            | Kind::Cone { radius, height, .. }
-            | Kind::Capsule { radius, height, .. } => radius.is_finite() && height.is_finite(),
-            Kind::Plane { width, length, .. } => width.is_finite() && length.is_finite(),
+            Primitive::Cube { size } => size.is_finite(),
+            Primitive::Sphere { radius } => radius.is_finite(),
+            Primitive::Cylinder { radius, height, .. }
+            | Primitive::Cone { radius, height, .. }
+            | Primitive::Capsule { radius, height, .. } => radius.is_finite() && height.is_finite(),
+            Primitive::Plane { width, length, .. } => width.is_finite() && length.is_finite(),
         }
     }
 
     /// Returns its triangle mesh.
     pub(super) fn mesh(&self) -> Mesh {
         let mut mesh = match self.kind {
-            Kind::Cube { size } => shape::cube(size),
-            Kind::Sphere { radius } => shape::sphere(radius),
-            Kind::Cylinder { radius, height, axis } => shape::cylinder(radius, height, axis),
-            Kind::Cone { radius, height, axis } => shape::cone(radius, height, axis),
-            Kind::Capsule { radius, height, axis } => shape::capsule(radius, height, axis),
-            Kind::Plane { width, length, axis } => shape::plane(width, length, axis),
+            Primitive::Cube { size } => shape::cube(size),
+            Primitive::Sphere { radius } => shape::sphere(radius),
+            Primitive::Cylinder { radius, height, axis } => shape::cylinder(radius, height, axis),
+            Primitive::Cone { radius, height, axis } => shape::cone(radius, height, axis),
+            Primitive::Capsule { radius, height, axis } => shape::capsule(radius, height, axis),
+            Primitive::Plane { width, length, axis } => shape::plane(width, length, axis),
         };
         if let Some(double_sided) = self.double_sided {
             mesh.double_sided = double_sided;
@@ -125,8 +125,8 @@ impl Shape {
 }
 
 /// Returns the colour of a shape if it has a single one; others would need authored vertices.
-pub(super) fn color(reader: &Reader, prim: &Record, context: &Context) -> Option<Attribute<[f32; 3]>> {
+pub(super) fn color(reader: &Reader, prim: &Record, context: &Context) -> Option<MeshAttribute<[f32; 3]>> {
     let colors = primvar(reader, prim, context, "primvars:displayColor", vec3s)?;
     (colors.interpolation == Interpolation::Constant || colors.values.len() == 1).then_some(())?;
-    colors.values.first().copied().map(Attribute::Constant)
+    colors.values.first().copied().map(MeshAttribute::Constant)
 }

@@ -11,7 +11,7 @@ pub(super) enum Number {
 
 /// The type of a value without its role: a point is a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum ValueKind {
     Bool,
     Uchar,
     Uint,
@@ -31,7 +31,7 @@ pub(super) enum Kind {
     Matrix(usize),
 }
 
-impl Kind {
+impl ValueKind {
     /// Returns the type of the name `name`, which may be one that OpenUSD keeps for old files; `None` if no values of
     /// such a type are known.
     pub(super) fn named(name: &str) -> Option<Self> {

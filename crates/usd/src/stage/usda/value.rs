@@ -7,7 +7,7 @@ use openusd::sdf::{AssetPath, TimeCode, Value};
 use openusd::tf::Token;
 
 use super::MAX_DEPTH;
-use super::kind::{Kind, Number};
+use super::kind::{Number, ValueKind};
 use super::lexer::{Lexer, Outcome};
 
 /// The declared type of a value.
@@ -45,7 +45,7 @@ pub(super) fn value(lexer: &mut Lexer, declared: Declared) -> Outcome<Option<Val
     if lexer.eat_word("AnimationBlock") {
         return Ok(None);
     }
-    let Some(kind) = Kind::named(declared.name) else {
+    let Some(kind) = ValueKind::named(declared.name) else {
         lexer.skip_value()?;
         return Ok(None);
     };
@@ -57,87 +57,89 @@ pub(super) fn value(lexer: &mut Lexer, declared: Declared) -> Outcome<Option<Val
     Ok(Some(value))
 }
 
-fn scalar_of(lexer: &mut Lexer, kind: Kind) -> Outcome<Value> {
+fn scalar_of(lexer: &mut Lexer, kind: ValueKind) -> Outcome<Value> {
     use Number::{Double, Float, Half, Int};
     Ok(match kind {
-        Kind::Bool => Value::Bool(boolean(lexer)?),
-        Kind::Uchar => Value::Uchar(integer(lexer)?),
-        Kind::Uint => Value::Uint(integer(lexer)?),
-        Kind::Int64 => Value::Int64(integer(lexer)?),
-        Kind::Uint64 => Value::Uint64(integer(lexer)?),
-        Kind::TimeCode => Value::TimeCode(double(lexer)?.into()),
-        Kind::String => Value::String(lexer.string()?),
-        Kind::Token => Value::Token(Token::from(lexer.string()?)),
-        Kind::Asset => Value::AssetPath(asset(lexer)?),
-        Kind::PathExpression => Value::PathExpression(lexer.string()?),
-        Kind::Dictionary => Value::Dictionary(dictionary(lexer, 0)?),
-        Kind::Scalar(Int) => Value::Int(integer(lexer)?),
-        Kind::Scalar(Half) => Value::Half(half(lexer)?),
-        Kind::Scalar(Float) => Value::Float(float(lexer)?),
-        Kind::Scalar(Double) => Value::Double(double(lexer)?),
-        Kind::Vector(Int, 2) => Value::Vec2i(tuple::<2, _>(lexer, integer)?.into()),
-        Kind::Vector(Int, 3) => Value::Vec3i(tuple::<3, _>(lexer, integer)?.into()),
-        Kind::Vector(Int, _) => Value::Vec4i(tuple::<4, _>(lexer, integer)?.into()),
-        Kind::Vector(Half, 2) => Value::Vec2h(tuple::<2, _>(lexer, half)?.into()),
-        Kind::Vector(Half, 3) => Value::Vec3h(tuple::<3, _>(lexer, half)?.into()),
-        Kind::Vector(Half, _) => Value::Vec4h(tuple::<4, _>(lexer, half)?.into()),
-        Kind::Vector(Float, 2) => Value::Vec2f(tuple::<2, _>(lexer, float)?.into()),
-        Kind::Vector(Float, 3) => Value::Vec3f(tuple::<3, _>(lexer, float)?.into()),
-        Kind::Vector(Float, _) => Value::Vec4f(tuple::<4, _>(lexer, float)?.into()),
-        Kind::Vector(Double, 2) => Value::Vec2d(tuple::<2, _>(lexer, double)?.into()),
-        Kind::Vector(Double, 3) => Value::Vec3d(tuple::<3, _>(lexer, double)?.into()),
-        Kind::Vector(Double, _) => Value::Vec4d(tuple::<4, _>(lexer, double)?.into()),
-        Kind::Quaternion(Half) => Value::Quath(tuple::<4, _>(lexer, half)?.into()),
-        Kind::Quaternion(Float) => Value::Quatf(tuple::<4, _>(lexer, float)?.into()),
-        Kind::Quaternion(_) => Value::Quatd(tuple::<4, _>(lexer, double)?.into()),
-        Kind::Matrix(2) => Value::Matrix2d(matrix::<2>(lexer)?.into()),
-        Kind::Matrix(3) => Value::Matrix3d(matrix::<3>(lexer)?.into()),
-        Kind::Matrix(_) => Value::Matrix4d(matrix::<4>(lexer)?.into()),
+        ValueKind::Bool => Value::Bool(boolean(lexer)?),
+        ValueKind::Uchar => Value::Uchar(integer(lexer)?),
+        ValueKind::Uint => Value::Uint(integer(lexer)?),
+        ValueKind::Int64 => Value::Int64(integer(lexer)?),
+        ValueKind::Uint64 => Value::Uint64(integer(lexer)?),
+        ValueKind::TimeCode => Value::TimeCode(double(lexer)?.into()),
+        ValueKind::String => Value::String(lexer.string()?),
+        ValueKind::Token => Value::Token(Token::from(lexer.string()?)),
+        ValueKind::Asset => Value::AssetPath(asset(lexer)?),
+        ValueKind::PathExpression => Value::PathExpression(lexer.string()?),
+        ValueKind::Dictionary => Value::Dictionary(dictionary(lexer, 0)?),
+        ValueKind::Scalar(Int) => Value::Int(integer(lexer)?),
+        ValueKind::Scalar(Half) => Value::Half(half(lexer)?),
+        ValueKind::Scalar(Float) => Value::Float(float(lexer)?),
+        ValueKind::Scalar(Double) => Value::Double(double(lexer)?),
+        ValueKind::Vector(Int, 2) => Value::Vec2i(tuple::<2, _>(lexer, integer)?.into()),
+        ValueKind::Vector(Int, 3) => Value::Vec3i(tuple::<3, _>(lexer, integer)?.into()),
+        ValueKind::Vector(Int, _) => Value::Vec4i(tuple::<4, _>(lexer, integer)?.into()),
+        ValueKind::Vector(Half, 2) => Value::Vec2h(tuple::<2, _>(lexer, half)?.into()),
+        ValueKind::Vector(Half, 3) => Value::Vec3h(tuple::<3, _>(lexer, half)?.into()),
+        ValueKind::Vector(Half, _) => Value::Vec4h(tuple::<4, _>(lexer, half)?.into()),
+        ValueKind::Vector(Float, 2) => Value::Vec2f(tuple::<2, _>(lexer, float)?.into()),
+        ValueKind::Vector(Float, 3) => Value::Vec3f(tuple::<3, _>(lexer, float)?.into()),
+        ValueKind::Vector(Float, _) => Value::Vec4f(tuple::<4, _>(lexer, float)?.into()),
+        ValueKind::Vector(Double, 2) => Value::Vec2d(tuple::<2, _>(lexer, double)?.into()),
+        ValueKind::Vector(Double, 3) => Value::Vec3d(tuple::<3, _>(lexer, double)?.into()),
+        ValueKind::Vector(Double, _) => Value::Vec4d(tuple::<4, _>(lexer, double)?.into()),
+        ValueKind::Quaternion(Half) => Value::Quath(tuple::<4, _>(lexer, half)?.into()),
+        ValueKind::Quaternion(Float) => Value::Quatf(tuple::<4, _>(lexer, float)?.into()),
+        ValueKind::Quaternion(_) => Value::Quatd(tuple::<4, _>(lexer, double)?.into()),
+        ValueKind::Matrix(2) => Value::Matrix2d(matrix::<2>(lexer)?.into()),
+        ValueKind::Matrix(3) => Value::Matrix3d(matrix::<3>(lexer)?.into()),
+        ValueKind::Matrix(_) => Value::Matrix4d(matrix::<4>(lexer)?.into()),
     })
 }
 
-fn array_of(lexer: &mut Lexer, kind: Kind) -> Outcome<Value> {
+fn array_of(lexer: &mut Lexer, kind: ValueKind) -> Outcome<Value> {
     use Number::{Double, Float, Half, Int};
     Ok(match kind {
-        Kind::Bool => Value::BoolVec(array(lexer, boolean)?),
-        Kind::Uchar => Value::UcharVec(array(lexer, integer)?),
-        Kind::Uint => Value::UintVec(array(lexer, integer)?),
-        Kind::Int64 => Value::Int64Vec(array(lexer, integer)?),
-        Kind::Uint64 => Value::Uint64Vec(array(lexer, integer)?),
-        Kind::TimeCode => Value::TimeCodeVec(array(lexer, |lexer: &mut Lexer| {
+        ValueKind::Bool => Value::BoolVec(array(lexer, boolean)?),
+        ValueKind::Uchar => Value::UcharVec(array(lexer, integer)?),
+        ValueKind::Uint => Value::UintVec(array(lexer, integer)?),
+        ValueKind::Int64 => Value::Int64Vec(array(lexer, integer)?),
+        ValueKind::Uint64 => Value::Uint64Vec(array(lexer, integer)?),
+        ValueKind::TimeCode => Value::TimeCodeVec(array(lexer, |lexer: &mut Lexer| {
             double(lexer).map(TimeCode::from)
         })?),
-        Kind::String | Kind::PathExpression | Kind::Dictionary => {
+        ValueKind::String | ValueKind::PathExpression | ValueKind::Dictionary => {
             Value::StringVec(array(lexer, |lexer: &mut Lexer| lexer.string())?)
         }
-        Kind::Token => Value::TokenVec(array(lexer, |lexer: &mut Lexer| lexer.string().map(Token::from))?),
-        Kind::Asset => Value::AssetPathVec(array(lexer, asset)?),
-        Kind::Scalar(Int) => Value::IntVec(array(lexer, integer)?),
-        Kind::Scalar(Half) => Value::HalfVec(array(lexer, half)?),
-        Kind::Scalar(Float) => Value::FloatVec(array(lexer, float)?),
-        Kind::Scalar(Double) => Value::DoubleVec(array(lexer, double)?),
-        Kind::Vector(Int, 2) => Value::Vec2iVec(tuples::<2, _, gf::Vec2i>(lexer, integer)?),
-        Kind::Vector(Int, 3) => Value::Vec3iVec(tuples::<3, _, gf::Vec3i>(lexer, integer)?),
-        Kind::Vector(Int, _) => Value::Vec4iVec(tuples::<4, _, gf::Vec4i>(lexer, integer)?),
-        Kind::Vector(Half, 2) => Value::Vec2hVec(tuples::<2, _, gf::Vec2h>(lexer, half)?),
-        Kind::Vector(Half, 3) => Value::Vec3hVec(tuples::<3, _, gf::Vec3h>(lexer, half)?),
-        Kind::Vector(Half, _) => Value::Vec4hVec(tuples::<4, _, gf::Vec4h>(lexer, half)?),
-        Kind::Vector(Float, 2) => Value::Vec2fVec(tuples::<2, _, gf::Vec2f>(lexer, float)?),
-        Kind::Vector(Float, 3) => Value::Vec3fVec(tuples::<3, _, gf::Vec3f>(lexer, float)?),
-        Kind::Vector(Float, _) => Value::Vec4fVec(tuples::<4, _, gf::Vec4f>(lexer, float)?),
-        Kind::Vector(Double, 2) => Value::Vec2dVec(tuples::<2, _, gf::Vec2d>(lexer, double)?),
-        Kind::Vector(Double, 3) => Value::Vec3dVec(tuples::<3, _, gf::Vec3d>(lexer, double)?),
-        Kind::Vector(Double, _) => Value::Vec4dVec(tuples::<4, _, gf::Vec4d>(lexer, double)?),
-        Kind::Quaternion(Half) => Value::QuathVec(tuples::<4, _, gf::Quath>(lexer, half)?),
-        Kind::Quaternion(Float) => Value::QuatfVec(tuples::<4, _, gf::Quatf>(lexer, float)?),
-        Kind::Quaternion(_) => Value::QuatdVec(tuples::<4, _, gf::Quatd>(lexer, double)?),
-        Kind::Matrix(2) => Value::Matrix2dVec(array(lexer, |lexer: &mut Lexer| {
+        ValueKind::Token => {
+            Value::TokenVec(array(lexer, |lexer: &mut Lexer| lexer.string().map(Token::from))?)
+        }
+        ValueKind::Asset => Value::AssetPathVec(array(lexer, asset)?),
+        ValueKind::Scalar(Int) => Value::IntVec(array(lexer, integer)?),
+        ValueKind::Scalar(Half) => Value::HalfVec(array(lexer, half)?),
+        ValueKind::Scalar(Float) => Value::FloatVec(array(lexer, float)?),
+        ValueKind::Scalar(Double) => Value::DoubleVec(array(lexer, double)?),
+        ValueKind::Vector(Int, 2) => Value::Vec2iVec(tuples::<2, _, gf::Vec2i>(lexer, integer)?),
+        ValueKind::Vector(Int, 3) => Value::Vec3iVec(tuples::<3, _, gf::Vec3i>(lexer, integer)?),
+        ValueKind::Vector(Int, _) => Value::Vec4iVec(tuples::<4, _, gf::Vec4i>(lexer, integer)?),
+        ValueKind::Vector(Half, 2) => Value::Vec2hVec(tuples::<2, _, gf::Vec2h>(lexer, half)?),
+        ValueKind::Vector(Half, 3) => Value::Vec3hVec(tuples::<3, _, gf::Vec3h>(lexer, half)?),
+        ValueKind::Vector(Half, _) => Value::Vec4hVec(tuples::<4, _, gf::Vec4h>(lexer, half)?),
+        ValueKind::Vector(Float, 2) => Value::Vec2fVec(tuples::<2, _, gf::Vec2f>(lexer, float)?),
+        ValueKind::Vector(Float, 3) => Value::Vec3fVec(tuples::<3, _, gf::Vec3f>(lexer, float)?),
+        ValueKind::Vector(Float, _) => Value::Vec4fVec(tuples::<4, _, gf::Vec4f>(lexer, float)?),
+        ValueKind::Vector(Double, 2) => Value::Vec2dVec(tuples::<2, _, gf::Vec2d>(lexer, double)?),
+        ValueKind::Vector(Double, 3) => Value::Vec3dVec(tuples::<3, _, gf::Vec3d>(lexer, double)?),
+        ValueKind::Vector(Double, _) => Value::Vec4dVec(tuples::<4, _, gf::Vec4d>(lexer, double)?),
+        ValueKind::Quaternion(Half) => Value::QuathVec(tuples::<4, _, gf::Quath>(lexer, half)?),
+        ValueKind::Quaternion(Float) => Value::QuatfVec(tuples::<4, _, gf::Quatf>(lexer, float)?),
+        ValueKind::Quaternion(_) => Value::QuatdVec(tuples::<4, _, gf::Quatd>(lexer, double)?),
+        ValueKind::Matrix(2) => Value::Matrix2dVec(array(lexer, |lexer: &mut Lexer| {
             matrix::<2>(lexer).map(gf::Mat2d::from)
         })?),
-        Kind::Matrix(3) => Value::Matrix3dVec(array(lexer, |lexer: &mut Lexer| {
+        ValueKind::Matrix(3) => Value::Matrix3dVec(array(lexer, |lexer: &mut Lexer| {
             matrix::<3>(lexer).map(gf::Mat3d::from)
         })?),
-        Kind::Matrix(_) => Value::Matrix4dVec(array(lexer, |lexer: &mut Lexer| {
+        ValueKind::Matrix(_) => Value::Matrix4dVec(array(lexer, |lexer: &mut Lexer| {
             matrix::<4>(lexer).map(gf::Matrix4d::from)
         })?),
     })

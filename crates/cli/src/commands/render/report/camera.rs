@@ -9,7 +9,7 @@ use oaktwin::sensor::Sensor;
 use serde::Serialize;
 
 #[derive(Debug, Serialize)]
-pub(super) struct CameraReport<'a> {
+pub(super) struct RenderedCameraReport<'a> {
     pub(super) path: &'a str,
     pub(super) folder: Option<PathBuf>,
     pub(super) resolution: [u32; 2],
@@ -21,17 +21,17 @@ pub(super) struct CameraReport<'a> {
     lens: &'static str,
     /// The depth sensor, if its outputs are rendered.
     #[serde(skip_serializing_if = "Option::is_none")]
-    depth_sensor: Option<SensorReport>,
+    depth_sensor: Option<RenderedSensorReport>,
 }
 
 #[derive(Debug, Serialize)]
-struct SensorReport {
+struct RenderedSensorReport {
     engine: String,
     /// The parameters by the names of `--param`.
     parameters: BTreeMap<&'static str, String>,
 }
 
-impl<'a> CameraReport<'a> {
+impl<'a> RenderedCameraReport<'a> {
     pub(super) fn new(
         camera: &'a PlacedCamera,
         sensor: Option<&Sensor>,
@@ -55,12 +55,12 @@ impl<'a> CameraReport<'a> {
             cx: centre.x,
             cy: centre.y,
             lens: camera.camera.lens.names().schema,
-            depth_sensor: sensor.map(SensorReport::new),
+            depth_sensor: sensor.map(RenderedSensorReport::new),
         }
     }
 }
 
-impl SensorReport {
+impl RenderedSensorReport {
     fn new(sensor: &Sensor) -> Self {
         Self {
             engine: sensor.engine().kind().name.to_string(),

@@ -1,5 +1,5 @@
 use super::Part;
-use crate::{Attribute, MaterialSpan, Mesh};
+use crate::{MaterialSpan, Mesh, MeshAttribute};
 
 /// Merges the primitives of a mesh, in order.
 pub(super) fn merge(mut parts: Vec<Part>) -> Mesh {
@@ -35,24 +35,24 @@ pub(super) fn merge(mut parts: Vec<Part>) -> Mesh {
 /// The values of all parts if any part has some; parts without values get the default.
 fn vertex_values<T: Copy>(
     parts: &[Part],
-    get: impl Fn(&Part) -> Option<&Attribute<T>>,
+    get: impl Fn(&Part) -> Option<&MeshAttribute<T>>,
     otherwise: impl Fn(&Part) -> T,
-) -> Option<Attribute<T>> {
+) -> Option<MeshAttribute<T>> {
     if parts.iter().all(|part| get(part).is_none()) {
         return None;
     }
     let mut values = Vec::with_capacity(parts.iter().map(|part| part.mesh.positions.len()).sum());
     for part in parts {
         match get(part) {
-            Some(Attribute::Vertex(own)) => values.extend_from_slice(own),
+            Some(MeshAttribute::Vertex(own)) => values.extend_from_slice(own),
             _ => values.extend(std::iter::repeat_n(otherwise(part), part.mesh.positions.len())),
         }
     }
-    Some(Attribute::Vertex(values))
+    Some(MeshAttribute::Vertex(values))
 }
 
 /// The normals of all parts; parts without normals stay flat.
-fn normals(parts: &[Part]) -> Option<Attribute<[f32; 3]>> {
+fn normals(parts: &[Part]) -> Option<MeshAttribute<[f32; 3]>> {
     let all = parts.iter().all(|part| part.mesh.normals.is_some());
     if all || parts.iter().all(|part| part.mesh.normals.is_none()) {
         return vertex_values(parts, |part| part.mesh.normals.as_ref(), |_| [0.0; 3]);
@@ -60,7 +60,7 @@ fn normals(parts: &[Part]) -> Option<Attribute<[f32; 3]>> {
     let (mut values, mut indices) = (Vec::new(), Vec::new());
     for Part { mesh, .. } in parts {
         let first = number(values.len());
-        if let Some(Attribute::Vertex(own)) = &mesh.normals {
+        if let Some(MeshAttribute::Vertex(own)) = &mesh.normals {
             values.extend_from_slice(own);
             indices.extend(
                 mesh.triangles
@@ -72,7 +72,7 @@ fn normals(parts: &[Part]) -> Option<Attribute<[f32; 3]>> {
             indices.extend((0..number(mesh.triangles.len())).map(|triangle| [first + triangle; 3]));
         }
     }
-    Some(Attribute::Corner { values, indices })
+    Some(MeshAttribute::Corner { values, indices })
 }
 
 /// Lists in memory have fewer than 2³² elements.

@@ -5,7 +5,7 @@ use openusd::sdf::Path;
 use super::super::context::Context;
 use super::super::instancer::PointInstancer;
 use super::{Builder, Children};
-use crate::stage::own::Own;
+use crate::stage::prim_opinions::PrimOpinions;
 use crate::stage::reader::{Outcome, Record};
 use crate::stage::walk::{VisitedPrim, Visitor, Walk, Which};
 
@@ -18,7 +18,7 @@ impl Builder {
         walk: &Walk<'_>,
         prim: &Record,
         path: &str,
-        own: &Own,
+        opinions: &PrimOpinions,
         context: &Context,
     ) -> Outcome<()> {
         if self.instancers.contains(&prim.path) {
@@ -28,7 +28,7 @@ impl Builder {
             return Ok(());
         }
         let instancer = PointInstancer::read(walk.reader, prim, path, &mut self.findings);
-        let prototypes = self.parts_of_prototypes(walk, prim, path, own, context, &instancer)?;
+        let prototypes = self.parts_of_prototypes(walk, prim, path, opinions, context, &instancer)?;
         let outer = if self.instancers.is_empty() {
             self.world(context.stage_from_prim)
         } else {
@@ -66,7 +66,7 @@ impl Builder {
         walk: &Walk<'_>,
         prim: &Record,
         path: &str,
-        own: &Own,
+        opinions: &PrimOpinions,
         context: &Context,
         instancer: &PointInstancer,
     ) -> Outcome<Vec<Vec<Instance>>> {
@@ -75,7 +75,7 @@ impl Builder {
         let mut prototypes = Vec::with_capacity(instancer.prototypes.len());
         let mut result = Ok(());
         for prototype in &instancer.prototypes {
-            let inner = prototype_context(walk, prim, own, context, prototype, |path| {
+            let inner = prototype_context(walk, prim, opinions, context, prototype, |path| {
                 self.materials.scene_path(path)
             });
             let path_of_prototype = self.materials.scene_path(prototype);
@@ -136,10 +136,10 @@ impl Visitor for PrototypeVisitor<'_> {
         path: &str,
         context: &Context,
     ) -> Outcome<Option<Context>> {
-        let own = prim.own(walk.reader);
-        let inner = context.with(own, path);
-        match self.builder.add(walk, prim, path, own, &inner)? {
-            Children::Visit => Ok(Some(inner.hand_down(prim, own))),
+        let opinions = prim.opinions(walk.reader);
+        let inner = context.with(opinions, path);
+        match self.builder.add(walk, prim, path, opinions, &inner)? {
+            Children::Visit => Ok(Some(inner.hand_down(prim, opinions))),
             Children::VisitWithoutDrawing => Ok(None),
         }
     }
@@ -150,14 +150,14 @@ impl Visitor for PrototypeVisitor<'_> {
 fn prototype_context(
     walk: &Walk<'_>,
     instancer: &Record,
-    own: &Own,
+    opinions: &PrimOpinions,
     context: &Context,
     prototype: &Path,
     names: impl Fn(&Path) -> String,
 ) -> Outcome<Context> {
     let below = prototype.has_prefix(&instancer.path);
     let mut inner = if below {
-        context.clone().hand_down(instancer, own)
+        context.clone().hand_down(instancer, opinions)
     } else {
         Context {
             labels: context.labels.clone(),
@@ -172,8 +172,8 @@ fn prototype_context(
     ancestors.reverse();
     for path in ancestors {
         let ancestor = walk.record(&path, true)?;
-        let own = ancestor.own(walk.reader);
-        inner = inner.with(own, &names(&path)).hand_down(&ancestor, own);
+        let opinions = ancestor.opinions(walk.reader);
+        inner = inner.with(opinions, &names(&path)).hand_down(&ancestor, opinions);
     }
     inner.stage_from_prim = DAffine3::IDENTITY;
     // Prototypes are often kept below invisible prims.

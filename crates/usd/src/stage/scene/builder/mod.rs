@@ -16,7 +16,7 @@ use super::context::Context;
 use super::findings::Findings;
 use super::material::Materials;
 use super::{SceneOptions, light};
-use crate::stage::own::Own;
+use crate::stage::prim_opinions::PrimOpinions;
 use crate::stage::reader::{Outcome, Record};
 use crate::stage::walk::Walk;
 use prims::MeshKey;
@@ -93,7 +93,7 @@ impl Builder {
         walk: &Walk<'_>,
         prim: &Record,
         path: &str,
-        own: &Own,
+        opinions: &PrimOpinions,
         context: &Context,
     ) -> Outcome<Children> {
         if !context.is_drawn() {
@@ -107,7 +107,7 @@ impl Builder {
                 self.add_shape(walk, prim, path, context);
             }
             "PointInstancer" => {
-                self.add_points(walk, prim, path, own, context)?;
+                self.add_points(walk, prim, path, opinions, context)?;
                 return Ok(Children::VisitWithoutDrawing);
             }
             _ if kind.contains("Light") && self.instancers.is_empty() => {

@@ -8,7 +8,7 @@ use super::super::context::Context;
 use super::super::material::Surface;
 use super::super::mesh;
 use super::super::primvar::primvar;
-use super::super::shape::{self, Shape};
+use super::super::shape::{self, PrimitiveShape};
 use super::super::skin::{self, Skin};
 use super::Builder;
 use crate::stage::reader::{Outcome, Record};
@@ -155,7 +155,7 @@ impl Builder {
     }
 
     pub(super) fn add_shape(&mut self, walk: &Walk<'_>, prim: &Record, path: &str, context: &Context) {
-        let Some((shape, warning)) = Shape::read(walk.reader, prim) else {
+        let Some((shape, warning)) = PrimitiveShape::read(walk.reader, prim) else {
             return;
         };
         if let Some(warning) = warning {
@@ -271,9 +271,9 @@ impl Builder {
             let Some(faces) = mesh::subset_faces(walk.reader, &subset) else {
                 continue;
             };
-            let own = subset.own(walk.reader);
+            let opinions = subset.opinions(walk.reader);
             let path = format!("{path}/{name}");
-            if let Some(surface) = self.surface(walk, &subset, &context.with(own, &path), &path) {
+            if let Some(surface) = self.surface(walk, &subset, &context.with(opinions, &path), &path) {
                 found.push((faces, surface));
             }
         }

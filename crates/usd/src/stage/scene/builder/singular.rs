@@ -1,5 +1,5 @@
 use oaktwin_camera::math::{DAffine3, DMat3, DVec3};
-use oaktwin_scene::{Attribute, Instance, Mesh};
+use oaktwin_scene::{Instance, Mesh, MeshAttribute};
 
 use super::Builder;
 
@@ -85,6 +85,6 @@ fn baked(mesh: &Mesh, world_from_mesh: &DAffine3) -> Mesh {
             .to_array();
     }
     // The transformed normals would be degenerate; the flat ones are correct.
-    baked.normals = None::<Attribute<[f32; 3]>>;
+    baked.normals = None::<MeshAttribute<[f32; 3]>>;
     baked
 }

@@ -157,7 +157,7 @@ impl Materials {
             name: name.clone(),
             ..Material::default()
         };
-        let mut read = surface::Reading {
+        let mut read = surface::SurfaceReading {
             reader,
             place: &name,
             textures: &mut self.textures,

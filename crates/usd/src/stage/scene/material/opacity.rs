@@ -1,13 +1,13 @@
 //! Reads where a surface is invisible.
 
-use oaktwin_scene::{Mask, Material, Opacity, TextureUse};
+use oaktwin_scene::{Material, Opacity, TextureMask, TextureUse};
 
 use super::super::super::value::{color, single};
 use super::identifier;
 use super::network::{Input, Node, input};
-use super::surface::{MAX_DEPTH, Reading};
+use super::surface::{MAX_DEPTH, SurfaceReading};
 
-impl Reading<'_> {
+impl SurfaceReading<'_> {
     /// Reads the opacity of a surface shader.
     pub(super) fn opacity(&mut self, shader: &Node, name: &str, threshold: f32, material: &mut Material) {
         match input(self.reader, &shader.shader, name) {
@@ -54,7 +54,7 @@ impl Reading<'_> {
             // Mode 0 is the image's opacity; the others are brightnesses.
             let is_alpha = self.number(shader, "inputs:opacity_mode") == Some(0.0);
             if let Some(texture) = self.image(shader, "inputs:opacity_texture", None) {
-                let mask = Mask {
+                let mask = TextureMask {
                     texture: TextureUse::new(texture),
                     channel: if is_alpha { 3 } else { 0 },
                 };
@@ -67,7 +67,7 @@ impl Reading<'_> {
     }
 
     /// Follows an opacity or a transmission to its image.
-    pub(super) fn mask_of(&mut self, node: &Node, depth: usize) -> Option<Mask> {
+    pub(super) fn mask_of(&mut self, node: &Node, depth: usize) -> Option<TextureMask> {
         let id = identifier(self.reader, node);
         let is_preview = id == "UsdUVTexture";
         if is_preview || id.starts_with("ND_image_") || id.starts_with("ND_tiledimage_") {
@@ -79,7 +79,7 @@ impl Reading<'_> {
                 self.uv = uv;
             }
             let channel = if is_preview { channel(&node.output) } else { 0 };
-            return Some(Mask { texture, channel });
+            return Some(TextureMask { texture, channel });
         }
         let Input::Node(next) = self.passes_on(node).filter(|_| depth < MAX_DEPTH)? else {
             return None;
@@ -102,7 +102,7 @@ impl Reading<'_> {
     }
 
     /// Makes a surface invisible, or lets light pass, where its opacity is low.
-    fn cut(&mut self, value: f32, mask: Option<Mask>, threshold: f32, material: &mut Material) {
+    fn cut(&mut self, value: f32, mask: Option<TextureMask>, threshold: f32, material: &mut Material) {
         self.report(Material::not_a_share("opacity", value));
         material.opacity = Opacity::new(value, mask, threshold);
     }

@@ -5,9 +5,9 @@ use oaktwin_scene::{Material, Transmission};
 use super::super::super::value::{boolean, color, text};
 use super::identifier;
 use super::network::{Input, Node, input};
-use super::surface::Reading;
+use super::surface::SurfaceReading;
 
-impl Reading<'_> {
+impl SurfaceReading<'_> {
     /// Reads the index of refraction of a `UsdPreviewSurface`, and the reflectance of its specular workflow. Where its opacity is partial, it
     /// is a thin wall.
     pub(super) fn preview_optics(&mut self, shader: &Node, material: &mut Material) {

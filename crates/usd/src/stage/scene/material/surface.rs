@@ -15,7 +15,7 @@ const PREVIEW_DIFFUSE: [f32; 3] = [0.18; 3];
 pub(super) const MAX_DEPTH: usize = 16;
 
 /// The state of reading one material.
-pub(super) struct Reading<'a> {
+pub(super) struct SurfaceReading<'a> {
     pub(super) reader: &'a Reader,
     /// The material's path.
     pub(super) place: &'a str,
@@ -26,7 +26,7 @@ pub(super) struct Reading<'a> {
     pub(super) uv: Option<String>,
 }
 
-impl Reading<'_> {
+impl SurfaceReading<'_> {
     /// Reads a surface shader. Returns whether it is supported.
     pub(super) fn shader(&mut self, shader: &Node, material: &mut Material) -> bool {
         let id = identifier(self.reader, shader);

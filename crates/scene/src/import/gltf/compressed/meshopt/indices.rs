@@ -11,7 +11,7 @@ pub(super) fn triangles(bytes: &[u8], count: usize) -> Option<Vec<u32>> {
     if !count.is_multiple_of(3) {
         return None;
     }
-    let mut state = State {
+    let mut state = IndexDecoder {
         data,
         next: 0,
         last: 0,
@@ -92,7 +92,7 @@ impl<T: Copy> Recent<T> {
     }
 }
 
-struct State<'a> {
+struct IndexDecoder<'a> {
     data: &'a [u8],
     /// The next unused index.
     next: u32,
@@ -102,7 +102,7 @@ struct State<'a> {
     vertices: Recent<u32>,
 }
 
-impl State<'_> {
+impl IndexDecoder<'_> {
     /// A triangle at a recent edge.
     fn adjacent(&mut self, edge: u8, corner: u8) -> Option<[u32; 3]> {
         let [a, b] = self.edges.get(edge);

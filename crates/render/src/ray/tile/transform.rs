@@ -7,7 +7,7 @@ use crate::ray::vector::Vector;
 
 /// The transform from the frame of a mesh, or the world, into a tile frame: `tile_from_frame · (point − coarse − fine)`.
 #[derive(Clone, Debug)]
-pub(super) struct Frame {
+pub(super) struct TileTransform {
     pub(super) tile_from_frame: [[f32; 3]; 3],
     /// The origin of the rays in two parts.
     pub(super) coarse: [f32; 3],
@@ -28,7 +28,7 @@ struct Plane {
     farthest: [usize; 3],
 }
 
-impl Frame {
+impl TileTransform {
     /// Creates the transform; `None` if the bounds or the origin are not finite.
     #[allow(
         clippy::cast_possible_truncation,
@@ -79,14 +79,14 @@ impl Frame {
     }
 
     /// Transforms a point into the tile frame in double precision.
-    pub(super) fn see_exactly(&self, point: DVec3) -> DVec3 {
+    pub(super) fn transform_exactly(&self, point: DVec3) -> DVec3 {
         let (tile_from_frame, origin) = &self.exact;
         *tile_from_frame * (point - *origin)
     }
 
     /// Transforms eight points into the tile frame.
     #[inline(always)]
-    pub(super) fn see<L: Lanes>(&self, point: Vector<L>) -> Vector<L> {
+    pub(super) fn transform<L: Lanes>(&self, point: Vector<L>) -> Vector<L> {
         let from_origin = point - Vector::splat(self.coarse) - Vector::splat(self.fine);
         let [x, y, z] = self.tile_from_frame;
         Vector {

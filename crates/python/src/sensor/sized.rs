@@ -16,14 +16,14 @@ use crate::threads;
 
 /// The sensor and the camera for images of one size.
 #[derive(Clone)]
-pub(super) struct Eye {
+pub(super) struct SizedSensor {
     pub(super) camera: camera::Camera,
     pub(super) sensor: Arc<Sensor>,
     pub(super) findings: Vec<diagnostic::Finding>,
 }
 
 /// The settings from which sensors for image sizes are made.
-pub(super) struct Source {
+pub(super) struct SensorSettings {
     pub(super) twin: Arc<Twin>,
     pub(super) depth: TwinDepthSensor,
     /// The options; the seed is `seed`.
@@ -33,7 +33,7 @@ pub(super) struct Source {
     pub(super) field_of_view: FieldOfView,
 }
 
-impl Source {
+impl SensorSettings {
     /// The same settings for another unit.
     pub(super) fn of_twin(&self, twin: &Arc<Twin>) -> PyResult<Self> {
         let kind = self.depth.spec.kind.as_str();
@@ -47,16 +47,16 @@ impl Source {
     }
 
     /// The camera of the model whose images the sensor measures.
-    fn own(&self) -> PyResult<TwinCamera> {
+    fn model_camera(&self) -> PyResult<TwinCamera> {
         let spec = &self.depth.spec;
-        let own = self.twin.depth_camera(&self.depth);
-        own.ok_or_else(|| wrong(&spec.prim, "its camera is not known", "choose another model"))
+        let camera = self.twin.depth_camera(&self.depth);
+        camera.ok_or_else(|| wrong(&spec.prim, "its camera is not known", "choose another model"))
     }
 
     /// Creates the sensor for images of a size; the default is the size of the camera, if set, otherwise the size of the
     /// model.
-    pub(super) fn eye(&self, size: Option<ImageSize>) -> PyResult<Eye> {
-        self.eye_with(size, &self.options())
+    pub(super) fn sized(&self, size: Option<ImageSize>) -> PyResult<SizedSensor> {
+        self.sized_with(size, &self.options())
     }
 
     /// The options with the present seed.
@@ -72,27 +72,31 @@ impl Source {
     }
 
     /// Creates such a sensor with other options.
-    pub(super) fn eye_with(&self, size: Option<ImageSize>, options: &SensorOptions) -> PyResult<Eye> {
+    pub(super) fn sized_with(
+        &self,
+        size: Option<ImageSize>,
+        options: &SensorOptions,
+    ) -> PyResult<SizedSensor> {
         let Self {
             twin,
             depth,
             field_of_view,
             ..
         } = self;
-        let own = self.own()?;
+        let camera = self.model_camera()?;
         let size = size.unwrap_or(match field_of_view {
             FieldOfView::Camera(camera) => camera.intrinsics.size,
-            _ => own.intrinsics.size,
+            _ => camera.intrinsics.size,
         });
         let (camera, mut findings) =
-            sense::image_camera(size, *field_of_view, own.intrinsics).map_err(error)?;
+            sense::image_camera(size, *field_of_view, camera.intrinsics).map_err(error)?;
         let options = SensorOptions {
             image: Some(camera.intrinsics),
             ..options.clone()
         };
         let (sensor, more) = sensor::sensor(twin, depth, &options).map_err(error)?;
         findings.extend(more);
-        Ok(Eye {
+        Ok(SizedSensor {
             camera,
             sensor: Arc::new(sensor),
             findings,
@@ -105,16 +109,20 @@ impl DepthSensor {
     pub(super) fn body_from_images(&self) -> PyResult<RigidTransform> {
         match &self.camera {
             Some(camera) => Ok(camera.body_from_camera),
-            None => self.source.own().map(|own| own.body_from_camera),
+            None => self.source.model_camera().map(|camera| camera.body_from_camera),
         }
     }
 
     /// Returns the sensor for an image size; a change of size clears the memory of earlier frames.
-    pub(super) fn look<'a>(&self, eye: &'a mut Eye, size: ImageSize) -> PyResult<&'a mut Eye> {
-        if eye.camera.intrinsics.size != size {
-            *eye = self.source.eye(Some(size))?;
+    pub(super) fn resize<'a>(
+        &self,
+        sized: &'a mut SizedSensor,
+        size: ImageSize,
+    ) -> PyResult<&'a mut SizedSensor> {
+        if sized.camera.intrinsics.size != size {
+            *sized = self.source.sized(Some(size))?;
         }
-        Ok(eye)
+        Ok(sized)
     }
 
     /// Measures with the sensor for an image size, which may remember what it measured. Called with the interpreter released.
@@ -125,38 +133,38 @@ impl DepthSensor {
         size: ImageSize,
         work: impl FnOnce(&mut Sensor, &camera::Camera) -> T + Send,
     ) -> PyResult<T> {
-        let lock = || self.eye.lock().unwrap_or_else(PoisonError::into_inner);
+        let lock = || self.sized.lock().unwrap_or_else(PoisonError::into_inner);
         if self.engine.is_none() {
             // Locked before entering the pool, so that the pool's threads never wait for the lock.
-            let mut eye = lock();
-            let eye = self.look(&mut eye, size)?;
-            let sensor = Arc::make_mut(&mut eye.sensor);
-            return threads::install(|| work(sensor, &eye.camera));
+            let mut sized = lock();
+            let sized = self.resize(&mut sized, size)?;
+            let sensor = Arc::make_mut(&mut sized.sensor);
+            return threads::install(|| work(sensor, &sized.camera));
         }
-        let mut own = self.look(&mut lock(), size)?.clone();
-        let sensor = Arc::make_mut(&mut own.sensor);
-        let measured = threads::install(|| work(sensor, &own.camera))?;
-        let mut eye = lock();
-        if eye.camera.intrinsics.size == size {
-            eye.sensor = own.sensor;
+        let mut copy = self.resize(&mut lock(), size)?.clone();
+        let sensor = Arc::make_mut(&mut copy.sensor);
+        let measured = threads::install(|| work(sensor, &copy.camera))?;
+        let mut sized = lock();
+        if sized.camera.intrinsics.size == size {
+            sized.sensor = copy.sensor;
         }
         Ok(measured)
     }
 
     /// The camera of the outputs, for the most recent image size.
     pub(super) fn output_camera(&self, py: Python<'_>) -> PyResult<Camera> {
-        let eye = self.now(py, None)?;
-        let output = eye.sensor.output_camera(&eye.camera);
+        let sized = self.now(py, None)?;
+        let output = sized.sensor.output_camera(&sized.camera);
         let (near_m, far_m) = self.source.depth.spec.clipping_range_m;
-        let mut own = Camera::rectified(
+        let mut camera = Camera::rectified(
             output.camera,
             self.body_from_images()? * output.input_from_output(),
         );
-        own.clip = match &self.camera {
+        camera.clip = match &self.camera {
             Some(camera) => camera.clip,
             None => Clip { near_m, far_m },
         };
-        Ok(own)
+        Ok(camera)
     }
 
     /// An engine that matches pairs measures no depth images.
@@ -174,14 +182,14 @@ impl DepthSensor {
     pub(super) fn restart(&self, seed: Option<u64>) -> PyResult<()> {
         self.memory.reset(None);
         self.shooting.reset();
-        let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut sized = self.sized.lock().unwrap_or_else(PoisonError::into_inner);
         match seed {
             Some(seed) => {
                 self.source.seed.store(seed, Ordering::Relaxed);
                 self.next_frame.store(0, Ordering::Relaxed);
-                *eye = self.source.eye(Some(eye.camera.intrinsics.size))?;
+                *sized = self.source.sized(Some(sized.camera.intrinsics.size))?;
             }
-            None => Arc::make_mut(&mut eye.sensor).reset(),
+            None => Arc::make_mut(&mut sized.sensor).reset(),
         }
         Ok(())
     }
@@ -189,20 +197,20 @@ impl DepthSensor {
     /// Returns the sensor for images of a size, which is shared.
     pub(super) fn of_size(&self, py: Python<'_>, size: ImageSize) -> PyResult<Arc<Sensor>> {
         // Releasing the interpreter is only worth its time if the lock is taken, or for another size.
-        if let Ok(eye) = self.eye.try_lock()
-            && eye.camera.intrinsics.size == size
+        if let Ok(sized) = self.sized.try_lock()
+            && sized.camera.intrinsics.size == size
         {
-            return Ok(Arc::clone(&eye.sensor));
+            return Ok(Arc::clone(&sized.sensor));
         }
         Ok(self.now(py, Some(size))?.sensor)
     }
 
     /// Returns a copy of the sensor for an image size; by default, for the most recent one.
-    pub(super) fn now(&self, py: Python<'_>, size: Option<ImageSize>) -> PyResult<Eye> {
+    pub(super) fn now(&self, py: Python<'_>, size: Option<ImageSize>) -> PyResult<SizedSensor> {
         py.detach(|| {
-            let mut eye = self.eye.lock().unwrap_or_else(PoisonError::into_inner);
-            let size = size.unwrap_or(eye.camera.intrinsics.size);
-            Ok(self.look(&mut eye, size)?.clone())
+            let mut sized = self.sized.lock().unwrap_or_else(PoisonError::into_inner);
+            let size = size.unwrap_or(sized.camera.intrinsics.size);
+            Ok(self.resize(&mut sized, size)?.clone())
         })
     }
 }

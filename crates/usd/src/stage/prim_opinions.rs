@@ -6,7 +6,7 @@ use super::transform::{LocalTransform, local_transform};
 use super::value::{text, texts};
 
 /// The inheritable opinions authored on a prim itself.
-pub(super) struct Own {
+pub(super) struct PrimOpinions {
     pub(super) transform: Option<LocalTransform>,
     pub(super) invisible: bool,
     pub(super) purpose: Option<Purpose>,
@@ -33,7 +33,7 @@ pub(super) enum Purpose {
     Other,
 }
 
-impl Own {
+impl PrimOpinions {
     pub(super) fn of(reader: &Reader, prim: &Record) -> Self {
         let token = |name: &str| reader.value(prim, name).and_then(text);
         Self {

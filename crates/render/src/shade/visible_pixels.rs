@@ -1,6 +1,6 @@
 //! Pixels to shade, by what they see, with their geometry requested before it is needed.
 
-use oaktwin_scene::{Attribute, Mesh, Scene};
+use oaktwin_scene::{Mesh, MeshAttribute, Scene};
 use oaktwin_simd::{LaneKernel, Lanes, Level, run_lanes_at};
 
 use crate::Hit;
@@ -10,7 +10,7 @@ const BATCH: usize = 32;
 
 /// A pixel that sees a triangle.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Target {
+pub(super) struct VisiblePixel {
     /// What the caller identifies the pixel by.
     pub(super) tag: usize,
     pub(super) place: [u32; 2],
@@ -20,8 +20,13 @@ pub(super) struct Target {
 }
 
 /// Sorts pixels by instance, and calls `with` for each.
-pub(super) fn each_target(targets: &mut [Target], scene: &Scene, level: Level, mut with: impl FnMut(Target)) {
-    let key = |target: &Target| target.hit.instance;
+pub(super) fn each_visible_pixel(
+    targets: &mut [VisiblePixel],
+    scene: &Scene,
+    level: Level,
+    mut with: impl FnMut(VisiblePixel),
+) {
+    let key = |target: &VisiblePixel| target.hit.instance;
     if !targets.is_sorted_by_key(key) {
         targets.sort_by_key(key);
     }
@@ -51,7 +56,7 @@ enum What {
 struct Request<'a> {
     scene: &'a Scene,
     what: What,
-    targets: &'a [Target],
+    targets: &'a [VisiblePixel],
 }
 
 impl LaneKernel for Request<'_> {
@@ -85,8 +90,8 @@ fn request_indices<L: Lanes>(mesh: &Mesh, triangle: usize) {
 }
 
 #[inline(always)]
-fn request_indices_of<L: Lanes, T>(of: Option<&Attribute<T>>, triangle: usize) {
-    if let Some(Attribute::Corner { indices, .. }) = of
+fn request_indices_of<L: Lanes, T>(of: Option<&MeshAttribute<T>>, triangle: usize) {
+    if let Some(MeshAttribute::Corner { indices, .. }) = of
         && let Some(indices) = indices.get(triangle)
     {
         L::prefetch(indices);
@@ -104,20 +109,20 @@ fn request_corners<L: Lanes>(mesh: &Mesh, triangle: usize) {
 }
 
 #[inline(always)]
-fn request_values_of<L: Lanes, T>(of: Option<&Attribute<T>>, triangle: usize, vertices: [u32; 3]) {
+fn request_values_of<L: Lanes, T>(of: Option<&MeshAttribute<T>>, triangle: usize, vertices: [u32; 3]) {
     match of {
-        Some(Attribute::Vertex(values)) => request_values::<L, T>(values, vertices),
-        Some(Attribute::Corner { values, indices }) => {
+        Some(MeshAttribute::Vertex(values)) => request_values::<L, T>(values, vertices),
+        Some(MeshAttribute::Corner { values, indices }) => {
             if let Some(indices) = indices.get(triangle) {
                 request_values::<L, T>(values, *indices);
             }
         }
-        Some(Attribute::Triangle(values)) => {
+        Some(MeshAttribute::Triangle(values)) => {
             if let Some(value) = values.get(triangle) {
                 L::prefetch(value);
             }
         }
-        Some(Attribute::Constant(_)) | None => {}
+        Some(MeshAttribute::Constant(_)) | None => {}
     }
 }
 

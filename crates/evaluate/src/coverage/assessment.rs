@@ -9,7 +9,7 @@ use oaktwin_image::annotation::Reasons;
 use oaktwin_pipeline::render::{Backend, Renderer, RigError, View};
 use rayon::prelude::*;
 
-use super::sight::{Line, Sight};
+use super::sight::{Sight, SightLine};
 use super::{Candidate, Outcome, SurfacePoint};
 
 /// The cosine of the angle of incidence below which a face is seen edge-on.
@@ -18,8 +18,8 @@ const EDGE_ON: f64 = 1e-6;
 /// The steepest slope of depth within a pixel, in widths of the pixel on the surface, up to which a surface counts as resolved.
 const STEEPEST: f64 = 16.0;
 
-/// The view of a candidate.
-pub(super) struct Look {
+/// The outcomes of a candidate at all points.
+pub(super) struct CandidateOutcomes {
     /// The outcome at each point.
     pub(super) outcomes: Vec<Outcome>,
     /// Measured minus true z, in metres; NaN where nothing is measured.
@@ -29,7 +29,7 @@ pub(super) struct Look {
     pub(super) findings: Vec<Finding>,
 }
 
-impl Look {
+impl CandidateOutcomes {
     /// Counts points with larger errors as not measured.
     pub(super) fn reject_errors_above(&mut self, tolerance_m: f64) {
         for (outcome, error) in self.outcomes.iter_mut().zip(&self.errors_m) {
@@ -44,11 +44,11 @@ impl Look {
 ///
 /// # Errors
 /// Returns an error if the sensor cannot measure what was rendered.
-pub(super) fn look(
+pub(super) fn assess_points(
     renderer: &Renderer,
     candidate: &Candidate<'_>,
     points: &[SurfacePoint],
-) -> Result<Look, RigError> {
+) -> Result<CandidateOutcomes, RigError> {
     let (image, findings) = SensorImage::capture(renderer, candidate)?;
     let lines = image.sight.lines(renderer, points);
     let assessed: Vec<(Outcome, f32)> = points
@@ -63,7 +63,7 @@ pub(super) fn look(
         }
     }
     let (outcomes, errors_m) = assessed.into_iter().unzip();
-    Ok(Look {
+    Ok(CandidateOutcomes {
         outcomes,
         errors_m,
         occluders,
@@ -106,7 +106,7 @@ impl SensorImage {
     }
 
     /// Returns the outcome at a point and the error of its measurement.
-    fn assess(&self, point: &SurfacePoint, line: Option<&Line>) -> (Outcome, f32) {
+    fn assess(&self, point: &SurfacePoint, line: Option<&SightLine>) -> (Outcome, f32) {
         let lost = |outcome| (outcome, f32::NAN);
         let Some(line) = line else {
             return lost(Outcome::OUTSIDE_VIEW);
@@ -142,7 +142,7 @@ impl SensorImage {
 
     /// Whether the centre of a point's pixel, where the depth is `truth`, shows the surface around the point. That surface need not
     /// be plane: its depth may differ from the point's by twice what the slope of the face explains, and the width of two pixels.
-    fn resolves(&self, point: &SurfacePoint, line: &Line, truth: f32) -> bool {
+    fn resolves(&self, point: &SurfacePoint, line: &SightLine, truth: f32) -> bool {
         let camera = &self.sight.view.camera;
         let (x, y) = line.pixel;
         let centre = PixelPoint::<Usd>::new(f64::from(x) + 0.5, f64::from(y) + 0.5);

@@ -18,7 +18,7 @@ const BEGINNING: u64 = 12;
 const MAX_BYTES: u64 = 4 << 30;
 
 /// A depth file with one image or a batch.
-pub struct Source {
+pub struct DepthImageReader {
     path: PathBuf,
     /// The number of images of a batch; `None` for a single image.
     pub batch: Option<usize>,
@@ -27,7 +27,7 @@ pub struct Source {
     data: Data,
 }
 
-impl std::fmt::Debug for Source {
+impl std::fmt::Debug for DepthImageReader {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Source")
             .field("path", &self.path)
@@ -49,7 +49,7 @@ enum Data {
     },
 }
 
-impl Source {
+impl DepthImageReader {
     /// Opens a file. Integer pixels are multiplied by `scale` metres.
     ///
     /// # Errors
@@ -374,7 +374,7 @@ mod tests {
         let file = npy::encode(&[1, 3], &[1500_i32, -1, 70_000]).unwrap();
         let length = Some(file.len() as u64);
         let mut source =
-            Source::read(Path::new("a.npy"), Box::new(Cursor::new(file)), length, 0.001).unwrap();
+            DepthImageReader::read(Path::new("a.npy"), Box::new(Cursor::new(file)), length, 0.001).unwrap();
         let image = source.next_image().unwrap().unwrap();
         assert_eq!(image.pixels(), [1.5, 0.0, 70.0]);
     }

@@ -2,18 +2,18 @@
 
 use std::path::Path;
 
-use super::Options;
-use super::report::{NotFound, Parameter, Report};
+use super::FitOptions;
+use super::report::{FitReport, NotFound, Parameter};
 use oaktwin_base::diagnostic::{Finding, Level, Message};
 
 /// The state of a fit.
-pub(super) struct Work<'a> {
-    pub(super) report: Report,
-    pub(super) options: &'a Options,
+pub(super) struct FitState<'a> {
+    pub(super) report: FitReport,
+    pub(super) options: &'a FitOptions,
     pub(super) findings: Vec<Finding>,
 }
 
-impl Work<'_> {
+impl FitState<'_> {
     pub(super) fn without_images(&mut self, path: &Path, names: &[&'static str]) {
         for name in names {
             self.report.not_found.push(NotFound {

@@ -1,13 +1,13 @@
 use oaktwin_simd::Level;
 
 use super::census::Census;
-use super::plan::Plan;
+use super::plan::PassPlan;
 
 /// The input of both scans.
 #[derive(Clone, Copy)]
-pub(super) struct View<'a> {
+pub(super) struct ScanInput<'a> {
     pub(super) level: Level,
-    pub(super) plan: &'a Plan,
+    pub(super) plan: &'a PassPlan,
     /// The left image, and the right one mirrored.
     pub(super) census: [&'a Census; 2],
     pub(super) width: usize,
