@@ -555,7 +555,7 @@ export type SceneInfo = {
    * The materials and labels whose reflectance in the infrared can be set: the id of the scene with one is `ID;NAME=REFLECTANCE`, with
    * a percent-encoded name, and may have more of them.
    */
-  infrared: string[];
+  infrared: Array<string>;
   /** The robot in the scene. The id of the scene in another posture is `ID~P1,P2,…`, with the position of each of the joints. */
   robot: RobotInfo | null;
 };

@@ -6,8 +6,8 @@ use oaktwin::render::{OpenOptions, SceneFile};
 use tempfile::TempDir;
 
 use crate::protocol::{Failure, SceneInfo};
-use crate::robot::{DroppedFile, RobotFile, in_any_state};
-use crate::scene::{LoadedScene, infrared};
+use crate::robot::{DroppedFile, RobotFile};
+use crate::scene::{LoadedScene, in_any_state, infrared};
 use crate::studio::Studio;
 use crate::upload;
 

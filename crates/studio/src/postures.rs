@@ -7,8 +7,8 @@ use serde::Serialize;
 
 use crate::kept::{Keep, Kept};
 use crate::protocol::Failure;
-use crate::robot::{SceneRobot, in_any_state};
-use crate::scene::LoadedScene;
+use crate::robot::SceneRobot;
+use crate::scene::{LoadedScene, in_any_state};
 use crate::upload::bytes_id;
 
 /// The maximum number of postures.

@@ -13,7 +13,6 @@ use oaktwin::scene::Scene;
 
 use crate::pose::pose_of;
 use crate::protocol::{Failure, RobotInfo, RobotJoint, RobotLink};
-use crate::scene::infrared;
 
 /// What separates the id of a scene from the positions of joints.
 const POSTURE: char = '~';
@@ -145,11 +144,4 @@ pub(crate) fn posed(id: &str, posture: &str) -> String {
 /// Separates the id of a scene in a posture from the posture.
 pub(crate) fn split(id: &str) -> Option<(&str, &str)> {
     id.split_once(POSTURE)
-}
-
-/// Returns the id of a scene in any posture, at any time, with any reflectances.
-pub(crate) fn in_any_state(id: &str) -> &str {
-    let id = split(id).map_or(id, |(own, _)| own);
-    let id = id.rsplit_once('@').map_or(id, |(own, _)| own);
-    infrared::split(id).map_or(id, |(own, _)| own)
 }

@@ -22,7 +22,7 @@ use crate::robot::{RobotFile, SceneRobot};
 use crate::task::Job;
 use moving::Moving;
 
-pub(crate) use scenes::Scenes;
+pub(crate) use scenes::{Scenes, in_any_state};
 
 /// The number of objects that the page can name, and of bytes of their paths; others are part of the scene only.
 const MAX_OBJECTS: usize = 20_000;

@@ -14,6 +14,13 @@ const KEPT_TRIANGLES: usize = 2 * MAX_TRIANGLES;
 /// The number of bytes of their files, which stay on the disk for animations and sessions.
 const KEPT_BYTES: u64 = 4 * upload::MAX_BYTES;
 
+/// Returns the id of a scene in any posture, at any time, with any reflectances.
+pub(crate) fn in_any_state(id: &str) -> &str {
+    let id = robot::split(id).map_or(id, |(own, _)| own);
+    let id = id.rsplit_once('@').map_or(id, |(own, _)| own);
+    infrared::split(id).map_or(id, |(own, _)| own)
+}
+
 /// Scenes in postures of their robots. The one that was used last is the last.
 #[derive(Debug, Default)]
 struct Postures(Vec<Arc<LoadedScene>>);
