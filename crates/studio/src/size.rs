@@ -10,6 +10,9 @@ use crate::protocol::Failure;
 /// The maximum number of pixels: more than any camera of the catalog has, and few enough for an answer in time.
 const MAX_PIXELS: u64 = 1 << 25;
 
+/// The maximum width and height: what browsers draw. Rows of millions of pixels would take three times the memory that is counted.
+const MAX_SIDE: u32 = 1 << 14;
+
 /// The annotators of every frame.
 pub(crate) const TRUTH: [Annotator; 2] = [Annotator::Rgb, Annotator::DistanceToImagePlane];
 
@@ -30,15 +33,14 @@ pub(crate) fn image_size(size: Option<[u32; 2]>) -> Result<Option<ImageSize>, Fa
 
 /// Rejects images that are too large for the page, whose size a calibration may determine.
 pub(crate) fn check_pixels(size: ImageSize) -> Result<(), Failure> {
-    match u64::from(size.width) * u64::from(size.height) <= MAX_PIXELS {
-        true => Ok(()),
-        false => {
-            let error = format!(
-                "images of {size} are too large for the page; choose at most {MAX_PIXELS} pixels, or use the command line"
-            );
-            Err(Failure::of("size", &error))
-        }
+    let pixels = u64::from(size.width) * u64::from(size.height);
+    if pixels <= MAX_PIXELS && size.width.max(size.height) <= MAX_SIDE {
+        return Ok(());
     }
+    let error = format!(
+        "images of {size} are too large for the page; choose at most {MAX_PIXELS} pixels and {MAX_SIDE} in a row or column, or use the command line"
+    );
+    Err(Failure::of("size", &error))
 }
 
 /// Rejects images that need more memory than is available.
@@ -68,11 +70,17 @@ mod tests {
 
     #[test]
     fn rejects_sizes_that_are_too_large() {
-        for size in [[0, 1], [1 << 13, (1 << 12) + 1], [u32::MAX, u32::MAX]] {
+        for size in [
+            [0, 1],
+            [1 << 13, (1 << 12) + 1],
+            [1 << 25, 1],
+            [1, 1 << 15],
+            [u32::MAX, u32::MAX],
+        ] {
             let failure = image_size(Some(size)).unwrap_err();
             assert_eq!(failure.field.as_deref(), Some("size"), "{failure:?}");
         }
-        assert!(image_size(Some([1 << 13, 1 << 12])).is_ok());
+        assert!(image_size(Some([1 << 13, 1 << 12])).is_ok() && image_size(Some([1 << 14, 1])).is_ok());
         assert!(image_size(None).unwrap().is_none());
     }
 }
