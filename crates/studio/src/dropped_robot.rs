@@ -7,7 +7,7 @@ use tempfile::TempDir;
 
 use crate::protocol::{Failure, SceneInfo};
 use crate::robot::{DroppedFile, RobotFile};
-use crate::scene::{LoadedScene, in_any_state, infrared};
+use crate::scene::{LoadedScene, at_any_time, in_any_state, infrared};
 use crate::studio::Studio;
 use crate::upload;
 
@@ -30,7 +30,7 @@ pub(crate) fn dropped(studio: &Studio, scene: &str, name: &str, bytes: &[u8]) ->
     if studio.scenes.dropped(&id).is_none() {
         studio.scenes.add(received.put_into(&base)?);
     }
-    let id = match infrared::split(scene.split(['~', '@']).next().unwrap_or(scene)) {
+    let id = match infrared::split(at_any_time(scene)) {
         Some((_, reflectances)) => infrared::reflecting(&id, reflectances),
         None => id,
     };

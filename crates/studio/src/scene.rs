@@ -2,6 +2,7 @@
 
 pub(crate) mod infrared;
 mod moving;
+mod recent;
 mod scenes;
 
 use std::collections::BTreeMap;
@@ -22,7 +23,7 @@ use crate::robot::{RobotFile, SceneRobot};
 use crate::task::Job;
 use moving::Moving;
 
-pub(crate) use scenes::{Scenes, in_any_state};
+pub(crate) use scenes::{Scenes, at_any_time, in_any_state};
 
 /// The number of objects that the page can name, and of bytes of their paths; others are part of the scene only.
 const MAX_OBJECTS: usize = 20_000;

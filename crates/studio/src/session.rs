@@ -173,9 +173,11 @@ pub(crate) fn open(studio: &Studio, path: &Path, name: &str) -> Result<SessionIn
         None => None,
     };
     let whole = robot.as_ref().unwrap_or(scene.get());
-    if let Some(reflectances) = &state.scene.infrared {
-        whole.reflecting("", infrared::parse(reflectances)?)?;
-    }
+    let reflecting = state.scene.infrared.as_ref().map(|reflectances| {
+        let id = infrared::reflecting(&whole.info.id, reflectances);
+        whole.reflecting(&id, infrared::parse(reflectances)?)
+    });
+    let reflecting = reflecting.transpose()?;
     if let Some(posture) = &state.scene.posture {
         let posed = whole.robot.as_ref();
         let posed = posed.ok_or_else(|| archive.wrong("has a posture, but no robot"))?;
@@ -210,7 +212,7 @@ pub(crate) fn open(studio: &Studio, path: &Path, name: &str) -> Result<SessionIn
     Ok(SessionInfo {
         document: state.document,
         display: state.display,
-        scene: kept(studio, scene, robot, &state.scene)?,
+        scene: kept(studio, scene, [robot, reflecting], state.scene.posture.as_deref())?,
         calibrations: (calibrations.into_iter())
             .map(|dropped| studio.calibrations.add(dropped))
             .collect(),
@@ -252,25 +254,19 @@ fn with_robot(
 fn kept(
     studio: &Studio,
     scene: Scene,
-    robot: Option<LoadedScene>,
-    entry: &SceneEntry,
+    [robot, reflecting]: [Option<LoadedScene>; 2],
+    posture: Option<&str>,
 ) -> Result<SceneInfo, Failure> {
     let scene = match scene {
         Scene::Known(scene) => scene,
         Scene::New(scene) => studio.scenes.add(*scene),
     };
-    let shown = match robot {
-        Some(robot) => studio.scenes.add(robot),
-        None => scene,
-    };
-    let mut id = shown.info.id.clone();
-    if let Some(reflectances) = &entry.infrared {
-        id = infrared::reflecting(&id, reflectances);
+    let scene = robot.map_or(scene, |robot| studio.scenes.add(robot));
+    let scene = reflecting.map_or(scene, |reflecting| studio.scenes.reflecting.add(reflecting));
+    match posture {
+        Some(posture) => Ok(studio.scenes.get(&posed(&scene.info.id, posture))?.info.clone()),
+        None => Ok(scene.info.clone()),
     }
-    if let Some(posture) = &entry.posture {
-        id = posed(&id, posture);
-    }
-    Ok(studio.scenes.still(&id)?.info.clone())
 }
 
 /// Returns the scene of the command line, if the session shows the same one.

@@ -3,12 +3,13 @@
 //! The id of such a scene is the scene's own with the reflectances: `first;floor=0.5;wood=0.2`, before a time code or a posture. Names are
 //! percent-encoded.
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use oaktwin::render::{OpenOptions, Renderer};
 
 use super::LoadedScene;
+use super::recent::{Recent, keep, used};
 use crate::protocol::{Failure, SceneInfo};
 
 /// What separates the id of a scene from each reflectance.
@@ -36,7 +37,7 @@ pub(crate) fn parse(text: &str) -> Result<BTreeMap<String, f64>, Failure> {
         Some((decoded(name)?, value.parse().ok()?))
     };
     let parts = text.split(REFLECTANCE);
-    let read = parts.map(|part| one(part).ok_or_else(|| wrong(&format!("'{part}' is no reflectance"))));
+    let read = parts.map(|part| one(part).ok_or_else(|| wrong(&format!("'{part}' is not NAME=REFLECTANCE"))));
     let read: BTreeMap<String, f64> = read.collect::<Result<_, _>>()?;
     match read.len() <= MAX_REFLECTANCES {
         true => Ok(read),
@@ -62,9 +63,9 @@ fn decoded(text: &str) -> Option<String> {
     String::from_utf8(bytes).ok()
 }
 
-/// The scenes by id. The one that was used last is the last.
+/// Scenes with other reflectances.
 #[derive(Debug, Default)]
-pub(super) struct Reflecting(Mutex<VecDeque<Arc<LoadedScene>>>);
+pub(crate) struct Reflecting(Mutex<Recent>);
 
 impl Reflecting {
     /// Returns a scene with other reflectances, under the id that has them.
@@ -75,16 +76,21 @@ impl Reflecting {
         reflectances: &str,
     ) -> Result<Arc<LoadedScene>, Failure> {
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let found = known.iter().position(|one| one.info.id == id);
-        let made = match found.and_then(|place| known.remove(place)) {
-            Some(found) => found,
-            None => Arc::new(scene.reflecting(id, parse(reflectances)?)?),
-        };
-        known.push_back(Arc::clone(&made));
-        if known.len() > KEPT {
-            known.pop_front();
+        match used(&mut known, id) {
+            Some(found) => Ok(found),
+            None => Ok(keep(
+                &mut known,
+                scene.reflecting(id, parse(reflectances)?)?,
+                KEPT,
+            )),
         }
-        Ok(made)
+    }
+
+    /// Keeps a scene, in place of the same one.
+    pub(crate) fn add(&self, scene: LoadedScene) -> Arc<LoadedScene> {
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        known.retain(|other| other.info.id != scene.info.id);
+        keep(&mut known, scene, KEPT)
     }
 }
 
@@ -130,7 +136,7 @@ mod tests {
         assert_eq!((own, read), ("first", BTreeMap::from(expected)));
         for wrong in ["", "a", "a=", "a=x", "%4=1", "%zz=1", "%ff=1", "a=1;"] {
             let error = parse(wrong).unwrap_err().error;
-            assert!(error.contains("is no reflectance"), "{wrong}: {error}");
+            assert!(error.contains("is not NAME=REFLECTANCE"), "{wrong}: {error}");
         }
         let many: Vec<String> = (0..=MAX_REFLECTANCES).map(|i| format!("a{i}=0")).collect();
         assert!(parse(&many.join(";")).unwrap_err().error.contains("too many"));

@@ -1,9 +1,10 @@
 //! The scenes that the page can show, by their ids.
 
-use std::collections::VecDeque;
+use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::infrared::{self, Reflecting};
+use super::recent::{Recent, keep, used};
 use super::{LoadedScene, MAX_TRIANGLES};
 use crate::protocol::Failure;
 use crate::{robot, upload};
@@ -14,16 +15,21 @@ const KEPT_TRIANGLES: usize = 2 * MAX_TRIANGLES;
 /// The number of bytes of their files, which stay on the disk for animations and sessions.
 const KEPT_BYTES: u64 = 4 * upload::MAX_BYTES;
 
+/// Returns the id of a scene in any posture and at any time, with its reflectances.
+pub(crate) fn at_any_time(id: &str) -> &str {
+    let id = robot::split(id).map_or(id, |(own, _)| own);
+    id.rsplit_once('@').map_or(id, |(own, _)| own)
+}
+
 /// Returns the id of a scene in any posture, at any time, with any reflectances.
 pub(crate) fn in_any_state(id: &str) -> &str {
-    let id = robot::split(id).map_or(id, |(own, _)| own);
-    let id = id.rsplit_once('@').map_or(id, |(own, _)| own);
+    let id = at_any_time(id);
     infrared::split(id).map_or(id, |(own, _)| own)
 }
 
-/// Scenes in postures of their robots. The one that was used last is the last.
+/// Scenes in postures of their robots.
 #[derive(Debug, Default)]
-struct Postures(Vec<Arc<LoadedScene>>);
+struct Postures(Recent);
 
 impl Postures {
     /// The number of copies of scenes that are kept.
@@ -31,9 +37,7 @@ impl Postures {
 
     /// Returns a scene in a posture: a copy that nobody uses any more is moved, which is faster than another copy.
     fn get(&mut self, id: &str, scene: &LoadedScene, posture: &str) -> Result<Arc<LoadedScene>, Failure> {
-        if let Some(place) = self.0.iter().position(|one| one.info.id == id) {
-            let found = self.0.remove(place);
-            self.0.push(Arc::clone(&found));
+        if let Some(found) = used(&mut self.0, id) {
             return Ok(found);
         }
         let Some(robot) = &scene.robot else {
@@ -48,18 +52,14 @@ impl Postures {
             robot::split(&one.info.id).is_some_and(|(own, _)| own == scene.info.id)
                 && Arc::strong_count(one) == 1
         };
-        let spare = self.0.iter().position(is_free).map(|place| self.0.remove(place));
+        let spare = self.0.iter().position(is_free);
+        let spare = spare.and_then(|place| self.0.remove(place));
         let mut moved = match spare.map(Arc::try_unwrap) {
             Some(Ok(spare)) => spare,
             Some(Err(_)) | None => scene.copied(),
         };
         moved.pose(id, positions);
-        let moved = Arc::new(moved);
-        self.0.push(Arc::clone(&moved));
-        if self.0.len() > Self::KEPT {
-            self.0.remove(0);
-        }
-        Ok(moved)
+        Ok(keep(&mut self.0, moved, Self::KEPT))
     }
 }
 
@@ -67,10 +67,9 @@ impl Postures {
 #[derive(Debug)]
 pub(crate) struct Scenes {
     first: Arc<LoadedScene>,
-    /// The one that was used last is the last.
-    dropped: Mutex<VecDeque<Arc<LoadedScene>>>,
+    dropped: Mutex<Recent>,
     postures: Mutex<Postures>,
-    reflecting: Reflecting,
+    pub(crate) reflecting: Reflecting,
 }
 
 impl Scenes {
@@ -137,10 +136,7 @@ impl Scenes {
     /// Returns a dropped scene that is kept.
     pub(crate) fn dropped(&self, id: &str) -> Option<Arc<LoadedScene>> {
         let mut dropped = self.dropped.lock().unwrap_or_else(PoisonError::into_inner);
-        let place = dropped.iter().position(|scene| scene.info.id == id)?;
-        let scene = dropped.remove(place)?;
-        dropped.push_back(Arc::clone(&scene));
-        Some(scene)
+        used(&mut dropped, id)
     }
 
     /// Keeps a dropped scene and forgets those that nobody has used for longest.
@@ -149,18 +145,15 @@ impl Scenes {
         let mut dropped = self.dropped.lock().unwrap_or_else(PoisonError::into_inner);
         dropped.retain(|known| known.info.id != scene.info.id);
         dropped.push_back(Arc::clone(&scene));
-        let triangles = |kept: &VecDeque<Arc<LoadedScene>>| -> usize {
-            kept.iter().map(|scene| scene.info.triangles).sum()
+        let triangles = |kept: &Recent| -> usize { kept.iter().map(|scene| scene.info.triangles).sum() };
+        // A scene and the same with a robot share a file.
+        let bytes = |kept: &Recent| -> u64 {
+            let files = kept.iter().filter_map(|scene| scene.kept.as_ref());
+            let files: BTreeMap<_, _> = files.map(|file| (Arc::as_ptr(file), file.bytes)).collect();
+            files.values().sum()
         };
-        let bytes = |kept: &VecDeque<Arc<LoadedScene>>| -> u64 {
-            kept.iter()
-                .filter_map(|scene| scene.kept.as_ref())
-                .map(|file| file.bytes)
-                .sum()
-        };
-        let are_too_many = |kept: &VecDeque<Arc<LoadedScene>>| {
-            kept.len() > KEPT || triangles(kept) > KEPT_TRIANGLES || bytes(kept) > KEPT_BYTES
-        };
+        let are_too_many =
+            |kept: &Recent| kept.len() > KEPT || triangles(kept) > KEPT_TRIANGLES || bytes(kept) > KEPT_BYTES;
         while dropped.len() > 1 && are_too_many(&dropped) {
             dropped.pop_front();
         }

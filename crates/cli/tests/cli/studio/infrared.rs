@@ -154,7 +154,10 @@ fn wrong_names_and_values_are_rejected() {
             "wall=NaN",
             "plate.usda: --infrared wall: a reflectance of NaN is out of range; give 0 to 1",
         ),
-        ("wall", "'wall' is no reflectance; open the page without its link"),
+        (
+            "wall",
+            "'wall' is not NAME=REFLECTANCE; open the page without its link",
+        ),
     ]) {
         let path = format!("/api/scenes/first%3B{}", reflectance.replace('=', "%3D"));
         let (status, body) = server.request("GET", &path, &[]);
