@@ -277,7 +277,7 @@ pub enum TextureSource {
 }
 
 /// The colour space of a texture's values.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ColorSpace {
     /// sRGB if it has 8 bits and three channels, otherwise linear.
     #[default]

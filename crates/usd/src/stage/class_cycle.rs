@@ -42,14 +42,12 @@ impl Classes {
         (stack, prim): (usize, &str),
         (target_stack, target): (usize, &str),
     ) {
+        if kind == ArcKind::VariantSet {
+            return;
+        }
         let (from, to) = (site(stack, prim), site(target_stack, target));
-        if kind != ArcKind::VariantSet
-            && self
-                .arcs
-                .entry(from.clone())
-                .or_default()
-                .insert((kind, to.clone()))
-        {
+        let arcs = self.arcs.entry(from.clone()).or_default();
+        if arcs.insert((kind, to.clone())) {
             if !are_related(&from, &to) {
                 self.sources.entry(to.clone()).or_default().insert(from);
             }
@@ -59,10 +57,8 @@ impl Classes {
 
     /// Makes the prims of one layer stack prims of another.
     pub(super) fn join(&mut self, other: usize, stack: usize) {
-        let renamed = |at: &str| match moved(at, &other.to_string(), &stack.to_string()) {
-            Some(renamed) => renamed,
-            None => at.to_owned(),
-        };
+        let (other, stack) = (other.to_string(), stack.to_string());
+        let renamed = |at: &str| moved(at, &other, &stack).unwrap_or_else(|| at.to_owned());
         for (from, arcs) in std::mem::take(&mut self.arcs) {
             let arcs = arcs.into_iter().map(|(kind, to)| (kind, renamed(&to)));
             self.arcs.entry(renamed(&from)).or_default().extend(arcs);
@@ -84,7 +80,7 @@ impl Classes {
             states: HashMap::new(),
             visits: self.visits,
         };
-        let starts = search.starts(std::mem::take(&mut self.added));
+        let starts = search.starts(&std::mem::take(&mut self.added));
         let cycle = starts.iter().find_map(|start| search.from(start));
         self.visits = search.visits;
         cycle.map(|site| split(&site).1.to_owned())
@@ -113,31 +109,23 @@ struct Node {
 
 impl Search<'_> {
     /// Returns the classes that some arcs have as their targets or bring to other layer stacks, in every namespace into which arcs map them.
-    fn starts(&mut self, added: Vec<(ArcKind, String)>) -> Vec<String> {
-        let stack = |site: &str| split(site).0.to_owned();
+    fn starts(&mut self, added: &[(ArcKind, String)]) -> Vec<String> {
         let mut starts = BTreeSet::new();
         let mut stacks = BTreeSet::new();
-        let mut open = Vec::new();
-        for (kind, to) in added {
-            match kind {
-                ArcKind::Class => _ = starts.insert(to),
-                _ => open.push(stack(&to)),
-            }
-        }
-        while let Some(next) = open.pop() {
-            if stacks.insert(next.clone()) {
+        let mut open: Vec<(ArcKind, &str)> = added.iter().map(|(kind, to)| (*kind, to.as_str())).collect();
+        while let Some((kind, to)) = open.pop() {
+            let stack = split(to).0;
+            if kind == ArcKind::Class {
+                starts.insert(to);
+            } else if stacks.insert(stack) {
                 // '0' follows '/'.
-                let of_stack = self.arcs.range(format!("{next}/")..format!("{next}0"));
-                for (kind, to) in of_stack.flat_map(|(_, arcs)| arcs) {
-                    match kind {
-                        ArcKind::Class => _ = starts.insert(to.clone()),
-                        _ => open.push(stack(to)),
-                    }
-                }
+                let of_stack = self.arcs.range(format!("{stack}/")..format!("{stack}0"));
+                let arcs = of_stack.flat_map(|(_, arcs)| arcs);
+                open.extend(arcs.map(|(kind, to)| (*kind, to.as_str())));
             }
         }
-        let mut known: HashSet<String> = starts.iter().cloned().collect();
-        let mut found: Vec<String> = starts.into_iter().collect();
+        let mut found: Vec<String> = starts.into_iter().map(str::to_owned).collect();
+        let mut known: HashSet<String> = found.iter().cloned().collect();
         let mut next = 0;
         while next < found.len() && self.visits < MAX_VISITS {
             self.visits += 1;

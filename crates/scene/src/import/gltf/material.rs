@@ -151,7 +151,7 @@ fn read_texture(
     info: &json::texture::Info,
     color_space: ColorSpace,
     material: &str,
-    images: &mut BTreeMap<(usize, bool), Option<u32>>,
+    images: &mut BTreeMap<(usize, ColorSpace), Option<u32>>,
     builder: &mut Builder,
 ) -> Option<(TextureUse, u32)> {
     let Some(texture) = document.root.textures.get(info.index.value()) else {
@@ -164,7 +164,7 @@ fn read_texture(
     };
     let image = texture.source.value();
     let number = *images
-        .entry((image, color_space == ColorSpace::Srgb))
+        .entry((image, color_space))
         .or_insert_with(|| match source(document, image) {
             Ok(source) => Some(builder.add_texture(Texture { source, color_space })),
             Err(message) => {

@@ -19,19 +19,27 @@ impl SurfaceReading<'_> {
                     self.cut(value, None, threshold, material);
                 }
             }
-            Some(Input::Node(node)) => match self.mask_of(&node, 0) {
-                Some(mask) => self.cut(1.0, Some(mask), threshold, material),
-                None => self.findings.warn(
-                    "unsupported-material",
-                    self.place,
-                    format!(
-                        "its opacity node `{}` is not supported; its surface is solid",
-                        identifier(self.reader, &node)
-                    ),
-                    "connect an image or author a number",
-                ),
-            },
+            Some(Input::Node(node)) => {
+                if let Some(mask) = self.mask(&node, "opacity", "its surface is solid") {
+                    self.cut(1.0, Some(mask), threshold, material);
+                }
+            }
         }
+    }
+
+    /// Returns the image to which an input is connected. Reports another node, with what is the case `otherwise`.
+    pub(super) fn mask(&mut self, node: &Node, name: &str, otherwise: &str) -> Option<TextureMask> {
+        let mask = self.mask_of(node, 0);
+        if mask.is_none() {
+            let id = identifier(self.reader, node);
+            self.findings.warn(
+                "unsupported-material",
+                self.place,
+                format!("its {name} node `{id}` is not supported; {otherwise}"),
+                "connect an image or author a number",
+            );
+        }
+        mask
     }
 
     /// Reads the opacity of `gltf_pbr`, whose mode is 0 for solid, 1 for masked and 2 for translucent surfaces.
@@ -66,8 +74,7 @@ impl SurfaceReading<'_> {
         }
     }
 
-    /// Follows an opacity or a transmission to its image.
-    pub(super) fn mask_of(&mut self, node: &Node, depth: usize) -> Option<TextureMask> {
+    fn mask_of(&mut self, node: &Node, depth: usize) -> Option<TextureMask> {
         let id = identifier(self.reader, node);
         let is_preview = id == "UsdUVTexture";
         if is_preview || id.starts_with("ND_image_") || id.starts_with("ND_tiledimage_") {

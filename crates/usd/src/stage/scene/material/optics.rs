@@ -3,7 +3,6 @@
 use oaktwin_scene::{Material, Transmission};
 
 use super::super::super::value::{boolean, color, text};
-use super::identifier;
 use super::network::{Input, Node, input};
 use super::surface::SurfaceReading;
 
@@ -35,19 +34,9 @@ impl SurfaceReading<'_> {
         self.report(Material::not_a_share(weight, share));
         let mut mask = None;
         if let Some(Input::Node(node)) = input(self.reader, &shader.shader, &name) {
-            mask = self.mask_of(&node, 0);
+            mask = self.mask(&node, weight, "its surface transmits nothing");
             if mask.is_some() {
                 share = 1.0;
-            } else {
-                self.findings.warn(
-                    "unsupported-material",
-                    self.place,
-                    format!(
-                        "its {weight} is the node `{}`, which is not supported; its surface transmits nothing",
-                        identifier(self.reader, &node)
-                    ),
-                    "connect an image or author a number",
-                );
             }
         }
         if share > 0.0 {
