@@ -65,6 +65,7 @@ pub(crate) fn depth_image(bytes: &[u8]) {
     };
     if first & 1 == 1 {
         let mut random = Random::new(rest);
+        // Small, since encoding takes most of the time.
         let (width, height) = (1 + random.up_to(18), 1 + random.up_to(17));
         let image = random.image(width, height, Random::depth);
         let file = match first >> 1 & 1 {

@@ -29,7 +29,7 @@ pub struct DepthImageReader {
 
 impl std::fmt::Debug for DepthImageReader {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Source")
+        f.debug_struct("DepthImageReader")
             .field("path", &self.path)
             .field("batch", &self.batch)
             .field("size", &self.size)
